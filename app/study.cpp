@@ -45,18 +45,62 @@ void print_input(const Study& study)
     fmt::print("  correlation    {:g} between {} and {}\n", c.value, c.a, c.b);
 }
 
-/// All that is drawn at once, which the checks of single keys do not see.
-void check_first_draw(const Study& study)
+/// All that is drawn at once, which the checks of single keys do not see. Of two levels both.
+void check_first_draws(const Study& study)
+{
+  for (Index number = 0; number <= (study.coarse ? 1 : 0); ++number) {
+    const std::string name = fmt::format("realisation {}{}", number,
+        !study.coarse             ? ""
+        : study.is_coarse(number) ? ", coarse"
+                                  : ", fine");
+    try {
+      const CaseFile file = case_of(study, draw_realisation(study, number));
+      const Simulation simulation(file.values, std::make_shared<const Mesh<2>>(build_mesh(file.values)), 1);
+      fmt::print("  {}  can be solved: {} material points\n", name, simulation.state.points.n_points());
+    } catch (const InputError& error) {
+      fmt::print(stderr, "warning: the case refuses {}: {}\n", name, error.what());
+    } catch (const CaseError& error) {
+      fmt::print(stderr, "warning: the case refuses {}:\n{}", name, error.what());
+    }
+  }
+}
+
+struct RunCosts {
+  double seconds = 0.0, bytes = 0.0;
+};
+
+/// Of a case without any draw; none, with a line that says why: it stops itself.
+std::optional<RunCosts> costs_of(const CaseFile& base, const SharedMesh& mesh)
 {
   try {
-    const CaseFile file = case_of(study, draw_realisation(study, 0));
-    const Simulation simulation(file.values, std::make_shared<const Mesh<2>>(build_mesh(file.values)), 1);
-    fmt::print("  realisation 0  can be solved: {} material points\n", simulation.state.points.n_points());
+    Simulation simulation(base.values, mesh, 1);
+    const double seconds = seconds_of_steps(simulation.model, time_a_step(simulation));
+    return RunCosts{seconds, static_cast<double>(bytes_of(simulation.model, simulation.state))};
+  } catch (const RunError& error) {
+    fmt::print("  expected time  unknown: the case as it is stops itself: {}\n", error.what());
+    return std::nullopt;
   } catch (const InputError& error) {
-    fmt::print(stderr, "warning: the case refuses realisation 0: {}\n", error.what());
-  } catch (const CaseError& error) {
-    fmt::print(stderr, "warning: the case refuses realisation 0:\n{}", error.what());
+    throw CaseError(render(error.problems(), base));
   }
+}
+
+void print_costs(const Study& study, int threads)
+{
+  const double limit = study.settings.stop.time;
+  const auto fine = costs_of(study.base, study.mesh);
+  const auto coarse = study.coarse ? costs_of(study.coarse->base, study.coarse->mesh) : std::optional(RunCosts{});
+  if (!fine || !coarse) return;
+  const Index n_fine = study.coarse ? study.n_pairs() : study.n_realisations;
+  const double all = fine->seconds * n_fine + coarse->seconds * (study.n_realisations - n_fine);
+  fmt::print(
+      "  memory         {:.0f} MB for each of {} threads\n", std::max(fine->bytes, coarse->bytes) / 1e6, threads);
+  fmt::print("  expected time  at most {} each{}, at most {} in all\n", readable_duration(fine->seconds),
+      study.coarse ? fmt::format(" fine, {} each coarse", readable_duration(coarse->seconds)) : "",
+      readable_duration(all / threads));
+  if (study.coarse && coarse->seconds >= fine->seconds)
+    fmt::print(stderr, "warning: a coarse realisation takes as long as a fine one: two levels save nothing\n");
+  if (limit > 0.0 && std::max(fine->seconds, coarse->seconds) > limit)
+    fmt::print(stderr, "warning: one realisation may take longer than `stop.time`\n");
 }
 
 int check_study(const Study& study, int threads)
@@ -66,29 +110,14 @@ int check_study(const Study& study, int threads)
   print_input(study);
   fmt::print("  realisations   {}{}, {}\n", s.stop.cov > 0.0 || info_of(s.estimator).adaptive ? "at most " : "",
       study.n_realisations, info_of(s.estimator).title);
-  if (s.estimator == Estimator::two_stage)
-    fmt::print("  two stages     run in full: what does not stand at a factor of {:g}, and {:g} of the others\n",
-        s.two_stage.factor, s.two_stage.audit);
+  if (const std::string plan = plan_of_estimator(s); !plan.empty()) fmt::print("  of these       {}\n", plan);
   if (s.stop.cov > 0.0) fmt::print("  stops          at a coefficient of variation of P of {:g}\n", s.stop.cov);
   if (s.stop.time > 0.0) fmt::print("  stops          after {}\n", readable_duration(s.stop.time));
   fmt::print("  I              {}\n", slide_words(s));
   fmt::print(
       "  mesh           {}\n", study.shares_mesh ? "one for all realisations" : "made anew for each realisation");
-  try {
-    Simulation simulation(study.base.values, study.mesh, 1);
-    const double each = seconds_of_steps(simulation.model, time_a_step(simulation));
-    fmt::print("  memory         {:.0f} MB for each of {} threads\n",
-        static_cast<double>(bytes_of(simulation.model, simulation.state)) / 1e6, threads);
-    fmt::print("  expected time  at most {} each, at most {} in all\n", readable_duration(each),
-        readable_duration(each * study.n_realisations / threads));
-    if (s.stop.time > 0.0 && each > s.stop.time)
-      fmt::print(stderr, "warning: one realisation may take longer than `stop.time`\n");
-  } catch (const RunError& error) {
-    fmt::print("  expected time  unknown: the case as it is stops itself: {}\n", error.what());
-  } catch (const InputError& error) {
-    throw CaseError(render(error.problems(), study.base));
-  }
-  check_first_draw(study);
+  print_costs(study, threads);
+  check_first_draws(study);
   fmt::print("nothing was run\n");
   return solved;
 }
@@ -113,15 +142,16 @@ int report_study(const Study& study, const std::string& folder, bool writes)
 
 int sample_study(const Study& study, const std::string& folder, const StudyCommand& command)
 {
-  const Index n = std::min<Index>(study.n_realisations / study.n_levels(), command.samples);
+  const Index n = std::min<Index>(study.n_samples(), command.samples);
   check_study_folder(study, folder);
   make_folder(folder);
   const std::string page = path_in(folder, "sample.html");
   write_file_atomically(page, page_of_samples(study, n, now_in_utc()));
   const auto names = study.input_names();
   for (Index k = 0; k < std::min<Index>(n, 10); ++k) {
-    const Draw draw = draw_realisation(study, k * study.n_levels());
-    fmt::print("realisation {}\n", k * study.n_levels());
+    const Index number = study.first_of_turn(k * study.n_levels());
+    const Draw draw = draw_realisation(study, number);
+    fmt::print("realisation {}\n", number);
     for (std::size_t i = 0; i < names.size(); ++i)
       fmt::print("  {:>12}  {}\n", input_text(study, i, draw.inputs[i]), names[i]);
   }

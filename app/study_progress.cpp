@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace terp {
 
 StudyProgress::StudyProgress(const Study& study, const StudyPart& part, std::function<int()> n_at_a_time, bool quiet)
@@ -16,23 +18,36 @@ StudyProgress::StudyProgress(const Study& study, const StudyPart& part, std::fun
       terminal_(is_terminal(stdout)),
       shows_p_(info_of(study.settings.estimator).counts_alike && !study.settings.fragility)
 {
-  for (Index n = 0; n < study.n_realisations; ++n) n_all_ += part.has(n);
+  for (Index n = 0; n < study.n_realisations; ++n)
+    if (part.has(study.share_of(n))) ++n_all_, ++levels_[study.is_coarse(n) ? 1 : 0].left;
 }
 
 void StudyProgress::count(const Realisation& r)
 {
-  if (!part_.has(r.number)) return;
-  ++done_;
+  if (!part_.has(study_.share_of(r.number))) return;
+  ++done_, --levels_[study_.is_coarse(r.number) ? 1 : 0].left;
   if (!r.skipped()) counts_.take(r);
+}
+
+/// Of one thread; a level of which nothing is made yet takes as long as the other.
+double StudyProgress::seconds_left() const
+{
+  double seconds = 0.0;
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    const Level& from = levels_[k].made > 0 ? levels_[k] : levels_[1 - k];
+    seconds += from.spent / static_cast<double>(from.made) * static_cast<double>(levels_[k].left);
+  }
+  return seconds;
 }
 
 void StudyProgress::show(const Realisation& newest, const Realisations& all)
 {
-  if (++made_ == 1)
+  if (!std::exchange(begun_, true))
     for (const auto& [number, r] : all) count(r);
   else
     count(newest);
-  spent_ += newest.wall_s;
+  Level& level = levels_[study_.is_coarse(newest.number) ? 1 : 0];
+  level.spent += newest.wall_s, ++level.made;
   const double now = std::chrono::duration<double>(Clock::now() - start_).count();
   if (quiet_ || now < next_) return;
   next_ = now + (terminal_ ? 0.2 : 10.0);
@@ -44,10 +59,9 @@ void StudyProgress::show(const Realisation& newest, const Realisations& all)
     line += "  so far P(I) " + estimate_text(counts_.slide(confidence));
     if (newest.judges_flood) line += "  P(F) " + estimate_text(counts_.flood(confidence));
   }
-  const double each = spent_ / static_cast<double>(made_);
   if (!adaptive)
     line += fmt::format("  ETA {}{}", study_.settings.stop.cov > 0.0 ? "at most " : "",
-        readable_duration(each * static_cast<double>(n_all_ - done_) / n_at_a_time_()));
+        readable_duration(seconds_left() / n_at_a_time_()));
   terp::show(stdout, terminal_ ? "\r\033[K" + line : line + '\n');
   open_ = terminal_;
 }

@@ -4,6 +4,7 @@
 #include "study/store.hpp"
 #include "study/estimates.hpp"
 
+#include <array>
 #include <chrono>
 #include <functional>
 
@@ -25,8 +26,17 @@ class StudyProgress {
   std::function<int()> n_at_a_time_;
   bool quiet_, terminal_, shows_p_, open_ = false;
   Clock::time_point start_ = Clock::now();
-  double spent_ = 0.0, next_ = 0.0;
-  Index made_ = 0, done_ = 0, n_all_ = 0;
+  /// Of one level; the fine one, or the only one, first.
+  struct Level {
+    double spent = 0.0;  ///< [s]
+    Index made = 0, left = 0;
+  };
+  double seconds_left() const;
+
+  double next_ = 0.0;
+  Index done_ = 0, n_all_ = 0;
+  std::array<Level, 2> levels_ = {};
+  bool begun_ = false;
   EventCounts counts_ = {};
 };
 

@@ -12,8 +12,8 @@ import numpy as np
 from terp.errors import RunError
 from terp.run import Run
 
-_TEXT = {"fault", "screening"}
-_INTEGER = {"results.csv": {"realisation", "solved"}, "fragility.csv": {"solved", "failed", "slides"}}
+_TEXT = {"fault", "screening", "resolution"}
+_INTEGER = {"results.csv": {"realisation", "solved", "sample"}, "fragility.csv": {"solved", "failed", "slides"}}
 
 
 class Event(NamedTuple):
@@ -77,6 +77,16 @@ class Study:
     def levels(self):
         """fragility.csv as a structured array, a row per level. Raises RunError if the study has no load."""
         return self._table("fragility.csv")
+
+    @property
+    def pairs(self):
+        """Rows of the table of samples that were solved on both levels, (coarse, fine), in the same order.
+        Raises RunError if the study has no two levels."""
+        table = self.table
+        if "resolution" not in table.dtype.names:
+            raise RunError(f"{self.folder} is no study on two levels: its estimator is {self.results['estimator']}")
+        fine = np.flatnonzero(table["resolution"] == "fine")
+        return table[fine - 1], table[fine]
 
     def run_of(self, realisation, program="terp"):
         """The terp.Run of a realisation, with all its fields. It is solved once more by the program, to the same bits,

@@ -162,6 +162,8 @@ Draw draw_changes(const Study& study, Index realisation)
 {
   const StudySettings& s = study.settings;
   Draw draw{.changes = s.set};
+  if (study.is_coarse(realisation))
+    draw.changes.insert(draw.changes.end(), s.multilevel.coarse.begin(), s.multilevel.coarse.end());
   const auto choice = sweep_choice(s, realisation);
   for (std::size_t k = 0; k < s.sweep.size(); ++k) {
     const Node& value = s.sweep[k].values[choice[k]];

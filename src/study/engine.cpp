@@ -34,7 +34,7 @@ class Team {
         table_(study)
   {
     for (const Index n : numbers)
-      if (options.part.has(n) && !rows.contains(n)) todo_.push_back(n);
+      if (options.part.has(study.share_of(n)) && !rows.contains(n)) todo_.push_back(n);
   }
 
   StudyEnd run()

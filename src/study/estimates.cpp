@@ -39,7 +39,7 @@ std::vector<Sensitivity> find_sensitivities(const Study& study, const Realisatio
     std::vector<Real> all, slid, with_height, heights;
     for (Index i = 0; i < n; ++i) {
       const Realisation& r = rows.at(i);
-      if (r.failed()) continue;
+      if (r.failed() || (study.coarse && !study.is_coarse(i))) continue;  // each sample of two levels once
       const bool falls = study.settings.estimator == Estimator::two_stage ? r.screening == Screening::falls : r.slid;
       all.push_back(r.inputs[k]), slid.push_back(falls ? 1.0 : 0.0);
       if (r.solved() && std::isfinite(r.outcomes[height]))
@@ -82,31 +82,40 @@ EventEstimate EventCounts::flood_after_slide(Real confidence) const
   return estimate_event(flooded_after_slide, slid_judged, failed + slid - slid_judged, confidence);
 }
 
-EventCounts Sample::counts() const
+EventCounts operator+(const EventCounts& a, const EventCounts& b)
 {
   EventCounts sum;
   for (const auto member : {&EventCounts::solved, &EventCounts::failed, &EventCounts::slid, &EventCounts::flooded,
            &EventCounts::flooded_after_slide, &EventCounts::judged, &EventCounts::slid_judged,
            &EventCounts::slid_as_drawn})
-    sum.*member = all_.*member + audited_.*member;
+    sum.*member = a.*member + b.*member;
   return sum;
 }
 
-void Sample::take(const Realisation& r)
+EventCounts Sample::counts() const { return all_ + audited_; }
+
+void Sample::take(const Realisation& r, bool is_coarse)
 {
   judges_flood_ = judges_flood_ || r.judges_flood;
-  if (r.skipped())
+  if (settings_->estimator == Estimator::multilevel) levels_.take(r, is_coarse);
+  if (is_coarse)
+    coarse_.take(r);
+  else if (r.skipped())
     ++n_skipped_;
   else
     (r.screening == Screening::audited ? audited_ : all_).take(r);
 }
 
-EventEstimate Sample::estimate(std::int64_t EventCounts::*event) const
+EventEstimate Sample::estimate(std::int64_t EventCounts::*event, Real confidence) const
 {
-  const Real confidence = settings_->confidence;
-  return settings_->estimator == Estimator::two_stage
-             ? weigh(event, confidence)
-             : estimate_event(all_.*event, all_.n() - all_.unknown(event), all_.unknown(event), confidence);
+  if (settings_->estimator == Estimator::two_stage) return weigh(event, confidence);
+  if (settings_->estimator == Estimator::multilevel)
+    return levels_
+        .of(event == &EventCounts::slid      ? StudyEvent::slide
+            : event == &EventCounts::flooded ? StudyEvent::flood
+                                             : StudyEvent::slide_and_flood)
+        .estimate(confidence);
+  return estimate_event(all_.*event, all_.n() - all_.unknown(event), all_.unknown(event), confidence);
 }
 
 // The audit is a random part of what stands at the factor, so its share of events is that of all of these: the sum of
@@ -137,22 +146,31 @@ EventEstimate Sample::weigh(std::int64_t EventCounts::*event, Real confidence) c
   return e;
 }
 
-EventEstimate Sample::flood_after_slide() const
+/// Of the slides below the factor and of those above it, each with its weight; none: the audit does not tell.
+std::optional<Real> Sample::weighted_worth() const
 {
-  if (settings_->estimator != Estimator::two_stage) return all_.flood_after_slide(settings_->confidence);
-  const Real of_each = 0.5 + 0.5 * settings_->confidence;
-  const EventEstimate both = weigh(&EventCounts::flooded_after_slide, of_each),
-                      slide = weigh(&EventCounts::slid, of_each);
   const std::int64_t below = all_.slid_judged, above = audited_.slid_judged, audited = audited_.n() - audited_.failed;
-  EventEstimate e{both.happened, below + above, both.failed};
+  if (below + above == 0 || (audited == 0 && n_skipped_ > 0)) return std::nullopt;
+  const Real weight = audited > 0 ? static_cast<Real>(audited_.n() + n_skipped_) / static_cast<Real>(audited) : 0.0;
+  const auto sum = [&](std::int64_t falls, std::int64_t stands) {
+    return static_cast<Real>(falls) + weight * static_cast<Real>(stands);
+  };
+  return sum(all_.flooded_after_slide, audited_.flooded_after_slide) / sum(below, above);
+}
+
+EventEstimate Sample::flood_after_slide(Real confidence) const
+{
+  const bool two_stage = settings_->estimator == Estimator::two_stage;
+  if (!two_stage && settings_->estimator != Estimator::multilevel) return all_.flood_after_slide(confidence);
+  const Real of_each = 0.5 + 0.5 * confidence;
+  const EventEstimate both = estimate(&EventCounts::flooded_after_slide, of_each),
+                      slide = estimate(&EventCounts::slid, of_each);
+  EventEstimate e{both.happened, all_.slid_judged + audited_.slid_judged, both.failed};
   e.counts_alike = false;
-  if (below + above > 0 && (audited > 0 || n_skipped_ == 0)) {
-    const Real weight = audited > 0 ? static_cast<Real>(audited_.n() + n_skipped_) / static_cast<Real>(audited) : 0.0;
-    const auto sum = [&](std::int64_t falls, std::int64_t stands) {
-      return static_cast<Real>(falls) + weight * static_cast<Real>(stands);
-    };
-    e.weighted = sum(all_.flooded_after_slide, audited_.flooded_after_slide) / sum(below, above);
-  }
+  if (two_stage)
+    e.weighted = weighted_worth();
+  else if (both.weighted && slide.weighted && *slide.weighted > 0.0)
+    e.weighted = std::min(1.0, *both.weighted / *slide.weighted);  // each has groups of its own
   e.bounds.low = slide.bounds.high > 0.0 ? both.bounds.low / slide.bounds.high : 0.0;
   e.bounds.high = slide.bounds.low > 0.0 ? std::min(1.0, both.bounds.high / slide.bounds.low) : 1.0;
   return e;
@@ -183,7 +201,7 @@ EventEstimate estimate_event(std::int64_t happened, std::int64_t solved, std::in
 void TableCounter::take(const Realisations& rows)
 {
   for (auto row = rows.find(n_); row != rows.end() && row->first == n_ && !rule_met_; ++row) {
-    counts_.take(row->second);
+    counts_.take(row->second, study_.is_coarse(n_));
     ++n_;
     rule_met_ = n_ == study_.n_realisations || meets_rule(study_, counts_);
   }
@@ -203,22 +221,28 @@ StudyEstimates estimate(const Study& study, const Realisations& rows)
   e.n_made = count_in_table(study, rows, e.rule_met);
   e.n_beyond = static_cast<Index>(rows.size()) - e.n_made;
   const std::size_t moves = outcome_number("still_moves");
-  Index n_skipped = 0;
-  double skipped_wall_s = 0.0;
+  Index n_skipped = 0, n_coarse = 0;
+  double skipped_wall_s = 0.0, coarse_wall_s = 0.0;
   for (Index n = 0; n < e.n_made; ++n) {
     const Realisation& r = rows.at(n);
-    e.sample.take(r);
+    const bool is_coarse = study.is_coarse(n);
+    e.sample.take(r, is_coarse);
     e.mean_wall_s += r.wall_s / e.n_made;
     if (r.skipped()) ++n_skipped, skipped_wall_s += r.wall_s;
+    if (is_coarse) ++n_coarse, coarse_wall_s += r.wall_s;
     if (!r.fault.empty()) count_fault(r, e.faults);
-    if (r.solved() && r.outcomes[moves] == 1.0)
+    if (r.solved() && !is_coarse && r.outcomes[moves] == 1.0)
       e.n_moving_without_slide += !r.slid, e.n_moving_without_flood += r.judges_flood && !r.flooded;
   }
   if (n_skipped > 0 && n_skipped < e.n_made) {
     e.screening_wall_s = skipped_wall_s / n_skipped;
     e.full_wall_s = (e.mean_wall_s * e.n_made - skipped_wall_s) / (e.n_made - n_skipped) - e.screening_wall_s;
   }
-  e.counts = e.sample.counts();
+  if (n_coarse > 0 && n_coarse < e.n_made) {
+    e.coarse_wall_s = coarse_wall_s / n_coarse;
+    e.fine_wall_s = (e.mean_wall_s * e.n_made - coarse_wall_s) / (e.n_made - n_coarse);
+  }
+  e.counts = e.sample.counts() + e.sample.coarse();
   e.judges_flood = e.sample.judges_flood();
   e.slide = e.sample.slide(), e.flood = e.sample.flood(), e.flood_after_slide = e.sample.flood_after_slide();
   e.sensitivities = find_sensitivities(study, rows, e.n_made);
@@ -234,7 +258,7 @@ std::vector<RunningEstimate> running_estimates(
   std::vector<RunningEstimate> list;
   Sample sample(study.settings);
   for (Index n = 0; n < n_made; ++n) {
-    sample.take(rows.at(n));
+    sample.take(rows.at(n), study.is_coarse(n));
     if ((n + 1) % stride == 0 || n + 1 == n_made) list.push_back({n + 1, of_flood ? sample.flood() : sample.slide()});
   }
   return list;

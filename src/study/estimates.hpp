@@ -1,6 +1,7 @@
 // What the realisations say: probabilities with their bounds, what remains, which inputs matter.
 #pragma once
 
+#include "study/multilevel.hpp"
 #include "study/statistics.hpp"
 #include "study/store.hpp"
 
@@ -38,33 +39,44 @@ struct EventCounts {
   EventEstimate flood_after_slide(Real confidence) const;
 };
 
-/// The table of a study in one or two stages.
+EventCounts operator+(const EventCounts& a, const EventCounts& b);
+
+/// The table of a study, in one or two stages or on two levels.
 class Sample {
  public:
   explicit Sample(const StudySettings& settings) : settings_(&settings) {}
 
-  void take(const Realisation& realisation);
-  EventEstimate slide() const { return estimate(&EventCounts::slid); }
-  EventEstimate flood() const { return estimate(&EventCounts::flooded); }
-  EventEstimate flood_after_slide() const;
+  void take(const Realisation& realisation, bool is_coarse = false);
+  EventEstimate slide(Real confidence) const { return estimate(&EventCounts::slid, confidence); }
+  EventEstimate flood(Real confidence) const { return estimate(&EventCounts::flooded, confidence); }
+  EventEstimate flood_after_slide(Real confidence) const;
+  /// With the confidence of the study.
+  EventEstimate slide() const { return slide(settings_->confidence); }
+  EventEstimate flood() const { return flood(settings_->confidence); }
+  EventEstimate flood_after_slide() const { return flood_after_slide(settings_->confidence); }
   /// As if nothing above the factor of a two-stage study could happen.
   EventEstimate trusting(bool of_flood) const;
 
   const EventCounts& run_for_falling() const { return all_; }
   const EventCounts& audited() const { return audited_; }
-  EventCounts counts() const;  ///< of all that were run, as if they counted alike
+  const EventCounts& coarse() const { return coarse_; }
+  const TwoLevels& levels() const { return levels_; }
+  EventCounts counts() const;  ///< of all that were run with the case itself, as if they counted alike
   std::int64_t n_skipped() const { return n_skipped_; }
   bool judges_flood() const { return judges_flood_; }
   /// Those that the rule of the study counts: F where floods are judged, else I.
   std::int64_t rule_events() const { return judges_flood_ ? all_.flooded : all_.slid; }
 
  private:
-  EventEstimate estimate(std::int64_t EventCounts::*event) const;
+  EventEstimate estimate(std::int64_t EventCounts::*event, Real confidence) const;
   EventEstimate weigh(std::int64_t EventCounts::*event, Real confidence) const;
+  std::optional<Real> weighted_worth() const;
 
   const StudySettings* settings_;
   EventCounts all_ = {};  ///< of two stages: those that fall at the factor
   EventCounts audited_ = {};
+  EventCounts coarse_ = {};  ///< of two levels; `all_` are the fine ones
+  TwoLevels levels_ = {};
   std::int64_t n_skipped_ = 0;
   bool judges_flood_ = false;  ///< any of them
 };
@@ -72,7 +84,7 @@ class Sample {
 /// How an input goes with the outcomes: rank correlations.
 struct Sensitivity {
   std::string input;
-  std::optional<Real> with_slide, with_height;  ///< with_slide: of two stages, with falling at the factor
+  std::optional<Real> with_slide, with_height;  ///< with_slide: or as EstimatorInfo::inputs_go_with says
 };
 
 /// One kind of realisation without a result.
@@ -88,16 +100,17 @@ struct StudyEstimates {
 
   Index n_made = 0;    ///< realisations of the table: 0 ... n_made - 1
   Index n_beyond = 0;  ///< solved, but after a gap, or after the rule has stopped: not in the table
-  /// Of those, solved without the event while soil still moves at the end.
+  /// Of those, solved with the case itself and without the event while soil still moves at the end.
   Index n_moving_without_slide = 0, n_moving_without_flood = 0;
   bool judges_flood = false;
-  EventCounts counts = {};
+  EventCounts counts = {};  ///< of all that were run
   EventEstimate slide, flood, flood_after_slide;
   std::vector<Sensitivity> sensitivities;
   std::vector<FaultCount> faults;
   Sample sample;
   double mean_wall_s = 0.0;
   double screening_wall_s = 0.0, full_wall_s = 0.0;  ///< means of the two stages; 0: not known
+  double coarse_wall_s = 0.0, fine_wall_s = 0.0;     ///< means of the two levels; 0: not known
   bool rule_met = false;                             ///< the stop rule
 };
 

@@ -10,7 +10,7 @@
 namespace terp {
 namespace {
 
-using OfLevel = EventEstimate (EventCounts::*)(Real) const;
+using OfLevel = EventEstimate (Sample::*)(Real) const;
 
 /// int_a^b G(h) dh of a distribution function G.
 Real integral_of_probability(const Distribution& g, Real a, Real b)
@@ -24,7 +24,7 @@ Real integral_of_probability(const Distribution& g, Real a, Real b)
 }
 
 struct LevelCounts {
-  std::vector<EventCounts> levels;
+  std::vector<Sample> levels;
   Index n_falling_slides = 0, n_falling_floods = 0;
   bool judges_flood = false;
 };
@@ -32,14 +32,15 @@ struct LevelCounts {
 LevelCounts count_levels(const Study& study, const Realisations& rows)
 {
   LevelCounts counts;
-  counts.levels.resize(static_cast<std::size_t>(study.n_levels()));
+  counts.levels.assign(static_cast<std::size_t>(study.n_levels()), Sample(study.settings));
   bool met = false;
   const Index n = count_in_table(study, rows, met);
   bool slid = false, flooded = false;  // of this sample, at the last level where it is known
   for (Index k = 0; k < n; ++k) {
     const Realisation& r = rows.at(k);
-    counts.levels[study.level_of(k)].take(r);
+    counts.levels[study.level_of(k)].take(r, study.is_coarse(k));
     counts.judges_flood = counts.judges_flood || r.judges_flood;
+    if (study.is_coarse(k)) continue;                    // P is of the fine ones
     if (study.level_of(k) == 0) slid = flooded = false;  // another sample
     counts.n_falling_slides += r.solved() && slid && !r.slid;
     counts.n_falling_floods += r.solved() && r.judges_flood && flooded && !r.flooded;
@@ -119,14 +120,14 @@ FragilityCurve estimate_fragility(const Study& study, const Realisations& rows)
   curve.judges_flood = counts.judges_flood;
   bool has_all = true, has_all_floods = true;
   for (std::size_t k = 0; k < load.levels.size(); ++k) {
-    const EventCounts& c = counts.levels[k];
+    const Sample& c = counts.levels[k];
     curve.levels.push_back({load.levels[k], c.slide(confidence), c.flood(confidence), c.flood_after_slide(confidence)});
-    has_all = has_all && curve.levels.back().slide.solved > 0;
-    has_all_floods = has_all_floods && curve.levels.back().flood.solved > 0;
+    has_all = has_all && curve.levels.back().slide.probability().has_value();
+    has_all_floods = has_all_floods && curve.levels.back().flood.probability().has_value();
   }
   if (!load.distribution || !has_all) return curve;
-  curve.slide = integrate(load, counts, &EventCounts::slide, confidence);
-  if (curve.judges_flood && has_all_floods) curve.flood = integrate(load, counts, &EventCounts::flood, confidence);
+  curve.slide = integrate(load, counts, &Sample::slide, confidence);
+  if (curve.judges_flood && has_all_floods) curve.flood = integrate(load, counts, &Sample::flood, confidence);
   return curve;
 }
 

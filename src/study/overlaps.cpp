@@ -14,12 +14,19 @@ namespace {
 struct Change {
   std::string key, path, value;
   bool takes_mean = false;  ///< a field about what the case has, numbers that are drawn included
+  bool is_coarse = false;   ///< of two levels; such changes follow one another as those of `set` do
 };
 
 std::vector<Change> changes_of(const StudySettings& s)
 {
   std::vector<Change> changes;
   const auto number = [&] { return fmt::format("{}", 1.0625 + static_cast<Real>(changes.size())); };
+  for (const std::string& change : s.multilevel.coarse) {
+    const std::size_t end = change.find('=');
+    const std::string key = change.substr(0, end);
+    changes.push_back(
+        {.key = key, .path = join_path("estimator.coarse", key), .value = change.substr(end + 1), .is_coarse = true});
+  }
   for (const SweepKey& sweep : s.sweep) changes.push_back({sweep.key, join_path(sweep.path, "key"), number()});
   if (s.fragility)
     for (const auto& [key, value] : s.fragility->set)
@@ -66,7 +73,7 @@ void refuse_overlaps(const Study& study, std::vector<Problem>& problems)
     for (std::size_t a = 0; a < b; ++a) {
       const Change &first = changes[a], &second = changes[b];
       const bool is_part_of_mean = second.takes_mean && !first.takes_mean && first.key.starts_with(second.key + '.');
-      if (is_part_of_mean || !may_overlap(first, second)) continue;
+      if (is_part_of_mean || (first.is_coarse && second.is_coarse) || !may_overlap(first, second)) continue;
       const Node& root = study.base.source.root;
       if (case_after(root, first, second) == case_after(root, second, first)) continue;
       problems.push_back({second.path, fmt::format("`{}` and `{}` set the same value", first.key, second.key),

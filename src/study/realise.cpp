@@ -151,7 +151,8 @@ bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, 
   result.screening = screen(study, file.values, result.number, stop);
   if (stop.load()) return false;
   if (result.skipped()) return true;
-  const SharedMesh mesh = study.shares_mesh ? study.mesh : std::make_shared<const Mesh<2>>(build_mesh(file.values));
+  const SharedMesh mesh =
+      study.shares_mesh ? study.mesh_of(result.number) : std::make_shared<const Mesh<2>>(build_mesh(file.values));
   Simulation simulation(file.values, mesh, 1, all_followers());
   result.judges_flood = simulation.model.flood_level.is_known();
   if (simulation.run(stop) != Outcome::finished) return false;

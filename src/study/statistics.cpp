@@ -32,10 +32,15 @@ std::vector<Real> ranks_of(const std::vector<Real>& values)
 Bounds clopper_pearson(std::int64_t k, std::int64_t n, Real confidence)
 {
   TERP_ASSERT(k >= 0 && k <= n);
-  const Real tail = 0.5 * (1.0 - confidence), events = static_cast<Real>(k), others = static_cast<Real>(n - k);
+  return clopper_pearson_of(static_cast<Real>(k), static_cast<Real>(n), confidence);
+}
+
+Bounds clopper_pearson_of(Real events, Real n, Real confidence)
+{
+  const Real tail = 0.5 * (1.0 - confidence), others = n - events;
   Bounds bounds;
-  if (k > 0) bounds.low = boost::math::ibeta_inv(events, others + 1.0, tail);
-  if (k < n) bounds.high = boost::math::ibeta_inv(events + 1.0, others, 1.0 - tail);
+  if (events > 0.0) bounds.low = boost::math::ibeta_inv(events, others + 1.0, tail);
+  if (others > 0.0) bounds.high = boost::math::ibeta_inv(events + 1.0, others, 1.0 - tail);
   return bounds;
 }
 

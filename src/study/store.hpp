@@ -16,9 +16,9 @@ namespace terp {
 /// Part `number` of `n_all`, from 1: every n_all-th realisation, for the arrays of batch systems.
 struct StudyPart {
   Index number = 1, n_all = 1;
-  bool has(Index realisation) const { return realisation % n_all == number - 1; }
-  std::string name() const;  ///< "part_1_of_4"
-  std::string file() const;  ///< "part_1_of_4.rows"
+  bool has(Index share) const { return share % n_all == number - 1; }  ///< as Study::share_of()
+  std::string name() const;                                            ///< "part_1_of_4"
+  std::string file() const;                                            ///< "part_1_of_4.rows"
 };
 
 using Realisations = std::map<Index, Realisation>;

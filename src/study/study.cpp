@@ -1,12 +1,13 @@
 #include "study/study.hpp"
 
 #include "base/checksum.hpp"
-#include "input/case_record.hpp"
 #include "input/printable.hpp"
 #include "output/files.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "stability/factor_of_safety.hpp"
+#include "study/case_refusal.hpp"
+#include "study/multilevel.hpp"
 #include "study/overlaps.hpp"
 #include "study/points.hpp"
 #include "study/reliability.hpp"
@@ -23,44 +24,13 @@ namespace {
 
 constexpr Index most_realisations = 10'000'000;
 
-std::string indented_message(const std::string& message)
-{
-  std::string out;
-  std::size_t begin = 0;
-  while (begin < message.size()) {
-    const std::size_t end = std::min(message.find('\n', begin), message.size());
-    const std::string line = message.substr(begin, end - begin);
-    if (line.find("nothing was run") == std::string::npos && !line.empty()) out += line + '\n';
-    begin = end + 1;
-  }
-  if (!out.empty()) out.pop_back();
-  return out;
-}
-
-/// What the case says of these changes; empty: it takes them.
-std::string refusal_of(const Study& study, const std::vector<std::string>& changes)
-{
-  try {
-    read_case_text(study.case_text, study.case_path, changes);
-    return "";
-  } catch (const CaseError& error) {
-    return indented_message(error.what());
-  }
-}
-
-std::vector<std::string> with(const Study& study, const std::string& change)
-{
-  std::vector<std::string> changes = study.settings.set;
-  changes.push_back(change);
-  return changes;
-}
-
 /// The case must take what each number may be, alone: its median, and its tails.
 void check_numbers(const Study& study, std::vector<Problem>& problems)
 {
   for (const RandomNumber& number : study.settings.numbers) {
     const auto refusal = [&](Real p) {
-      return refusal_of(study, with(study, fmt::format("{}={:.12g}", number.key, number.distribution.quantile(p))));
+      return refusal_of(
+          study, changes_with(study, fmt::format("{}={:.12g}", number.key, number.distribution.quantile(p))));
     };
     if (const std::string why = refusal(0.5); !why.empty()) {
       problems.push_back(
@@ -177,9 +147,9 @@ void check_fields_of_study(Study& study, std::vector<Problem>& problems)
   for (const RandomFieldKey& field : study.settings.fields) {
     const auto change = std::ranges::find_if(
         draw.changes, [&](const std::string& text) { return text.starts_with(field.key + "={ random"); });
-    std::string why = refusal_of(study, with(study, *change));
+    std::string why = refusal_of(study, changes_with(study, *change));
     if (why.empty()) try {
-        const CaseFile file = read_case_text(study.case_text, study.case_path, with(study, *change));
+        const CaseFile file = read_case_text(study.case_text, study.case_path, changes_with(study, *change));
         build_model(file.values, study.mesh, 1);
       } catch (const InputError& error) {
         why = error.what();
@@ -207,12 +177,20 @@ void check_sweep(const Study& study, std::vector<Problem>& problems)
   if (study.settings.form == SweepForm::table) return check_table(study, problems);
   for (const SweepKey& sweep : study.settings.sweep)
     for (std::size_t k = 0; k < sweep.values.size(); ++k)
-      if (const std::string why = refusal_of(study, with(study, sweep.key + "=" + toml_value(sweep.values[k])));
+      if (const std::string why = refusal_of(study, changes_with(study, sweep.key + "=" + toml_value(sweep.values[k])));
           !why.empty()) {
         problems.push_back({fmt::format("{}[{}]", join_path(sweep.path, "values"), k),
             fmt::format("the case does not take `{}`", sweep.key), why, ""});
         break;
       }
+}
+
+/// `coarse`, and what follows the load.
+std::vector<std::string> coarse_at(const Study& study, Real level)
+{
+  std::vector<std::string> changes = study.settings.multilevel.coarse;
+  for (std::string& change : study.settings.fragility->changes_at(level)) changes.push_back(std::move(change));
+  return changes;
 }
 
 /// At each level, and without the draws.
@@ -221,9 +199,8 @@ void check_levels(const Study& study, std::vector<Problem>& problems)
   if (!study.settings.fragility) return;
   const FragilityLoad& load = *study.settings.fragility;
   for (std::size_t k = 0; k < load.levels.size(); ++k) {
-    std::vector<std::string> changes = study.settings.set;
-    for (std::string& change : load.changes_at(load.levels[k])) changes.push_back(std::move(change));
-    const std::string why = refusal_of(study, changes);
+    std::string why = refusal_of(study, changes_with(study, load.changes_at(load.levels[k])));
+    if (why.empty() && study.coarse) why = refusal_of(study, changes_with(study, coarse_at(study, load.levels[k])));
     if (why.empty()) continue;
     problems.push_back({fmt::format("fragility.levels[{}]", k),
         fmt::format("the case does not take h = {:g}", load.levels[k]), why, ""});
@@ -243,8 +220,7 @@ void check_water_of_levels(const Study& study, std::vector<Problem>& problems)
   const FragilityLoad& load = *study.settings.fragility;
   std::optional<FloodLevel> first;
   for (std::size_t k = 0; k < load.levels.size(); ++k) {
-    std::vector<std::string> changes = study.settings.set;
-    for (std::string& change : load.changes_at(load.levels[k])) changes.push_back(std::move(change));
+    const auto changes = changes_with(study, load.changes_at(load.levels[k]));
     const Case c = read_case_text(study.case_text, study.case_path, changes).values;
     if (!c.flood.asks() || std::isfinite(c.flood.water_level)) return;
     const FloodLevel now = flood_level_of(study, c);
@@ -287,8 +263,8 @@ void set_shares_mesh(Study& study)
 Index count_realisations(const StudySettings& s)
 {
   if (info_of(s.estimator).adaptive) return std::min(most_realisations, 10 * s.stop.number + 1000);
-  if (s.fragility) return s.stop.number * static_cast<Index>(s.fragility->levels.size());
-  if (s.estimator != Estimator::sweep) return s.stop.number;
+  if (s.fragility) return (s.stop.number + s.multilevel.pairs) * static_cast<Index>(s.fragility->levels.size());
+  if (s.estimator != Estimator::sweep) return s.stop.number + s.multilevel.pairs;
   std::size_t n = s.form == SweepForm::table ? s.sweep.front().values.size() : 1;
   if (s.form == SweepForm::grid)
     for (const SweepKey& sweep : s.sweep) n = std::min<std::size_t>(n * sweep.values.size(), most_realisations + 1);
@@ -333,6 +309,7 @@ Study prepare_study(StudySettings settings)
   find_boxes(study, problems);
   refuse_overlaps(study, problems);
   refuse_if_any(problems, s);
+  prepare_coarse(study, problems);
   check_numbers(study, problems);
   check_sweep(study, problems);
   check_levels(study, problems);
@@ -351,7 +328,9 @@ Study prepare_study(StudySettings settings)
   }
   if (!s.fields.empty()) check_fields_of_study(study, problems);
   refuse_if_any(problems, s);
-  study.case_digits = digits_of(record_text(make_case_record(study.base, *study.mesh)));
+  refuse_equal_levels(study, problems);
+  refuse_if_any(problems, s);
+  study.case_digits = digits_of(record_of_case(study));
   study.study_digits = digits_of(identity_text(s));
   return study;
 }

@@ -8,10 +8,18 @@
 #include "study/correlation.hpp"
 #include "study/study_file.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace terp {
+
+/// The cheap case of a study with two levels.
+struct CoarseLevel {
+  CaseFile base = {};  ///< with `set` and `coarse`, as it is without any draw
+  SharedMesh mesh = {};
+};
 
 struct Study {
   StudySettings settings;
@@ -19,17 +27,30 @@ struct Study {
   CaseFile base = {};                               ///< the case with `set`, as it is without any draw
   SharedMesh mesh = {};                             ///< of the base
   bool shares_mesh = true;                          ///< no draw changes it
-  Index n_realisations = 0;                         ///< at most; of a fragility curve: of all levels
+  std::optional<CoarseLevel> coarse = {};           ///< of kind = "multilevel"
+  Index n_realisations = 0;                         ///< at most; of all levels of a load, coarse and fine
   SquareMatrix of_numbers = {}, of_fields = {};     ///< Cholesky factors of the correlations
   std::vector<std::vector<Real>> points = {};       ///< of a sampler that fills the space: by number, then by sample
   std::vector<std::array<Vec<2>, 2>> boxes = {};    ///< of the fields
   std::string case_digits = {}, study_digits = {};  ///< of what decides the results
 
-  /// Levels of a fragility curve, else 1. Realisation r is sample r / n_levels() at level r % n_levels(): the samples
-  /// are the same at all levels, and each count from 0 has all levels equally often.
+  /// Levels of a fragility curve, else 1. A sample at one of them is a turn: turn t is sample t / n_levels() at level
+  /// t % n_levels(). The samples are the same at all levels, and each count of turns from 0 has all levels equally
+  /// often.
   Index n_levels() const;
-  Index sample_of(Index realisation) const { return realisation / n_levels(); }
-  std::size_t level_of(Index realisation) const { return static_cast<std::size_t>(realisation % n_levels()); }
+  Index sample_of(Index realisation) const { return turn_of(realisation) / n_levels(); }
+  std::size_t level_of(Index realisation) const { return static_cast<std::size_t>(turn_of(realisation) % n_levels()); }
+  Index n_samples() const { return turn_of(n_realisations) / n_levels(); }
+  /// Turns are realisations, but of two levels: there the first ones, of the pairs, are two each, the coarse one
+  /// first, and all that follow are coarse. So a larger number goes on with the same study.
+  Index turn_of(Index realisation) const { return realisation - std::min(realisation + 1, 2 * n_pairs()) / 2; }
+  /// The coarse one, of two levels.
+  Index first_of_turn(Index turn) const { return turn + std::min(turn, n_pairs()); }
+  Index n_pairs() const { return coarse ? settings.multilevel.pairs * n_levels() : 0; }  ///< at all levels of a load
+  bool is_coarse(Index realisation) const { return coarse && (realisation >= 2 * n_pairs() || realisation % 2 == 0); }
+  /// For which part of a study it is: both of a pair are for one.
+  Index share_of(Index realisation) const { return coarse ? turn_of(realisation) : realisation; }
+  const SharedMesh& mesh_of(Index realisation) const { return is_coarse(realisation) ? coarse->mesh : mesh; }
 
   /// What realisations are told apart by: the level of the load, numbers that are drawn, means of fields over their
   /// trend, keys of a sweep.

@@ -10,7 +10,6 @@
 #include "study/read_distribution.hpp"
 #include "study/points.hpp"
 #include "study/read_fragility.hpp"
-#include "study/reliability.hpp"
 #include "study/study_inputs.hpp"
 #include "study/study_keys.hpp"
 
@@ -139,26 +138,22 @@ void read_sweep(const Node& root, StudySettings& s, Findings& findings)
   }
 }
 
-void read_set(const Node& root, StudySettings& s, Findings& findings)
+/// Changes of the case, KEY=VALUE: `set`, and `coarse` of [estimator]. path: of the table that has them.
+void read_changes(
+    const Node& table, const std::string& path, const char* name, std::vector<std::string>& changes, Findings& findings)
 {
-  const Node* set = find_item(root, "set");
+  const Node* set = find_item(table, name);
   if (set == nullptr) return;
+  const std::string own = join_path(path, name);
   if (set->kind != NodeKind::table)
-    return findings.problems.push_back(
-        {"set", "`set` must be a table of keys and values", "As in set = { \"mesh.cell\" = 1.0 }.", ""});
+    return findings.problems.push_back({own, fmt::format("`{}` must be a table of keys and values", name),
+        fmt::format("As in {} = {{ \"mesh.cell\" = 1.0 }}.", name), ""});
   for (const Node& item : set->items) {
     if (item.kind == NodeKind::table && find_key(item.name) == nullptr && item.name.find('.') == std::string::npos)
-      findings.problems.push_back({join_path("set", item.name), "write the key in quotes",
+      findings.problems.push_back({join_path(own, item.name), "write the key in quotes",
           fmt::format("As in \"{}.KEY\" = VALUE.", item.name), "", true});
-    s.set.push_back(item.name + "=" + toml_value(item));
+    changes.push_back(item.name + "=" + toml_value(item));
   }
-}
-
-Paths names_of_estimators()
-{
-  Paths names;
-  for (const EstimatorInfo& info : all_estimators()) names.emplace_back(info.name);
-  return names;
 }
 
 void read_top(const Node& root, StudySettings& s, Findings& findings)
@@ -168,19 +163,10 @@ void read_top(const Node& root, StudySettings& s, Findings& findings)
           {"seed", "-", {0.0, 2147483647.0}, false, &s.seed},
           {"confidence", "-", between(0.5, 0.9999), false, &s.confidence}},
       {"set", "random", "field", "correlation", "sweep", "fragility", "estimator", "stop", "events"}, findings);
-  const auto section = [&](const char* name, const std::vector<StudyKey>& keys) {
-    if (const Node* table = find_item(root, name)) read_section(*table, name, keys, {}, findings);
+  const auto section = [&](const char* name, const std::vector<StudyKey>& keys, const Paths& others = {}) {
+    if (const Node* table = find_item(root, name)) read_section(*table, name, keys, others, findings);
   };
-  static const Paths forms = {"grid", "table"}, events = {"slide", "flood"};
-  const WordField estimator{[] { return 0; }, [&s](int k) { s.estimator = static_cast<Estimator>(k); }},
-      form{[] { return 0; }, [&s](int k) { s.form = static_cast<SweepForm>(k); }},
-      event{[] { return 0; }, [&s](int k) { s.adaptive.of_flood = k == 1; }};
-  section("estimator", {{"kind", "", any_number, true, estimator, names_of_estimators},
-                           {"form", "", any_number, false, form, [] { return forms; }},
-                           {"event", "", any_number, false, event, [] { return events; }},
-                           {"block", "-", {1.0, 10000.0}, false, &s.adaptive.block},
-                           {"factor", "-", between(1.0, 10.0), false, &s.two_stage.factor},
-                           {"audit", "-", between(0.001, 1.0), false, &s.two_stage.audit}});
+  section("estimator", keys_of_estimators(s), {"coarse"});
   section(
       "stop", {{"number", "-", {1.0, most}, false, &s.stop.number},
                   {"cov", "-", between(1e-3, 1.0), false, &s.stop.cov}, {"time", "s", positive, false, &s.stop.time}});
@@ -246,58 +232,16 @@ void check_field_pairs(const StudySettings& s, Findings& findings)
   }
 }
 
-template <class Fail>
-void check_two_stage(const StudySettings& s, const Fail& fail)
-{
-  const Node* table = find_item(s.source.root, "estimator");
-  if (table == nullptr) return;
-  if (s.estimator != Estimator::two_stage) {
-    for (const char* key : {"factor", "audit"})
-      if (find_item(*table, key) != nullptr)
-        fail(join_path("estimator", key), fmt::format("`{}` is of `kind = \"two_stage\"`", key), "");
-    return;
-  }
-  if (find_item(*table, "factor") == nullptr)
-    fail("estimator", "`two_stage` needs `factor`",
-        "What stands with strengths divided by it is not run, but for the audit. As in factor = 1.2.");
-  if (s.fragility)
-    fail("fragility", "a fragility curve is not found in two stages", "Choose monte_carlo, or leave it out.");
-}
-
-template <class Fail>
-void check_adaptive(const StudySettings& s, const Fail& fail)
-{
-  const EstimatorInfo& info = info_of(s.estimator);
-  if (const Node* table = find_item(s.source.root, "estimator"); table != nullptr && !info.adaptive)
-    for (const char* key : {"event", "block"})
-      if (find_item(*table, key) != nullptr)
-        fail(join_path("estimator", key), fmt::format("`{}` is of a method that chooses its realisations", key),
-            "That is form, importance_sampling or subset.");
-  if (!info.adaptive) return;
-  const Index least = s.estimator == Estimator::form     ? 1
-                      : s.estimator == Estimator::subset ? std::max(fewest_samples, fewest_blocks * s.adaptive.block)
-                                                         : fewest_samples;
-  if (s.stop.number < least)
-    fail("stop.number", fmt::format("`{}` takes {} realisations or more", info.name, least),
-        fmt::format("Fewer say nothing of their own spread.{}",
-            s.estimator == Estimator::subset ? " Each level needs ten blocks (`block`)." : ""));
-  if (!s.fields.empty())
-    fail(s.fields.front().path, fmt::format("`{}` draws no fields", info.name),
-        "Its space is that of the random numbers. Choose monte_carlo or two_stage, or give [[random]] alone.");
-  if (s.fragility)
-    fail("fragility", "a fragility curve needs independent samples", "Choose monte_carlo, or leave it out.");
-}
-
 void check_stop(const StudySettings& s, Findings& findings)
 {
   const auto fail = [&](const std::string& at, std::string what, std::string detail) {
     findings.problems.push_back({at, std::move(what), std::move(detail), ""});
   };
+  check_estimator(s, findings.problems);
   if (s.estimator == Estimator::sweep) {
     if (s.stop.number > 0 || s.stop.cov > 0.0)
       fail("stop", "a sweep ends with its last combination", "Leave [stop] out, or give `time` alone.");
     if (s.sweep.empty()) fail("estimator", "a sweep needs [[sweep]] with keys and values", "");
-    if (s.fragility) fail("fragility", "a sweep has no fragility curve", "Choose monte_carlo, or leave it out.");
     if (!s.numbers.empty() || !s.fields.empty())
       fail("estimator", "a sweep draws nothing", "Leave [[random]] and [[field]] out, or choose monte_carlo.");
     for (const SweepKey& sweep : s.sweep)
@@ -319,8 +263,6 @@ void check_stop(const StudySettings& s, Findings& findings)
   if (s.estimator == Estimator::sobol && s.numbers.size() > most_sobol_numbers())
     fail("estimator.kind", fmt::format("Sobol points are known for {} random numbers", most_sobol_numbers()),
         fmt::format("Got {}. Choose monte_carlo or latin_hypercube.", s.numbers.size()));
-  check_two_stage(s, fail);
-  check_adaptive(s, fail);
   if (s.fragility && s.stop.cov > 0.0)
     return fail("stop.cov", "a fragility curve has the same number of realisations at each level",
         "Leave `cov` out; `number` is that of one level.");
@@ -360,7 +302,9 @@ StudySettings read_study_text(const std::string& text, const std::string& path)
   Findings findings;
   const Node& root = s.source.root;
   read_top(root, s, findings);
-  read_set(root, s, findings);
+  read_changes(root, "", "set", s.set, findings);
+  if (const Node* estimator = find_item(root, "estimator"))
+    read_changes(*estimator, "estimator", "coarse", s.multilevel.coarse, findings);
   read_numbers(root, s, findings);
   read_fields(root, s, findings);
   read_correlations(root, s, findings);
@@ -381,33 +325,6 @@ StudySettings read_study(const std::string& path)
     throw CaseError(
         printable(fmt::format("error: {}: there is no such file\n  Give the TOML file of a study.\n", path)));
   return read_study_text(read_file(path), path);
-}
-
-const std::vector<EstimatorInfo>& all_estimators()
-{
-  using enum Estimator;
-  constexpr const char* of_points =
-      "The bounds are those of independent realisations. Points that fill the space evenly are usually better, never "
-      "known to be: no bound is proven for them.";
-  static const std::vector<EstimatorInfo> all = {
-      {monte_carlo, "monte_carlo", "Monte Carlo", true, false, true, ""},
-      {latin_hypercube, "latin_hypercube", "Latin hypercube", false, false, true, of_points},
-      {sobol, "sobol", "Sobol points", false, false, true, of_points},
-      {two_stage, "two_stage", "two stages", false, false, false, ""},
-      {form, "form", "FORM", false, true, false,
-          "FORM takes the limit state for a plane at the design point: no bound is known, and a second design point is "
-          "not seen."},
-      {importance_sampling, "importance_sampling", "importance sampling", true, true, false,
-          "The bounds are those of a lognormal distribution, for many places, and not proven. The samples lie about "
-          "one "
-          "design point: a second one far from it is hardly seen."},
-      {subset, "subset", "subset simulation", false, true, false,
-          "The bounds are those of a lognormal distribution, and not proven. The method takes its chains for less "
-          "correlated than they are, the more so the more variables: in 100 of them the true spread was 1.3 times the "
-          "one that is shown, in 2 it was as shown."},
-      {sweep, "sweep", "a sweep", false, false, false, ""},
-  };
-  return all;
 }
 
 bool SweepKey::is_of_numbers() const

@@ -6,6 +6,7 @@
 #include "input/document.hpp"
 #include "input/values.hpp"
 #include "study/distribution.hpp"
+#include "study/estimator_kinds.hpp"
 
 #include <array>
 #include <optional>
@@ -50,33 +51,6 @@ struct FragilityLoad {
   std::vector<std::string> changes_at(Real level) const;
 };
 
-enum class Estimator { monte_carlo, latin_hypercube, sobol, two_stage, form, importance_sampling, subset, sweep };
-struct EstimatorInfo {
-  Estimator kind;
-  std::string_view name, title;
-  bool takes_cov;           ///< a study may end by the coefficient of variation
-  bool adaptive;            ///< the next realisations follow from the last ones
-  bool counts_alike;        ///< P is the share of realisations with an event
-  std::string_view remark;  ///< on its bounds; empty: they are proven
-};
-/// In the order of the enum.
-const std::vector<EstimatorInfo>& all_estimators();
-inline const EstimatorInfo& info_of(Estimator kind) { return all_estimators()[static_cast<std::size_t>(kind)]; }
-
-/// Of methods that choose their realisations.
-struct AdaptiveRule {
-  bool of_flood = false;  ///< else P of a slide
-  Index block = 16;       ///< realisations that are asked for at a time
-};
-
-/// Which realisations of a two-stage study are run in full.
-struct TwoStageRule {
-  Real factor = 0.0;  ///< those that do not stand with strengths reduced by it
-  Real audit = 0.1;   ///< and this share of the others
-};
-
-enum class SweepForm { grid, table };
-
 /// A key of the case with the values that it takes in turn.
 struct SweepKey {
   std::string key = {}, path = {};
@@ -117,6 +91,7 @@ struct StudySettings {
   Estimator estimator = Estimator::monte_carlo;
   SweepForm form = SweepForm::grid;
   TwoStageRule two_stage;
+  MultilevelRule multilevel;
   AdaptiveRule adaptive;
   std::vector<SweepKey> sweep;
   std::optional<FragilityLoad> fragility;

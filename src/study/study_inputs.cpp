@@ -51,6 +51,7 @@ Nodes find_files(Node& study)
   };
   add_set(find_item(study, "set"));
   if (Node* load = find_item(study, "fragility")) add_set(find_item(*load, "set"));
+  if (Node* estimator = find_item(study, "estimator")) add_set(find_item(*estimator, "coarse"));
   add_tables("field", "mean");
   add_tables("sweep", "values");
   return found;

@@ -1,5 +1,5 @@
-// The files that a study file itself names: in `set`, in [fragility.set], in the mean of a field, in the values of a
-// sweep. Not for: those that the case names (input/other_files).
+// The files that a study file itself names: in `set`, in [fragility.set], in `coarse`, in the mean of a field, in the
+// values of a sweep. Not for: those that the case names (input/other_files).
 #pragma once
 
 #include "input/document.hpp"

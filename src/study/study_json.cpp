@@ -47,6 +47,33 @@ void add_method(const Study& study, const Realisations& rows, const StudyEstimat
   json["remarks"] = remarks_on_adaptive(study, rows, e, found);
 }
 
+Json group_json(const PairGroup& g) { return {{"pairs", g.n}, {"happened", g.happened}, {"unknown", g.unknown}}; }
+
+Json counts_json(const TwoLevelCounts& c, Real confidence)
+{
+  const auto rough = c.rough_bounds(confidence);
+  return {{"coarse", c.coarse}, {"with_coarse_event", group_json(c.with)}, {"without", group_json(c.without)},
+      {"rough", rough ? Json{rough->low, rough->high} : Json()}};
+}
+
+/// Of a curve each level of the load has its own.
+Json levels_json(const Study& study, const StudyEstimates& e)
+{
+  const auto of = [&](StudyEvent event) -> const TwoLevelCounts& { return e.sample.levels().of(event); };
+  const TwoLevelCounts& slide = of(StudyEvent::slide);
+  Json json{{"coarse_realisations", slide.n}, {"pairs", slide.with.n + slide.without.n},
+      {"coarse_seconds", e.coarse_wall_s}, {"fine_seconds", e.fine_wall_s},
+      {"slide", counts_json(slide, study.settings.confidence)},
+      {"flood", e.judges_flood ? counts_json(of(StudyEvent::flood), study.settings.confidence) : Json()},
+      {"savings", Json()}};
+  const auto savings = find_savings(of(e.judges_flood ? StudyEvent::flood : StudyEvent::slide), e.coarse_wall_s,
+      e.fine_wall_s, study.settings.confidence);
+  if (savings)
+    json["savings"] = {{"same_variance", savings->same_variance}, {"same_bounds", or_null(savings->same_bounds)},
+        {"best_pairs_per_coarse", savings->best_share}, {"best_same_variance", savings->best_same_variance}};
+  return json;
+}
+
 /// P at all levels together is nobody's probability: a curve has its own.
 void add_events(const Study& study, const Realisations& rows, const StudyEstimates& e, Json& json)
 {
@@ -58,6 +85,7 @@ void add_events(const Study& study, const Realisations& rows, const StudyEstimat
   json["slide"] = one_p ? event_json(e.slide) : Json();
   json["flood"] = one_p && e.judges_flood ? event_json(e.flood) : Json();
   json["flood_after_slide"] = one_p && e.judges_flood ? event_json(e.flood_after_slide) : Json();
+  if (study.coarse && one_p) json["multilevel"] = levels_json(study, e);
   if (!study.settings.fragility) return;
   const FragilityCurve curve = estimate_fragility(study, rows);
   json["load"] = study.settings.fragility->label();

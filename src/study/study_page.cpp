@@ -23,11 +23,11 @@ std::string bounds_cell(const EventEstimate& e)
   return html_cell("td", fmt::format("{:.3g} to {:.3g}", e.bounds.low, e.bounds.high));
 }
 
-std::string event_row(const char* name, const char* meaning, const EventEstimate& e)
+std::string event_row(const Study& study, const char* name, const char* meaning, const EventEstimate& e)
 {
   const auto p = e.probability();
   return "<tr>" + html_cell("th", name) + html_cell("td", p ? fmt::format("{:.3g}", *p) : "-") + bounds_cell(e) +
-         html_cell("td", fmt::format("{} of {}{}", e.happened, e.solved,
+         html_cell("td", fmt::format("{} of {}{}{}", e.happened, e.solved, words_of_counted(study),
                              e.failed > 0 ? fmt::format(", {} unknown", e.failed) : "")) +
          html_cell("td", meaning) + "</tr>\n";
 }
@@ -71,10 +71,10 @@ std::string probability_section(const Study& study, const StudyEstimates& e)
       head_of_table({"", "estimate",
           fmt::format("{:g} % bounds{}", 100.0 * study.settings.confidence, is_cube ? ", if independent" : ""),
           "realisations", "meaning"});
-  out += event_row("P(I)", slide_words(study.settings).c_str(), e.slide);
+  out += event_row(study, "P(I)", slide_words(study.settings).c_str(), e.slide);
   if (e.judges_flood) {
-    out += event_row("P(F)", flood_words, e.flood);
-    out += event_row("P(F|I)", "the land floods, where there is a slide", e.flood_after_slide);
+    out += event_row(study, "P(F)", flood_words, e.flood);
+    out += event_row(study, "P(F|I)", "the land floods, where there is a slide", e.flood_after_slide);
   }
   out += end_of_table;
   return out +
@@ -132,11 +132,12 @@ LineChart histogram(const std::string& title, const std::string& label, std::vec
   return chart;
 }
 
-std::vector<Real> outcomes_of(const Realisations& rows, Index n, std::string_view name)
+/// Of two levels those of the fine one, of which P is.
+std::vector<Real> outcomes_of(const Study& study, const Realisations& rows, Index n, std::string_view name)
 {
   std::vector<Real> values;
   for (Index k = 0; k < n; ++k)
-    if (rows.at(k).solved()) values.push_back(rows.at(k).outcomes[outcome_number(name)]);
+    if (rows.at(k).solved() && !study.is_coarse(k)) values.push_back(rows.at(k).outcomes[outcome_number(name)]);
   return values;
 }
 
@@ -154,9 +155,9 @@ std::string bar(const std::optional<Real>& rho)
 
 std::string sensitivity_section(const Study& study, const StudyEstimates& e)
 {
-  std::string out =
-      "<section><h2>What matters</h2>\n" +
-      head_of_table({"", fmt::format("with {}", words_of_sensitivity(study)), "with the height that remains"});
+  std::string out = "<section><h2>What matters</h2>\n" +
+                    head_of_table({"", fmt::format("with {}", info_of(study.settings.estimator).inputs_go_with),
+                        "with the height that remains"});
   for (const Sensitivity& s : e.sensitivities)
     out += "<tr>" + html_cell("th", s.input) + bar(s.with_slide) + bar(s.with_height) + "</tr>\n";
   return out + end_of_table +
@@ -167,6 +168,7 @@ std::string sensitivity_section(const Study& study, const StudyEstimates& e)
 std::string realisation_row(const Study& study, const Realisation& r)
 {
   std::string row = "<tr>" + html_cell("th", fmt::format("{}", r.number));
+  for (const RowLabel& label : row_labels(study)) row += html_cell("td", label.word(study, r));
   row += html_cell("td", r.failed() ? "failed" : r.skipped() ? "not run" : r.slid ? "slide" : "stands");
   row += html_cell("td", r.failed() || r.skipped() || !r.judges_flood ? "-"
                          : r.slides_as_drawn()                        ? "not known"
@@ -182,7 +184,9 @@ std::string realisation_row(const Study& study, const Realisation& r)
 
 std::string realisations_section(const Study& study, const Realisations& rows, Index n)
 {
-  std::vector<std::string> titles = {"", "I", "F"};
+  std::vector<std::string> titles = {""};
+  for (const RowLabel& label : row_labels(study)) titles.emplace_back(label.name);
+  titles.insert(titles.end(), {"I", "F"});
   for (const std::string& name : study.input_names()) titles.push_back(name);
   for (const char* title : {"slid [m^2]", "remains [m]", "slides at [s]", "floods at [s]", "why there is no result"})
     titles.emplace_back(title);
@@ -273,9 +277,9 @@ std::string page_of_study(const Study& study, const Realisations& rows, const st
       charts.push_back(convergence_chart(study, rows, false));
     }
     charts.push_back(histogram(
-        "Highest ground that remains", "height at the end [m]", outcomes_of(rows, e.n_made, "residual_height")));
+        "Highest ground that remains", "height at the end [m]", outcomes_of(study, rows, e.n_made, "residual_height")));
     charts.push_back(
-        histogram("Volume that slid", "volume that slid [m^2]", outcomes_of(rows, e.n_made, "slide_volume")));
+        histogram("Volume that slid", "volume that slid [m^2]", outcomes_of(study, rows, e.n_made, "slide_volume")));
     body += "<section><h2>How sure, and what remains</h2>\n" + html_figures(charts) + "</section>\n";
     body += sensitivity_section(study, e);
   }
@@ -292,7 +296,7 @@ std::string page_of_samples(const Study& study, Index n, const std::string& writ
   const std::vector<std::string> names = study.input_names();
   std::vector<std::vector<Real>> columns(names.size());
   for (Index k = 0; k < n; ++k) {
-    const Draw draw = draw_realisation(study, k * study.n_levels());
+    const Draw draw = draw_realisation(study, study.first_of_turn(k * study.n_levels()));
     for (std::size_t i = 0; i < names.size(); ++i) columns[i].push_back(draw.inputs[i]);
   }
   std::vector<LineChart> charts;

@@ -15,10 +15,10 @@ constexpr std::array<const char*, 4> words_of_screening = {"none", "falls", "aud
 
 std::string p_text(Real p) { return fmt::format("{:.3g}", p); }
 
-std::string line_of_event(const char* name, const EventEstimate& e, const std::string& words)
+std::string line_of_event(const Study& study, const char* name, const EventEstimate& e, const std::string& words)
 {
-  return fmt::format("  {:<8}{:<36}{} of {}{}  {}\n", name, estimate_text(e), e.happened, e.solved,
-      e.failed > 0 ? fmt::format(", {} unknown", e.failed) : "", words);
+  return fmt::format("  {:<8}{:<36}{} of {}{}{}  {}\n", name, estimate_text(e), e.happened, e.solved,
+      words_of_counted(study), e.failed > 0 ? fmt::format(", {} unknown", e.failed) : "", words);
 }
 
 std::string rho(const std::optional<Real>& value) { return value ? fmt::format("{:+.2f}", *value) : "-"; }
@@ -27,7 +27,7 @@ std::string sensitivity_lines(const Study& study, const StudyEstimates& e)
 {
   std::string out =
       fmt::format("  what matters: rank correlation of inputs with {}, and with the height that remains\n",
-          words_of_sensitivity(study));
+          info_of(study.settings.estimator).inputs_go_with);
   for (const Sensitivity& s : e.sensitivities)
     out += fmt::format("    {:>6}{:>8}  {}\n", rho(s.with_slide), rho(s.with_height), s.input);
   return out;
@@ -121,10 +121,21 @@ std::string counts_text(const EventCounts& c)
       c.slid_as_drawn > 0 ? fmt::format("{} slide as drawn, ", c.slid_as_drawn) : "", c.failed);
 }
 
-const char* words_of_sensitivity(const Study& study)
+std::vector<RowLabel> row_labels(const Study& study)
 {
-  return study.settings.estimator == Estimator::two_stage ? "falling at the factor" : "a slide";
+  if (study.settings.estimator == Estimator::two_stage)
+    return {{"screening", [](const Study&, const Realisation& r) {
+               return std::string(words_of_screening[static_cast<std::size_t>(r.screening)]);
+             }}};
+  if (study.coarse)
+    return {{"sample", [](const Study& s, const Realisation& r) { return fmt::format("{}", s.sample_of(r.number)); }},
+        {"resolution", [](const Study& s, const Realisation& r) {
+           return std::string(s.is_coarse(r.number) ? "coarse" : "fine");
+         }}};
+  return {};
 }
+
+const char* words_of_counted(const Study& study) { return study.coarse ? " pairs" : ""; }
 
 std::string slide_words(const StudySettings& s)
 {
@@ -176,16 +187,17 @@ std::vector<std::string> remarks_on_realisations(const Study& study, const Study
 std::vector<std::string> remarks_on_study(const Study& study, const Realisations& rows, const StudyEstimates& e)
 {
   std::vector<std::string> remarks = remarks_on_realisations(study, e);
-  if (e.counts.slid_as_drawn > 0)
+  const EventCounts counted = e.sample.counts();  // what of them is not known bounds P
+  if (counted.slid_as_drawn > 0)
     remarks.push_back(
         "Soil that cannot stand in the section as it is drawn slides before the run begins: it is a slide in P(I), "
         "whatever its volume. What is left then is not known, so it counts as unknown in P(F) and P(F|I), and "
         "histograms leave it out. A case with initial.stress = \"k0\" solves it, too.");
-  if (e.counts.failed > 0)
+  if (counted.failed > 0)
     remarks.push_back(
         "Failed realisations count in both bounds: as if nothing happened in the lower one, as if it did in "
         "the upper one. They are no random sample: the estimates are of the others alone.");
-  if (const std::int64_t n = e.counts.solved - e.counts.judged; e.judges_flood && n > 0)
+  if (const std::int64_t n = counted.solved - counted.judged; e.judges_flood && n > 0)
     remarks.push_back(fmt::format(
         "In {} realisations no water stands above the ground, so that no level is known: each counts as unknown in "
         "P(F) and P(F|I). Give the case flood.water_level.",
@@ -209,6 +221,7 @@ std::vector<std::string> remarks_on_study(const Study& study, const Realisations
   if (const std::string_view remark = info_of(study.settings.estimator).remark; !remark.empty())
     remarks.emplace_back(remark);
   if (study.settings.estimator == Estimator::two_stage) add_two_stage_remarks(study, e, remarks);
+  for (std::string& remark : remarks_on_levels(study, e)) remarks.push_back(std::move(remark));
   if (study.settings.fragility)
     for (std::string& remark : remarks_on_fragility(study, estimate_fragility(study, rows)))
       remarks.push_back(std::move(remark));
@@ -229,10 +242,10 @@ std::string study_text(const Study& study, const Realisations& rows)
   } else {
     out += fmt::format("  probabilities with {:g} % bounds{}\n", 100.0 * s.confidence,
         is_of_points(s.estimator) ? " of independent realisations" : "");
-    out += line_of_event("P(I)", e.slide, slide_words(s));
+    out += line_of_event(study, "P(I)", e.slide, slide_words(s));
     if (e.judges_flood) {
-      out += line_of_event("P(F)", e.flood, flood_words);
-      out += line_of_event("P(F|I)", e.flood_after_slide, "of the slides");
+      out += line_of_event(study, "P(F)", e.flood, flood_words);
+      out += line_of_event(study, "P(F|I)", e.flood_after_slide, "of the slides");
     }
     if (const std::string worth = worth_of_residual_strength(e); !worth.empty()) out += "  " + worth + '\n';
     out += sensitivity_lines(study, e);
@@ -245,15 +258,17 @@ std::string study_csv(const Study& study, const Realisations& rows)
 {
   bool met = false;
   const Index n = count_in_table(study, rows, met);
-  const bool two_stage = study.settings.estimator == Estimator::two_stage;
-  std::string out = fmt::format("realisation,solved{},slide,flood", two_stage ? ",screening" : "");
+  const std::vector<RowLabel> labels = row_labels(study);
+  std::string out = "realisation,solved";
+  for (const RowLabel& label : labels) out += fmt::format(",{}", label.name);
+  out += ",slide,flood";
   for (const std::string& name : study.input_names()) out += ',' + in_quotes(name);
   for (const OutcomeInfo& outcome : study_outcomes()) out += fmt::format(",{}", outcome.info.name);
   out += ",fault\n";
   for (Index k = 0; k < n; ++k) {
     const Realisation& r = rows.at(k);
     out += fmt::format("{},{:d}", k, r.solved());
-    if (two_stage) out += fmt::format(",{}", words_of_screening[static_cast<std::size_t>(r.screening)]);
+    for (const RowLabel& label : labels) out += ',' + label.word(study, r);
     out += fmt::format(",{},{}", r.failed() || r.skipped() ? "nan" : zero_or_one(r.slid),
         r.solved() && r.judges_flood ? zero_or_one(r.flooded) : "nan");
     for (std::size_t i = 0; i < r.inputs.size(); ++i)

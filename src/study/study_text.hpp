@@ -19,8 +19,19 @@ std::string counts_text(const EventCounts& counts);
 /// The points are not independent, and no bound is proven: Latin hypercube, Sobol.
 inline bool is_of_points(Estimator kind) { return kind == Estimator::latin_hypercube || kind == Estimator::sobol; }
 
-/// What inputs are correlated with: of two stages the first one, which all realisations pass.
-const char* words_of_sensitivity(const Study& study);
+/// A column of the table that only some estimators have: what a realisation is.
+struct RowLabel {
+  const char* name;
+  std::string (*word)(const Study& study, const Realisation& realisation);
+};
+/// Of two stages `screening`; of two levels `sample` and `resolution`.
+std::vector<RowLabel> row_labels(const Study& study);
+
+/// Of what the number of events is counted, in a table: "pairs", or nothing where it is all realisations.
+const char* words_of_counted(const Study& study);
+
+/// What two levels found and are worth.
+std::vector<std::string> remarks_on_levels(const Study& study, const StudyEstimates& estimates);
 
 /// What the events are, for people.
 std::string slide_words(const StudySettings& settings);

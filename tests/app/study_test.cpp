@@ -83,6 +83,42 @@ TEST(StudyCommand, IsKilledAgainAndAgainAndEndsInTheSameTable)
   EXPECT_EQ(text_of(folder.path() + "/killed/results.csv"), table);
 }
 
+TEST(StudyCommand, TwoLevelsAreCheckedKilledKeptAndEndInTheSameTable)
+{
+  const ScratchFolder folder;
+  const std::string text = changed(changed(column_study, "kind = \"monte_carlo\"",
+                                       "kind = \"multilevel\"\ncoarse = { \"mesh.cell\" = 1.0 }\npairs = 10"),
+                        "number = 12", "number = 100"),
+                    study = write_study(folder.path(), "set = { \"mesh.cell\" = 0.5 }\n" + text);
+  const Finished check = test::terp({"study", "check", study}, folder.path());
+  EXPECT_EQ(check.status, 0) << check.err;
+  EXPECT_THAT(check.out, AllOf(HasSubstr("  realisations   110, coarse realisations, corrected by pairs\n"),
+                             HasSubstr("  of these       100 coarse, of which the first 10 are solved fine too\n"),
+                             ContainsRegex("expected time  at most .* each fine, .* each coarse, at most .* in all\n"),
+                             HasSubstr("  realisation 0, coarse  can be solved: 32 material points\n"),
+                             HasSubstr("  realisation 1, fine  can be solved: 128 material points\n")));
+  ASSERT_EQ(test::terp({"study", "run", study, "-q", "-j", "1", "-o", "whole"}, folder.path()).status, 0);
+  const std::string table = text_of(folder.path() + "/whole/results.csv");
+  int kills = 0;
+  for (int k = 0; k < 4; ++k) {
+    Process process({"study", "run", study, "-q", "-j", std::to_string(1 + k % 2), "-o", "killed"}, folder.path());
+    std::this_thread::sleep_for(std::chrono::milliseconds(60 + 20 * k));
+    process.send(SIGKILL);
+    kills += process.wait().status == 128 + SIGKILL;
+  }
+  EXPECT_GT(kills, 0);
+  const Finished run = test::terp({"study", "run", study, "-j", "2", "-o", "killed"}, folder.path());
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(text_of(folder.path() + "/killed/results.csv"), table);
+  EXPECT_THAT(
+      run.out, AllOf(HasSubstr("110 realisations, 110 solved, 0 failed"), HasSubstr(" of 10 pairs  a slide: ")));
+  for (const char* number : {"2", "3", "109"}) {
+    const Finished keep =
+        test::terp({"study", "run", study, "--keep", number, "-j", "1", "-o", "killed"}, folder.path());
+    EXPECT_THAT(keep.out, HasSubstr("has the results of the store, to the bit\n")) << number << keep.err;
+  }
+}
+
 TEST(StudyCommand, BeginsAnewOnlyWhereNobodyElseWrites)
 {
   const ScratchFolder folder;

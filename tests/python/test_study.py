@@ -105,6 +105,22 @@ class StudyOfTheProgram(unittest.TestCase):
             self.assertGreater(np.sum(table["solved"] == 0), 0)
         self.assertIn("skipped", skipped["screening"])
 
+    def test_pairs_are_the_same_samples_on_both_levels(self):
+        text = STUDY.replace('"monte_carlo"',
+                             '"multilevel"\ncoarse = { "body[0].points_per_cell" = [1, 1] }\npairs = 3')
+        study = self.made("levels", text)
+        coarse, fine = study.pairs
+        np.testing.assert_array_equal(fine["sample"], [0, 1, 2])
+        np.testing.assert_array_equal(coarse["sample"], [0, 1, 2])
+        self.assertEqual(set(coarse["resolution"]), {"coarse"})
+        key = "material.clay.su_peak"
+        np.testing.assert_array_equal(coarse[key], fine[key])
+        np.testing.assert_array_equal(fine["max_eps_eq_p"], self.study.table["max_eps_eq_p"][:3])
+        self.assertEqual(len(study.table), 8 + 3)
+        self.assertEqual(study.results["multilevel"]["pairs"], 3)
+        with self.assertRaisesRegex(terp.RunError, "is no study on two levels: its estimator is monte_carlo"):
+            self.study.pairs
+
     def test_a_run_of_another_study_or_without_its_end_is_solved_again(self):
         text = STUDY.replace("number = 8", "number = 2")
         first = self.made("again", text).run_of(1, program=PROGRAM).summary["max_eps_eq_p"]

@@ -280,7 +280,7 @@ TEST(Adaptive, WithOneMistakeHasOneMessage)
   const Row rows[] = {
       {"event = \"slide\"", "event = \"slid\"", "`event` cannot be \"slid\""},
       {"event = \"slide\"", "event = \"slide\"\nblock = 0", "`block` is out of range"},
-      {"\"form\"", "\"monte_carlo\"", "`event` is of a method that chooses its realisations"},
+      {"\"form\"", "\"monte_carlo\"", "`event` is of `kind = \"form\"`, \"importance_sampling\" or \"subset\""},
       {"\"form\"", "\"subset\"", "`subset` takes 160 realisations or more"},
       {"\"form\"", "\"subset\"\nblock = 4", "`subset` takes 100 realisations or more"},
       {"\"form\"", "\"importance_sampling\"", "`importance_sampling` takes 100 realisations or more"},

@@ -19,6 +19,18 @@ TEST(Statistics, BoundsOfClopperAndPearson)
   expect(0, 0, 0.0, 1.0);
 }
 
+TEST(Statistics, BoundsOfASampleThatIsNoWholeNumber)
+{
+  const Bounds three = clopper_pearson(3, 50, 0.95), four = clopper_pearson(4, 50, 0.95),
+               between = clopper_pearson_of(3.5, 50.0, 0.95);
+  EXPECT_EQ(clopper_pearson_of(3.0, 50.0, 0.95).high, three.high);
+  EXPECT_GT(between.low, three.low);
+  EXPECT_LT(between.low, four.low);
+  EXPECT_GT(between.high, three.high);
+  EXPECT_LT(between.high, four.high);
+  EXPECT_EQ(clopper_pearson_of(0.0, 2.5, 0.95).low, 0.0);
+}
+
 // The rule `cov` ends a study with the r-th event, or at n realisations. The share of studies whose bounds hold P is a
 // finite sum: the r-th event comes at m with probability C(m - 1, r - 1) P^r (1 - P)^(m - r).
 TEST(Statistics, BoundsHoldWhereTheLastEventEndsTheStudy)
