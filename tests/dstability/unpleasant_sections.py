@@ -57,6 +57,17 @@ def lower_of(a, b):
     return line
 
 
+def crosses(a, b, c, d):
+    """True if the edges a to b and c to d cross or touch, common ends aside: D-Stability has no such outline."""
+    if {a, b} & {c, d}:
+        return False
+
+    def side(p, q, r):
+        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+    return side(a, b, c) * side(a, b, d) <= 0 and side(c, d, a) * side(c, d, b) <= 0
+
+
 def area_between(upper, lower):
     """Area between two lines that do not cross [m^2]."""
     xs = sorted({x for x, _ in upper} | {x for x, _ in lower})
@@ -216,8 +227,11 @@ def made_unpleasant(section, chance):
             length = ((x1 - x0) ** 2 + (z1 - z0) ** 2) ** 0.5
             if length > 0.5 and abs(x1 - x0) > 0.4:
                 off = chance.uniform(-0.004, 0.004)
-                points.insert(i + 1, ((x0 + x1) / 2, (z0 + z1) / 2 + off))
-                section.slack += length * abs(off)
+                middle = ((x0 + x1) / 2, (z0 + z1) / 2 + off)
+                edges = list(zip(points, points[1:] + points[:1]))
+                if not any(crosses(end, middle, *edge) for end in edges[i] for edge in edges):
+                    points.insert(i + 1, middle)
+                    section.slack += length * abs(off)
         for _ in range(chance.choice([0, 0, 1, 3])):  # an edge of 1 mm
             i = chance.randrange(len(points))
             (x0, z0), (x1, z1) = points[i], points[(i + 1) % len(points)]
