@@ -5,6 +5,7 @@
 #include "input/other_files.hpp"
 #include "input/side_kinds.hpp"
 #include "simulation/frame_fields.hpp"
+#include "simulation/initial.hpp"
 
 #include <fmt/format.h>
 
@@ -188,18 +189,12 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
       findings.warnings.push_back({path, fmt::format("`{}` has no effect", key),
           fmt::format("It counts with stress = \"{}\" only.", word), path, true});
   };
-  const bool takes_k0 =
-      stress == InitialStress::k0 ||
-      (stress == InitialStress::equilibrium &&
-          (values.water.is_given() || std::ranges::any_of(values.materials, [](const MaterialCase& m) {
-            const MaterialType* law = find_material(m.model);
-            return law != nullptr && law->stiffness_by_stress;
-          })));
+  const bool takes_k0 = begins_with_k0(values);
   if (!takes_k0) warn_unless("k0", InitialStress::k0, "k0");
   for (const MaterialCase& material : values.materials)
     if (!takes_k0 && !std::isnan(material.k0))
       findings.warnings.push_back({join_path(material_path(material), "k0"), "`k0` has no effect",
-          "It counts with initial.stress = \"k0\" only.", "material.k0", true});
+          "It counts with initial.stress = \"k0\" or \"equilibrium\" only.", "material.k0", true});
   for (const char* key : {"damping", "limit", "max_steps"}) warn_unless(key, InitialStress::equilibrium, "equilibrium");
   for (std::size_t k = 0; k < values.bodies.size() && stress == InitialStress::equilibrium; ++k)
     if (values.bodies[k].velocity != Vec<2>{0.0, 0.0} || values.bodies[k].velocity_at)

@@ -246,14 +246,15 @@ std::vector<KeyInfo> force_keys()
           .words = stress_words,
           .meaning =
               "stress at t = 0 (reading R14): none, from the overburden (k0), or that with which the section rests "
-              "as it is drawn, sought with small displacements from that of k0 where there is water, else from "
-              "none (equilibrium)",
+              "as it is drawn, sought with small displacements from that of k0 where there is water or a material "
+              "gives its k0, else from none (equilibrium)",
           .default_text = "\"equilibrium\" in a case with gravity and [water] or [flood], else \"none\""},
       {.path = "initial.k0",
           .field = [](Case& c, std::size_t) { return &c.initial.k0; },
           .range = not_negative,
           .usual = {0.2, 4.0},
-          .meaning = "horizontal over vertical effective stress, for stress = \"k0\", and \"equilibrium\" with water"},
+          .meaning = "horizontal over vertical effective stress, for stress = \"k0\", and \"equilibrium\" where it "
+                     "begins with that"},
       {.path = "initial.damping",
           .field = [](Case& c, std::size_t) { return &c.initial.damping; },
           .range = {0.0, 1.0, false, true},

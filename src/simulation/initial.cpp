@@ -13,11 +13,6 @@
 namespace terp {
 namespace {
 
-bool stiffens_with_stress(const Model& model)
-{
-  return std::ranges::any_of(model.materials, [](const SoilMaterial& m) { return m.type->stiffness_by_stress; });
-}
-
 /// The first problem of a point that a stress of its law has.
 std::optional<Problem> find_problem(
     const Model& model, const State& state, const std::function<bool(std::size_t, const ParameterProblem&)>& counts)
@@ -63,13 +58,23 @@ void start_soil(const Model& model, State& state)
   });
 }
 
+bool begins_with_k0(const Case& c)
+{
+  const auto asks_for_it = [](const MaterialCase& material) {
+    const MaterialType* law = find_material(material.model);
+    return !std::isnan(material.k0) || (law != nullptr && law->stiffness_by_stress);
+  };
+  return c.initial.stress == InitialStress::k0 ||
+         (c.initial.stress == InitialStress::equilibrium &&
+             (c.water.is_given() || std::ranges::any_of(c.materials, asks_for_it)));
+}
+
 void set_initial_stress(const Model& model, State& state)
 {
   using Rows = PointRows<2>;
   const Case& c = model.description;
-  const bool first_guess =
-      c.initial.stress == InitialStress::equilibrium && (model.water || stiffens_with_stress(model));
-  if (c.initial.stress != InitialStress::k0 && !first_guess) return;
+  if (!begins_with_k0(c)) return;
+  const bool first_guess = c.initial.stress == InitialStress::equilibrium;
   const Overburden overburden(model, -model.gravity_at(0.0)[1]);
   if (first_guess && !overburden.is_known()) return;
   const WaterWay way = water_way(model, 0.0, model.ramp.share_at(0.0));

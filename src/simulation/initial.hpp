@@ -10,10 +10,14 @@
 
 namespace terp {
 
+/// True if a run begins with the K0 stress, or its search for equilibrium does: with water, soil whose stiffness
+/// follows its stress, or a material that gives its k0.
+bool begins_with_k0(const Case& c);
+
 /// InitialStress::k0: effective sigma_yy = weight of soil, free water and permanent loads above, as all of these are at
 /// t = 0, less p_w, effective sigma_xx = sigma_zz = k0 sigma_yy; undrained soil stores them less p_w. None: zero.
-/// With water, or soil whose stiffness follows its stress, the search for equilibrium begins with the same stress,
-/// where all bodies have outlines. Throws InputError if a law cannot start with the K0 stress.
+/// A search for equilibrium that begins_with_k0() has the same stress, where all bodies have outlines. Throws
+/// InputError if a law cannot start with the K0 stress.
 void set_initial_stress(const Model& model, State& state);
 
 /// The first point whose law cannot start with the stress that it has, among those for which look(id) is true: a

@@ -405,7 +405,8 @@ def run(command):
         raise AssertionError(f"status {done.returncode} of {' '.join(map(str, command[1:]))}:\n{done.stderr}")
     if time.monotonic() - begun > SECONDS:
         raise AssertionError(f"{command[1]} took more than {SECONDS} s")
-    return done.stdout
+    if "has no effect" in done.stderr:
+        raise AssertionError(f"{command[1]} finds keys without effect in a case that Terp wrote:\n{done.stderr}")
 
 
 def numbers_of_the_report(text, n_soils):

@@ -48,6 +48,17 @@ TEST(InitialStress, K0IsOfTheEffectiveStressAndOfEachMaterial)
   }
 }
 
+TEST(InitialStress, TheSearchForEquilibriumBeginsWithTheK0ThatAMaterialGivesAlsoWithoutWater)
+{
+  Case c = confined_box(InitialStress::equilibrium);
+  for (const Point& p : points_by_id(Simulation(c).state)) EXPECT_EQ(p.sigma[1], 0.0);
+  c.materials[0].k0 = 0.4;
+  for (const Point& p : points_by_id(Simulation(c).state)) {
+    EXPECT_NEAR(p.sigma[1], -2000.0 * g * (1.5 - p.x[1]), 1e-8);
+    EXPECT_NEAR(p.sigma[0], 0.4 * p.sigma[1], 1e-8);
+  }
+}
+
 TEST(InitialStress, K0CountsEachLayerWithItsOwnDensityAndAnOverlapOnce)
 {
   Case c = confined_box(InitialStress::k0);
