@@ -87,6 +87,18 @@ std::optional<Variance> variance_of(const TwoLevelCounts& counts)
       .within = c * a * (1.0 - a) + (1.0 - c) * b * (1.0 - b)};
 }
 
+/// Why a case without any draw cannot begin, as the mesh does not go with it; empty: it can, or its run says why not.
+std::string why_not_begun(const CaseFile& file, const SharedMesh& mesh)
+{
+  try {
+    const Simulation simulation(file.values, mesh, 1);
+  } catch (const InputError& error) {
+    return error.what();
+  } catch (const RunError&) {
+  }
+  return "";
+}
+
 }  // namespace
 
 void TwoLevels::take(const Realisation& r, bool is_coarse)
@@ -183,11 +195,15 @@ void prepare_coarse(Study& study, std::vector<Problem>& problems)
   }
 }
 
-void refuse_equal_levels(const Study& study, std::vector<Problem>& problems)
+void check_levels_differ(const Study& study, std::vector<Problem>& problems)
 {
-  if (!study.coarse || record_of(study.coarse->base, study.coarse->mesh) != record_of(study.base, study.mesh)) return;
-  problems.push_back({"estimator.coarse", "`coarse` changes nothing of the case",
-      "Both levels would be the same. Give keys that make a run cheap, as in coarse = { \"mesh.cell\" = 2.0 }.", ""});
+  if (!study.coarse) return;
+  if (record_of(study.coarse->base, study.coarse->mesh) == record_of(study.base, study.mesh))
+    problems.push_back({"estimator.coarse", "`coarse` changes nothing of the case",
+        "Both levels would be the same. Give keys that make a run cheap, as in coarse = { \"mesh.cell\" = 2.0 }.", ""});
+  const std::string why = why_not_begun(study.coarse->base, study.coarse->mesh);
+  if (!why.empty() && why_not_begun(study.base, study.mesh).empty())
+    problems.push_back({"estimator.coarse", "the coarse case cannot be solved", why, ""});
 }
 
 std::string record_of_case(const Study& study)

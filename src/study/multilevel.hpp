@@ -67,8 +67,8 @@ std::optional<LevelSavings> find_savings(const TwoLevelCounts& counts, Real coar
 
 /// Builds the coarse level; adds a problem where the case does not take it. Does nothing for other estimators.
 void prepare_coarse(Study& study, std::vector<Problem>& problems);
-/// Adds a problem where `coarse` changes nothing.
-void refuse_equal_levels(const Study& study, std::vector<Problem>& problems);
+/// Adds a problem where `coarse` changes nothing, or makes a case that cannot begin while the fine one can.
+void check_levels_differ(const Study& study, std::vector<Problem>& problems);
 /// Of the case with its mesh; of two levels of both. What the digits of the case are of.
 std::string record_of_case(const Study& study);
 

@@ -328,7 +328,7 @@ Study prepare_study(StudySettings settings)
   }
   if (!s.fields.empty()) check_fields_of_study(study, problems);
   refuse_if_any(problems, s);
-  refuse_equal_levels(study, problems);
+  check_levels_differ(study, problems);
   refuse_if_any(problems, s);
   study.case_digits = digits_of(record_of_case(study));
   study.study_digits = digits_of(identity_text(s));

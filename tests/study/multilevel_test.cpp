@@ -372,6 +372,20 @@ TEST(Multilevel, WithOneMistakeHasOneMessage)
         << row.to;
 }
 
+TEST(Multilevel, ACoarseCaseThatCannotBeginIsRefusedBeforeAllFail)
+{
+  const ScratchFolder folder;
+  const std::string column = changed(column_case, "eta = 5.0", "eta = 5.0\nsoftening = { length = 0.8 }");
+  const auto message = [&](const std::string& study) {
+    return refusal<CaseError>([&] { prepare_study(read_study(write_study(folder.path(), study, column))); });
+  };
+  EXPECT_THAT(message(two_levels), AllOf(HasSubstr("demo.toml:11:10: the coarse case cannot be solved\n"),
+                                       HasSubstr("the softening length is shorter than a cell")));
+  EXPECT_EQ(message(changed(
+                two_levels, "\"mesh.cell\" = 1.0", "\"mesh.cell\" = 1.0, \"material.clay.softening.length\" = 1")),
+      "");
+}
+
 TEST(Multilevel, AFileThatTheCoarseCaseNamesIsPartOfTheStudyAndIsCopied)
 {
   const ScratchFolder folder;

@@ -93,7 +93,9 @@ struct Job {
 TEST(Ranks, MakeTheTableOfOneThread)
 {
   for (const std::string& text :
-      {column_study, field_study, changed(column_study, "number = 12", "number = 120\ncov = 0.3")}) {
+      {column_study, field_study, changed(column_study, "number = 12", "number = 120\ncov = 0.3"),
+          changed(column_study, "kind = \"monte_carlo\"",
+              "kind = \"multilevel\"\ncoarse = { \"body[0].points_per_cell\" = [1, 1] }\npairs = 4")}) {
     Job job(text);
     const std::string table = job.table_of_threads();
     Child first(job.worker(1)), second(job.worker(2, 2));  // the own worker of rank 0 would not see that all is done
