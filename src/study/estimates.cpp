@@ -222,25 +222,26 @@ StudyEstimates estimate(const Study& study, const Realisations& rows)
   e.n_beyond = static_cast<Index>(rows.size()) - e.n_made;
   const std::size_t moves = outcome_number("still_moves");
   Index n_skipped = 0, n_coarse = 0;
-  double skipped_wall_s = 0.0, coarse_wall_s = 0.0;
+  double skipped_s = 0.0, coarse_s = 0.0;
   for (Index n = 0; n < e.n_made; ++n) {
     const Realisation& r = rows.at(n);
     const bool is_coarse = study.is_coarse(n);
     e.sample.take(r, is_coarse);
     e.mean_wall_s += r.wall_s / e.n_made;
-    if (r.skipped()) ++n_skipped, skipped_wall_s += r.wall_s;
-    if (is_coarse) ++n_coarse, coarse_wall_s += r.wall_s;
+    e.mean_processor_s += r.processor_s / e.n_made;
+    if (r.skipped()) ++n_skipped, skipped_s += r.processor_s;
+    if (is_coarse) ++n_coarse, coarse_s += r.processor_s;
     if (!r.fault.empty()) count_fault(r, e.faults);
     if (r.solved() && !is_coarse && r.outcomes[moves] == 1.0)
       e.n_moving_without_slide += !r.slid, e.n_moving_without_flood += r.judges_flood && !r.flooded;
   }
   if (n_skipped > 0 && n_skipped < e.n_made) {
-    e.screening_wall_s = skipped_wall_s / n_skipped;
-    e.full_wall_s = (e.mean_wall_s * e.n_made - skipped_wall_s) / (e.n_made - n_skipped) - e.screening_wall_s;
+    e.screening_s = skipped_s / n_skipped;
+    e.full_s = (e.mean_processor_s * e.n_made - skipped_s) / (e.n_made - n_skipped) - e.screening_s;
   }
   if (n_coarse > 0 && n_coarse < e.n_made) {
-    e.coarse_wall_s = coarse_wall_s / n_coarse;
-    e.fine_wall_s = (e.mean_wall_s * e.n_made - coarse_wall_s) / (e.n_made - n_coarse);
+    e.coarse_s = coarse_s / n_coarse;
+    e.fine_s = (e.mean_processor_s * e.n_made - coarse_s) / (e.n_made - n_coarse);
   }
   e.counts = e.sample.counts() + e.sample.coarse();
   e.judges_flood = e.sample.judges_flood();

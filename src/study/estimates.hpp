@@ -109,9 +109,10 @@ struct StudyEstimates {
   std::vector<FaultCount> faults;
   Sample sample;
   double mean_wall_s = 0.0;
-  double screening_wall_s = 0.0, full_wall_s = 0.0;  ///< means of the two stages; 0: not known
-  double coarse_wall_s = 0.0, fine_wall_s = 0.0;     ///< means of the two levels; 0: not known
-  bool rule_met = false;                             ///< the stop rule
+  double mean_processor_s = 0.0;
+  double screening_s = 0.0, full_s = 0.0;  ///< means of the two stages, of processor time; 0: not known
+  double coarse_s = 0.0, fine_s = 0.0;     ///< means of the two levels, of processor time; 0: not known
+  bool rule_met = false;                   ///< the stop rule
 };
 
 /// Counts a table as it grows, each realisation once: the first ones without a gap, up to where the rule stops.

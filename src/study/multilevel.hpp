@@ -55,7 +55,7 @@ class TwoLevels {
 
 /// What two levels are worth in time; all numbers follow from a sample, and say no more than it does.
 struct LevelSavings {
-  Real coarse_s = 0.0, fine_s = 0.0;     ///< time of one realisation
+  Real coarse_s = 0.0, fine_s = 0.0;     ///< processor time of one realisation
   Real same_variance = 0.0;              ///< time of Monte Carlo with the fine case alone, over that of the study
   std::optional<Real> same_bounds = {};  ///< the same for bounds as narrow; none where a fine event is not known
   Real best_share = 0.0;          ///< pairs for each coarse realisation with which the variance is least; at most 1

@@ -33,7 +33,8 @@ std::string missing_group(const TwoLevelCounts& c, const char* event)
 
 std::string savings_text(const TwoLevelCounts& c, const LevelSavings& s)
 {
-  std::string text = fmt::format("A coarse realisation took {:.2g} s, a fine one {:.2g} s. ", s.coarse_s, s.fine_s);
+  std::string text =
+      fmt::format("A coarse realisation took {:.2g} s of processor time, a fine one {:.2g} s. ", s.coarse_s, s.fine_s);
   text += fmt::format(
       "Monte Carlo with the fine case alone would have taken {}about {:.2g} times as long for the same "
       "variance.",
@@ -75,7 +76,7 @@ std::vector<std::string> remarks_on_levels(const Study& study, const StudyEstima
   if (e.judges_flood) add(StudyEvent::flood, "flood the land", "flood");
   const char* p = e.judges_flood ? "P(F)" : "P(I)";
   const TwoLevelCounts& headline = e.sample.levels().of(e.judges_flood ? StudyEvent::flood : StudyEvent::slide);
-  if (const auto savings = find_savings(headline, e.coarse_wall_s, e.fine_wall_s, confidence)) {
+  if (const auto savings = find_savings(headline, e.coarse_s, e.fine_s, confidence)) {
     if (const auto rough = headline.rough_bounds(confidence))
       remarks.push_back(fmt::format(
           "The bounds are proven and wide: with few pairs nearly those of the pairs alone. By its variance {} lies "

@@ -10,6 +10,7 @@
 #include "simulation/setup_mesh.hpp"
 #include "stability/factor_of_safety.hpp"
 #include "study/points.hpp"
+#include "system/thread_time.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -201,6 +202,7 @@ std::optional<Realisation> realise(const Study& study, Index number, const Draw&
 {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
+  const double processor_before = thread_seconds();
   Realisation result{.number = number};
   try {
     result.inputs = draw.inputs;
@@ -219,6 +221,7 @@ std::optional<Realisation> realise(const Study& study, Index number, const Draw&
   }
   if (!result.solved()) result.outcomes.clear();
   result.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  result.processor_s = thread_seconds() - processor_before;
   return result;
 }
 

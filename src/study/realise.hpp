@@ -39,8 +39,8 @@ struct Realisation {
   bool slid = false;     ///< I; with a fault: the soil slides as it is drawn, and no more is known
   bool flooded = false;  ///< F; false where nothing is said of water
   bool judges_flood = false;
-  std::vector<Real> outcomes = {};  ///< as study_outcomes(); empty where it is not solved
-  double wall_s = 0.0;
+  std::vector<Real> outcomes = {};         ///< as study_outcomes(); empty where it is not solved
+  double wall_s = 0.0, processor_s = 0.0;  ///< processor_s: of the one thread that solved it
 
   bool skipped() const { return screening == Screening::skipped; }
   bool solved() const { return fault.empty() && !skipped(); }

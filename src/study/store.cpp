@@ -118,8 +118,8 @@ bool is_part_of_store(std::string_view name) { return name.starts_with("part_") 
 
 std::string line_of(const Realisation& r)
 {
-  return fmt::format("{}\t{:.3f}\t{}\t{}{}{}{}\t{}\t{}", r.number, r.wall_s, fmt::join(r.inputs, " "),
-      r.slid ? 'I' : '-', r.flooded ? 'F' : '-', r.judges_flood ? 'w' : '-',
+  return fmt::format("{}\t{:.3f} {:.4g}\t{}\t{}{}{}{}\t{}\t{}", r.number, r.wall_s, r.processor_s,
+      fmt::join(r.inputs, " "), r.slid ? 'I' : '-', r.flooded ? 'F' : '-', r.judges_flood ? 'w' : '-',
       screening_letters[static_cast<std::size_t>(r.screening)], fmt::join(r.outcomes, " "), r.fault);
 }
 
@@ -132,9 +132,11 @@ std::optional<Realisation> realisation_of(std::string_view line, std::size_t n_i
   if (screening == std::string_view::npos) return std::nullopt;
   r.fault = parts[5], r.screening = static_cast<Screening>(screening);
   const std::size_t n_outcomes = r.solved() ? study_outcomes().size() : 0;
-  if (!to_number(parts[0], r.number) || !to_number(parts[1], r.wall_s) || !to_numbers(parts[2], n_inputs, r.inputs) ||
+  std::vector<Real> times;
+  if (!to_number(parts[0], r.number) || !to_numbers(parts[1], 2, times) || !to_numbers(parts[2], n_inputs, r.inputs) ||
       !to_numbers(parts[4], n_outcomes, r.outcomes))
     return std::nullopt;
+  r.wall_s = times[0], r.processor_s = times[1];
   r.slid = parts[3][0] == 'I', r.flooded = parts[3][1] == 'F', r.judges_flood = parts[3][2] == 'w';
   return r;
 }

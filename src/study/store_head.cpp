@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view begin = "terp study\t";
 constexpr std::string_view store_format =
-    "5";  // before: no build and no instruction set; `still_moves` of floods alone
+    "6";  // before: no processor time; 4: no build and no instruction set, `still_moves` of floods alone
 constexpr std::size_t n_words = 7;
 
 std::vector<std::string> words_of(std::string_view line)

@@ -61,13 +61,12 @@ Json levels_json(const Study& study, const StudyEstimates& e)
 {
   const auto of = [&](StudyEvent event) -> const TwoLevelCounts& { return e.sample.levels().of(event); };
   const TwoLevelCounts& slide = of(StudyEvent::slide);
-  Json json{{"coarse_realisations", slide.n}, {"pairs", slide.with.n + slide.without.n},
-      {"coarse_seconds", e.coarse_wall_s}, {"fine_seconds", e.fine_wall_s},
-      {"slide", counts_json(slide, study.settings.confidence)},
+  Json json{{"coarse_realisations", slide.n}, {"pairs", slide.with.n + slide.without.n}, {"coarse_seconds", e.coarse_s},
+      {"fine_seconds", e.fine_s}, {"slide", counts_json(slide, study.settings.confidence)},
       {"flood", e.judges_flood ? counts_json(of(StudyEvent::flood), study.settings.confidence) : Json()},
       {"savings", Json()}};
-  const auto savings = find_savings(of(e.judges_flood ? StudyEvent::flood : StudyEvent::slide), e.coarse_wall_s,
-      e.fine_wall_s, study.settings.confidence);
+  const auto savings = find_savings(
+      of(e.judges_flood ? StudyEvent::flood : StudyEvent::slide), e.coarse_s, e.fine_s, study.settings.confidence);
   if (savings)
     json["savings"] = {{"same_variance", savings->same_variance}, {"same_bounds", or_null(savings->same_bounds)},
         {"best_pairs_per_coarse", savings->best_share}, {"best_same_variance", savings->best_same_variance}};

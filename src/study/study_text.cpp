@@ -68,10 +68,11 @@ void add_two_stage_remarks(const Study& study, const StudyEstimates& e, std::vec
       audited.slid == 0 ? std::string("Nothing slid")
                         : fmt::format("{} slid, {} flooded", audited.slid, audited.flooded),
       e.judges_flood ? "flood" : "slide", e.judges_flood ? "P(F)" : "P(I)", estimate_text(trusting)));
-  if (e.full_wall_s > 0.0)
-    remarks.push_back(fmt::format(
-        "The first stage took {:.2g} s each, a run {:.2g} s; Monte Carlo would have taken {:.2g} times as long.",
-        e.screening_wall_s, e.full_wall_s, e.full_wall_s / e.mean_wall_s));
+  if (e.full_s > 0.0)
+    remarks.push_back(
+        fmt::format("The first stage took {:.2g} s of processor time each, a run {:.2g} s; Monte Carlo would have "
+                    "taken {:.2g} times as long.",
+            e.screening_s, e.full_s, e.full_s / e.mean_processor_s));
 }
 const char* zero_or_one(bool value) { return value ? "1" : "0"; }
 

@@ -24,7 +24,8 @@ Realisations rows_of(Index n)
         .slid = k % 3 == 0,
         .flooded = k % 6 == 0,
         .judges_flood = true,
-        .wall_s = 2.0};
+        .wall_s = 2.0,
+        .processor_s = 2.0};
     r.outcomes.assign(study_outcomes().size(), 1.0);
     r.outcomes[outcome_number("residual_height")] = r.slid ? 3.0 : 5.0;
     r.outcomes[outcome_number("still_moves")] = k % 12 == 3 ? 1.0 : 0.0;

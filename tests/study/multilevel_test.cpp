@@ -267,7 +267,7 @@ TEST(Multilevel, WithTheSameResultOnBothLevelsItIsTheCoarseShare)
 {
   const Place place(two_levels);
   Realisations rows = place.run("one");
-  for (auto& [number, r] : rows) r.wall_s = place.study.is_coarse(number) ? 1.0 : 8.0;
+  for (auto& [number, r] : rows) r.processor_s = place.study.is_coarse(number) ? 1.0 : 8.0;
   for (Index k = 1; k < 10; k += 2) rows.at(k).slid = rows.at(k - 1).slid;
   std::int64_t slid = 0;
   for (const auto& [number, r] : rows) slid += place.study.is_coarse(number) && r.slid;
@@ -276,13 +276,15 @@ TEST(Multilevel, WithTheSameResultOnBothLevelsItIsTheCoarseShare)
   EXPECT_DOUBLE_EQ(*e.slide.probability(), static_cast<Real>(slid) / 12.0);
   EXPECT_EQ(e.slide.solved, 5) << "pairs";
   EXPECT_EQ(e.counts.solved, 17);
-  EXPECT_DOUBLE_EQ(e.coarse_wall_s, 1.0);
-  EXPECT_NEAR(e.fine_wall_s, 8.0, 1e-12);
+  EXPECT_DOUBLE_EQ(e.coarse_s, 1.0);
+  EXPECT_NEAR(e.fine_s, 8.0, 1e-12);
   const std::string text = study_text(place.study, rows);
   EXPECT_THAT(text, HasSubstr(" of 5 pairs  a slide: "));
   EXPECT_THAT(text, HasSubstr(fmt::format("note: {} of 12 coarse realisations slide. Of 5 pairs ", slid)));
   EXPECT_THAT(text, HasSubstr("0 lost it with the fine case, 0 gained it. If the coarse case were right, P(I) would"));
-  EXPECT_THAT(text, HasSubstr("A coarse realisation took 1 s, a fine one 8 s. Monte Carlo with the fine case alone"));
+  EXPECT_THAT(text,
+      HasSubstr(
+          "A coarse realisation took 1 s of processor time, a fine one 8 s. Monte Carlo with the fine case alone"));
   EXPECT_THAT(text, HasSubstr("No pair differs, and half a pair is counted as if it did."));
   EXPECT_THAT(text, HasSubstr("rank correlation of inputs with a coarse slide"));
   EXPECT_THAT(page_of_study(place.study, rows, "now"),
@@ -299,7 +301,7 @@ TEST(Multilevel, WhatIsNotKnownIsToldAndNotMadeUp)
   const Place place(two_levels);
   Realisations rows;
   for (Index k = 0; k < place.study.n_realisations; ++k) {
-    Realisation r{.number = k, .inputs = {8e3 + k}, .slid = k == 12, .wall_s = 1.0};
+    Realisation r{.number = k, .inputs = {8e3 + k}, .slid = k == 12, .processor_s = 1.0};
     r.outcomes.assign(study_outcomes().size(), 0.0);
     rows.emplace(k, r);
   }

@@ -113,7 +113,7 @@ TEST(TwoStage, RunsWhatFallsAndTheAuditAndSaysWhatItSaves)
   EXPECT_LT(strongest_that_falls, weakest_that_stands) << "one strength decides";
   const Realisations again = read_store(study, folder.path()).rows;
   for (const auto& [number, r] : rows) EXPECT_TRUE(r.same_as(again.at(number))) << number;
-  for (auto& [number, r] : rows) r.wall_s = r.skipped() ? 1.0 : 4.0;
+  for (auto& [number, r] : rows) r.processor_s = r.skipped() ? 1.0 : 4.0;
   const std::string text = study_text(study, rows);
   EXPECT_THAT(text, HasSubstr("At the factor 1.3 "));
   EXPECT_THAT(text, HasSubstr("Monte Carlo would have taken"));
