@@ -7,11 +7,14 @@ RUNS    ?= runs
 FIGURES ?= figures
 TERP     = $(BUILD)/terp
 CASES    = cases/column_collapse
+VERSION  = $(shell sed -n 's/^project(terp VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)
+WINDOWS  = $(abspath $(BUILD))/windows
+ZIP      = $(BUILD)/terp_$(VERSION)_windows_x86_64.zip
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test package wheel test-web vtk verify verify-paper kill test-cluster fuzz sanitize lint
-.PHONY: accept clean
+.PHONY: help install build demo test package windows wheel test-web vtk verify verify-paper kill test-cluster fuzz
+.PHONY: sanitize lint accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -45,6 +48,15 @@ test: install    ## install, build and run the tests
 package: build   ## a Debian package: program, Python package, documents, cases, manual page, completion
 	@cmake --build $(BUILD) --target manual
 	@cd $(BUILD) && cpack >/dev/null && ls terp_*.deb
+
+windows: build   ## a zip with terp.exe for Windows, compiled by mingw-w64 and tested with Wine (packaging/README.md)
+	@tools/install-dependencies --windows
+	@tools/build_windows_libraries $(WINDOWS)/libraries
+	@cmake -S . -B $(WINDOWS)/terp -G Ninja -DCMAKE_TOOLCHAIN_FILE=$(CURDIR)/cmake/windows.cmake -DTERP_PYTHON=OFF \
+	   -DTERP_WINDOWS_LIBRARIES=$(WINDOWS)/libraries >/dev/null
+	@cmake --build $(WINDOWS)/terp
+	@tools/package_windows $(WINDOWS)/terp/terp.exe $(WINDOWS)/libraries $(ZIP)
+	@tests/windows/check_windows.py $(ZIP) $(WINDOWS)/terp/check_system.exe $(TERP)
 
 wheel: build     ## a wheel of the Python package with its compiled part
 	@packaging/make_wheel $(BUILD)

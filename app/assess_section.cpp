@@ -16,6 +16,7 @@
 #include "output/run_folder.hpp"
 #include "output/summary_json.hpp"
 #include "simulation/setup_mesh.hpp"
+#include "system/files.hpp"
 #include "system/stop.hpp"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ const std::string& this_program()
 {
   static const std::string digits = [] {
     try {
-      return digits_of(read_file("/proc/self/exe"));
+      return digits_of(read_file(program_file()));
     } catch (const FileError&) {
       return digits_of(TERP_VERSION);
     }

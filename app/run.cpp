@@ -354,8 +354,9 @@ struct Beginning {
 Beginning find_beginning(const std::string& from)
 {
   const std::size_t colon = from.rfind(':');
+  const bool names_stage = colon != std::string::npos && from.find_first_of("/\\", colon) == std::string::npos;
   std::string path = from;
-  if (!std::filesystem::exists(path) && colon != std::string::npos)
+  if (!std::filesystem::exists(path) && names_stage)  // a colon before a slash is that of a drive
     path = find_stage_file(from.substr(0, colon), from.substr(colon + 1));
   if (!std::filesystem::exists(path))
     throw FileError(

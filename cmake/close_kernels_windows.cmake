@@ -1,6 +1,8 @@
 # What cmake/kernels.cmake does with ld and objcopy, for the object files of Windows. There a COMDAT is not a group but
 # a mark on a section, which the linker keeps: a script merges the sections, and objcopy takes the mark off. Until then
-# objcopy warns that the names of sections and symbols differ; its words are shown if it fails.
+# objcopy warns that the names of sections and symbols differ; its words are shown if it fails. What was in a COMDAT
+# that the linker left out is a name without a place to it, although the same name has one: it joins the two the next
+# time.
 # Run with LINKER, OBJCOPY, OBJECTS, WHOLE, OBJECT and KEEP (names that stay global), lists separated by commas.
 string(REPLACE "," ";" OBJECTS "${OBJECTS}")
 string(REPLACE "," ";" KEEP "${KEEP}")
@@ -22,11 +24,15 @@ foreach(section .rdata .xdata .pdata)
   list(APPEND flags --set-section-flags ${section}=alloc,load,readonly,data,contents)
 endforeach()
 list(TRANSFORM KEEP PREPEND --keep-global-symbol=)
-execute_process(COMMAND ${LINKER} -r -T ${WHOLE}.ld -o ${WHOLE} @${WHOLE}.objects RESULT_VARIABLE status
-                ERROR_VARIABLE words)
-if(status EQUAL 0)
-  execute_process(COMMAND ${OBJCOPY} ${flags} ${KEEP} ${WHOLE} ${OBJECT} RESULT_VARIABLE status ERROR_VARIABLE words)
-endif()
-if(NOT status EQUAL 0)
-  message(FATAL_ERROR "the kernels cannot be closed: ${words}")
-endif()
+set(words "")
+function(call)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status ERROR_VARIABLE said)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "the kernels cannot be closed: ${words}${said}")
+  endif()
+  set(words "${words}${said}" PARENT_SCOPE)
+endfunction()
+call(${LINKER} -r -T ${WHOLE}.ld -o ${WHOLE} @${WHOLE}.objects)
+call(${OBJCOPY} ${flags} ${WHOLE} ${WHOLE}.unmarked)
+call(${LINKER} -r -T ${WHOLE}.ld -o ${WHOLE} ${WHOLE}.unmarked)
+call(${OBJCOPY} ${KEEP} ${WHOLE} ${OBJECT})

@@ -3,6 +3,7 @@
 #include "mesh/mesh_error.hpp"
 #include "meshing/gmsh_program.hpp"
 #include "meshing/mesh_cache.hpp"
+#include "system/files.hpp"
 
 #include <fmt/format.h>
 
@@ -36,14 +37,14 @@ MshContent convert_by_gmsh(const std::string& path)
 {
   const SignalsHeld until_the_folder_is_gone;
   const WorkFolder folder;
-  // A link of our own name: gmsh also reads options from a file that lies beside its input.
+  // Under a name of our own: gmsh also reads options from a file that lies beside its input.
   const std::string input = folder.path() + "/mesh" + std::filesystem::path(path).extension().string(),
                     output = folder.path() + "/converted.msh";
-  std::filesystem::create_symlink(std::filesystem::absolute(path), input);
+  link_or_copy(path, input);
   const ProcessResult run =
       run_gmsh({input, "-save", "-save_all", "-format", "msh41", "-bin", "-o", output, "-nt", "1", "-v", "2"},
           folder.path(), longest_conversion);
-  if (!run.found) refuse_to_convert(path, "gmsh, which would convert it, is not installed: apt-get install gmsh");
+  if (!run.found) refuse_to_convert(path, "gmsh, which would convert it, is not installed: " + how_to_install_gmsh());
   if (run.timed_out) refuse_to_convert(path, fmt::format("gmsh did not convert it in {:g} s", longest_conversion));
   std::string bytes = bytes_of(output);
   if (!run.succeeded() || bytes.empty()) {

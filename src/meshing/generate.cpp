@@ -40,9 +40,8 @@ std::vector<Recipe> recipes(int variant)
 [[noreturn]] void refuse_without_gmsh()
 {
   throw MeshError(
-      "gmsh is not installed; Terp needs it to make a mesh from a polygon\n"
-      "  Install it: apt-get install gmsh\n"
-      "  or bring a mesh that you have made elsewhere: [mesh] file = \"section.msh\"");
+      "gmsh is not installed; Terp needs it to make a mesh from a polygon\n  Install it: " + how_to_install_gmsh() +
+      "\n  or bring a mesh that you have made elsewhere: [mesh] file = \"section.msh\"");
 }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }

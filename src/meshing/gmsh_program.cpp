@@ -65,7 +65,7 @@ std::string gmsh_version(const std::string& folder)
   const ProcessResult result = run_gmsh({"--version"}, folder, 60.0);
   if (!result.found) return "";
   if (!result.succeeded()) throw MeshError("`gmsh --version` fails: " + result.output);
-  return result.output.substr(0, result.output.find_last_not_of(" \n") + 1);
+  return result.output.substr(0, result.output.find_last_not_of(" \r\n") + 1);
 }
 
 }  // namespace terp

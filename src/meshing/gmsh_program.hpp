@@ -30,6 +30,9 @@ class WorkFolder {
 ProcessResult run_gmsh(std::vector<std::string> arguments, const std::string& folder, double seconds,
     const std::function<void(double)>& waiting = {});
 
+/// As "apt-get install gmsh".
+inline std::string how_to_install_gmsh() { return how_to_install("gmsh", "https://gmsh.info"); }
+
 /// "4.8.4"; empty if gmsh is not installed.
 std::string gmsh_version(const std::string& folder);
 

@@ -9,7 +9,7 @@
 namespace terp {
 namespace {
 
-using Polyline = std::vector<Vec<2>>;
+using Places = std::vector<Vec<2>>;
 
 constexpr Real corner_tolerance = 1e-9;  // over the length of the side: above round-off of input, below any cell
 
@@ -26,7 +26,7 @@ void check_counts(std::array<Index, 2> n, Vec<2> grading)
   }
 }
 
-Real length(const Polyline& line)
+Real length(const Places& line)
 {
   Real sum = 0.0;
   for (std::size_t k = 1; k < line.size(); ++k) sum += distance(line[k - 1], line[k]);
@@ -34,9 +34,9 @@ Real length(const Polyline& line)
 }
 
 /// Places at shares of the arc length, shape [shares]; ends exact.
-Polyline along(const Polyline& line, const std::vector<Real>& shares)
+Places along(const Places& line, const std::vector<Real>& shares)
 {
-  Polyline places;
+  Places places;
   const Real whole = length(line);
   std::size_t k = 1;
   Real before = 0.0;
@@ -53,7 +53,7 @@ Polyline along(const Polyline& line, const std::vector<Real>& shares)
   return places;
 }
 
-void check_sides(const std::array<Polyline, 4>& sides)
+void check_sides(const std::array<Places, 4>& sides)
 {
   static constexpr const char* name[] = {"bottom", "right", "top", "left"};
   for (int s = 0; s < 4; ++s) {
@@ -107,13 +107,13 @@ Mesh<2> make_graded_rectangle(Vec<2> origin, Vec<2> size, std::array<Index, 2> n
   return make_grid(std::move(nodes), n);
 }
 
-Mesh<2> make_mapped_rectangle(const std::array<Polyline, 4>& sides, std::array<Index, 2> n, Vec<2> grading)
+Mesh<2> make_mapped_rectangle(const std::array<Places, 4>& sides, std::array<Index, 2> n, Vec<2> grading)
 {
   check_counts(n, grading);
   check_sides(sides);
   const auto s = graded_shares(n[0], grading[0]), t = graded_shares(n[1], grading[1]);
-  const Polyline bottom = along(sides[0], s), right = along(sides[1], t), top = along(sides[2], s),
-                 left = along(sides[3], t);
+  const Places bottom = along(sides[0], s), right = along(sides[1], t), top = along(sides[2], s),
+               left = along(sides[3], t);
   const Vec<2> corner_00 = bottom.front(), corner_10 = bottom.back(), corner_01 = top.front(), corner_11 = top.back();
   std::vector<Vec<2>> nodes;
   for (Index j = 0; j <= n[1]; ++j)

@@ -14,7 +14,7 @@
 namespace terp {
 void throw_file_error(std::string_view doing, const std::string& path, int error_number)
 {
-  throw FileError(fmt::format("cannot {} {}: {}", doing, path, std::generic_category().message(error_number)));
+  throw FileError(fmt::format("cannot {} {}: {}", doing, path, words_of_errno(error_number)));
 }
 
 std::string folder_of(const std::string& path)

@@ -28,7 +28,7 @@ Json value_of(const RunMeasure& measure, std::optional<Real> value)
   return value && measure.kind == MeasureKind::word ? Json(text_of(measure, value)) : or_null(value);
 }
 
-struct Entry {
+struct JsonKey {
   QuantityInfo info;
   Json (*read)(const StudyQuantity&);
 };
@@ -36,7 +36,7 @@ struct Entry {
 using Q = const StudyQuantity&;
 
 /// Of each quantity. A new key is one entry here.
-const Entry entries[] = {
+const JsonKey entries[] = {
     {{"name", "", "", "what it is: `front_x`, `slide_1_begins`, ..."}, [](Q q) { return Json(q.measure.name); }},
     {{"label", "", "", "in words"}, [](Q q) { return Json(q.measure.label); }},
     {{"unit", "", "", "of values, `change`, `resolution`, `limit` and `error`"},
@@ -76,7 +76,7 @@ const Entry entries[] = {
 Json quantity_json(Q q)
 {
   Json json;
-  for (const Entry& entry : entries) json[std::string(entry.info.name)] = entry.read(q);
+  for (const JsonKey& entry : entries) json[std::string(entry.info.name)] = entry.read(q);
   return json;
 }
 
@@ -96,7 +96,7 @@ Json sequence_json(const StudiedSequence& s, Real tolerance)
 std::vector<QuantityInfo> study_keys()
 {
   std::vector<QuantityInfo> keys;
-  for (const Entry& entry : entries) keys.push_back(entry.info);
+  for (const JsonKey& entry : entries) keys.push_back(entry.info);
   return keys;
 }
 

@@ -3,6 +3,7 @@
 #include "system/children.hpp"
 
 #include "base/errors.hpp"
+#include "system/files.hpp"
 #include "system/stop.hpp"
 #include "system/windows_start.hpp"
 #include "system/windows_words.hpp"
@@ -31,13 +32,6 @@ void* map_shared(HANDLE mapping)
   void* const memory = MapViewOfFile(mapping, FILE_MAP_ALL_ACCESS, 0, 0, 0);
   if (memory == nullptr) refuse("MapViewOfFile");
   return memory;
-}
-
-std::wstring own_program()
-{
-  std::wstring path(32768, 0);
-  path.resize(GetModuleFileNameW(nullptr, path.data(), static_cast<DWORD>(path.size())));
-  return path;
 }
 
 std::uintptr_t number_of(HANDLE handle) { return reinterpret_cast<std::uintptr_t>(handle); }
@@ -87,7 +81,7 @@ void Children::begin(std::size_t number, const std::string& what)
       L"NUL", GENERIC_READ | GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE, &inherited, OPEN_EXISTING, 0, nullptr));
   std::fflush(nullptr);
   StartedProgram started =
-      start_program("the process for " + what, own_program(), GetCommandLineW(), environment_with({task}),
+      start_program("the process for " + what, wide(program_file()), GetCommandLineW(), environment_with({task}),
           {nothing.handle, nothing.handle, nothing.handle}, {nothing.handle, mapping, stop, ourselves}, false);
   state_->running.emplace(number, std::move(started.process));
 }

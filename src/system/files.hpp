@@ -37,6 +37,12 @@ int wait_for_disk(const std::string& path);
 /// Gives a file another name, in place of the file that may have it: readers see the old one or the new.
 int replace_file(const std::string& from, const std::string& to);
 
+/// What a number of errno means, as the end of a sentence.
+std::string words_of_errno(int error);
+
+/// The file under a second name: a link, on Windows a copy. Throws std::filesystem::filesystem_error.
+void link_or_copy(const std::string& file, const std::string& name);
+
 /// Whether a path leads to its place from any folder.
 bool is_absolute(const std::string& path);
 
@@ -52,6 +58,9 @@ std::string cache_folder();
 
 /// What this program prints goes to the end of a file from now on. False: it cannot, and nothing changed.
 bool print_to_file(const std::string& path);
+
+/// Path under which the file of this program can be read.
+std::string program_file();
 
 /// Of this process, no other has it now.
 long process_number();

@@ -3,7 +3,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace terp {
@@ -66,6 +68,13 @@ int replace_file(const std::string& from, const std::string& to)
   return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
+void link_or_copy(const std::string& file, const std::string& name)
+{
+  std::filesystem::create_symlink(std::filesystem::absolute(file), name);
+}
+
+std::string words_of_errno(int error) { return std::generic_category().message(error); }
+
 bool is_absolute(const std::string& path) { return path.starts_with('/'); }
 
 int may_read(const std::string& path) { return ::access(path.c_str(), R_OK) == 0 ? 0 : errno; }
@@ -91,6 +100,8 @@ bool print_to_file(const std::string& path)
   const int file = open_to_write(path, OpenAs::end_of_file);
   return file >= 0 && ::dup2(file, STDOUT_FILENO) >= 0 && ::dup2(file, STDERR_FILENO) >= 0;
 }
+
+std::string program_file() { return "/proc/self/exe"; }
 
 long process_number() { return getpid(); }
 

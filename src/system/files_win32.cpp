@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <io.h>
+#include <system_error>
 #include <windows.h>
 
 namespace terp {
@@ -16,6 +17,8 @@ namespace {
 
 /// Others may read, rename and remove what we have open, as on Linux.
 constexpr DWORD shared = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
+
+constexpr DWORD longest_path = 32768;  // [letters] that Windows allows
 
 HANDLE handle_of(int descriptor) { return reinterpret_cast<HANDLE>(_get_osfhandle(descriptor)); }
 
@@ -140,6 +143,13 @@ int replace_file(const std::string& from, const std::string& to)
   return try_to_open(to, DELETE) == EBUSY ? EBUSY : error;
 }
 
+void link_or_copy(const std::string& file, const std::string& name) { std::filesystem::copy_file(file, name); }
+
+std::string words_of_errno(int error)
+{
+  return error == EBUSY ? "another program has it open" : std::generic_category().message(error);
+}
+
 /// One on the present drive, "\\folder", is: the drive does not change while we run.
 bool is_absolute(const std::string& path)
 {
@@ -176,6 +186,13 @@ bool print_to_file(const std::string& path)
 {
   const int file = _wopen(wide(path).c_str(), _O_WRONLY | _O_CREAT | _O_APPEND | _O_BINARY | _O_NOINHERIT, 0666);
   return file >= 0 && _dup2(file, _fileno(stdout)) == 0 && _dup2(file, _fileno(stderr)) == 0;
+}
+
+std::string program_file()
+{
+  std::wstring path(longest_path, 0);
+  path.resize(GetModuleFileNameW(nullptr, path.data(), longest_path));
+  return narrow(path);
 }
 
 long process_number() { return static_cast<long>(GetCurrentProcessId()); }

@@ -27,6 +27,10 @@ struct ProcessResult {
 ProcessResult run_process(const std::vector<std::string>& arguments, double seconds,
     const std::vector<std::string>& environment = {}, const std::function<void(double)>& waiting = {});
 
+/// What a user does to have a free program: this system has it as a package, or `site` has it. As "apt-get install
+/// gmsh".
+std::string how_to_install(const std::string& package, const std::string& site);
+
 /// While it lives, signals that ask this thread to end wait, so that a scope can put its things away first; they arrive
 /// at the end of it. run_process ends its program as soon as one waits. Signals that are ignored stay so.
 class SignalsHeld {

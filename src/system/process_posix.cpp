@@ -164,6 +164,8 @@ ProcessResult run_process(const std::vector<std::string>& arguments, double seco
   return result;
 }
 
+std::string how_to_install(const std::string& package, const std::string&) { return "apt-get install " + package; }
+
 struct SignalsHeld::Held {
   sigset_t set;
 };

@@ -116,6 +116,11 @@ ProcessResult run_process(const std::vector<std::string>& arguments, double seco
   return result;
 }
 
+std::string how_to_install(const std::string&, const std::string& site)
+{
+  return "take the program from " + site + " and put its folder into PATH";
+}
+
 struct SignalsHeld::Held {
   bool listens = false;
 };

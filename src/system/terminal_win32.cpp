@@ -5,6 +5,11 @@
 #include <io.h>
 #include <windows.h>
 
+extern "C" {
+/// Read before main: "*.stix" among the arguments is all those files, as the shells of Linux make it.
+int _dowildcard = -1;
+}
+
 namespace terp {
 
 bool prepare_standard_streams()

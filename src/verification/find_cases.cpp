@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/closest.hpp"
+#include "system/files.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 std::string find_cases_folder()
 {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path program = fs::canonical(program_file(), error);
   std::vector<std::string> tried;
   for (fs::path above = program.parent_path();; above = above.parent_path()) {
     for (const char* inside : {"cases/verification", "share/terp/cases/verification"}) {

@@ -15,6 +15,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -58,7 +59,8 @@ void test_files(const std::string& folder)
   EXPECT(write_all(file, "two\n") == 0 && size_of(file) == 8);
   EXPECT(reserve(file, 10) == 0 && size_of(file) == 18 && resize(file, 8) == 0);
   EXPECT(close_file(file) == 0 && text_of(a) == "one\ntwo\n");
-  EXPECT(fs::exists(fs::path(L"" + fs::path(folder).wstring() + L"/\u00e4 b")));
+  EXPECT(fs::exists(fs::path(fs::path(folder).wstring() + L"/\u00e4 b")));
+  EXPECT(fs::path("\xf0\x9f\x8c\x8a ä\xff").wstring() == L"\xd83c\xdf0a \u00e4\ufffd");  // a wave, of two wide letters
   write(b, "old");
   EXPECT(wait_for_disk(a) == 0 && wait_for_disk(folder) == 0);
   EXPECT(replace_file(a, b) == 0 && text_of(b) == "one\ntwo\n" && !fs::exists(fs::path(a)));
@@ -88,6 +90,8 @@ void test_claims(const std::string& folder, const std::string& program)
   EXPECT(claim_folder(folder, one) == ClaimResult::taken);
   EXPECT(claim_folder(folder, other) == ClaimResult::held_by_another && other == -1);
   EXPECT(look_at_claim(folder) == ClaimResult::held_by_another);
+  std::error_code error;
+  EXPECT(!fs::is_empty(folder, error) && !error);  // who holds it may list it
   write(folder + "/inside", "may change");
   EXPECT(replace_file(folder + "/inside", folder + "/inside 2") == 0);
   EXPECT(run_process({program, folder, "hold"}, 60.0).status == 3);  // from another process
@@ -102,7 +106,7 @@ void test_processes(const std::string& folder, const std::string& program)
   EXPECT(!run_process({"no-such-program-here"}, 10.0).found);
   const ProcessResult said = run_process({"cmd", "/c", "echo one & exit 3"}, 60.0);
   EXPECT(said.found && said.status == 3 && said.output.starts_with("one"));
-  EXPECT(run_process({"cmd", "/c", "echo %TERP_X%"}, 60.0, {"TERP_X=ü y"}).output.starts_with("ü y"));
+  EXPECT(run_process({program, folder, "environment"}, 60.0, {"TERP_X=ü y"}).output == "ü y");
   const ProcessResult words = run_process({program, folder, "words", "a b", "c\"d\\", "", "é"}, 60.0);
   EXPECT(words.output == "a b|c\"d\\||é|");
   const ProcessResult late = run_process({program, folder, "sleep"}, 0.5);
@@ -157,14 +161,15 @@ void test_threads()
 std::string guarded(void (*f)(void*))
 {
   return call_guarded(
-      f, [](void*) { return std::string("it left"); }, nullptr);
+      f, [](void*, const char*, char* words, std::size_t n) { std::snprintf(words, n, "it left"); }, nullptr);
 }
 
-[[gnu::noinline]] int deep(volatile int n)
+constexpr int most_calls = 1 << 20;  // 4 GB of stack
+[[gnu::noinline]] int deep(int n)
 {
   volatile char room[4096];
   room[0] = static_cast<char>(n);
-  return deep(n + 1) + room[0];
+  return n < most_calls ? deep(n + 1) + room[0] : 0;
 }
 
 void test_guarded_calls()
@@ -177,8 +182,8 @@ void test_guarded_calls()
     EXPECT(guarded([](void*) { std::abort(); }) == "called abort()");
   }
   EXPECT(guarded([](void*) {
-    volatile int zero = 0;
-    zero = 1 / zero;
+    volatile int one = 1, zero = 0;
+    zero = one / zero;
   }) == "divided a whole number by zero");
   EXPECT(guarded([](void*) { deep(0); }) == "used up its stack");
 }
@@ -193,6 +198,7 @@ int main(int argc, char** argv)
   int claim = -1;
   if (what == "hold") return claim_folder(folder, claim) == ClaimResult::held_by_another ? 3 : 4;
   if (what == "sleep") return Sleep(60000), 0;
+  if (what == "environment") return std::printf("%s", std::getenv("TERP_X")), 0;
   if (what == "words") {
     for (int k = 3; k < argc; ++k) std::printf("%s|", argv[k]);
     return 0;

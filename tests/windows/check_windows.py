@@ -6,16 +6,20 @@ the paper, a section imported from D-Stability, a reach, resume, the report, and
 Windows, a file that another program has open, Ctrl-C, gmsh that is not there. Numbers are those of Linux: the bits on
 the same instruction set. Prints one line per test, and exits with 1 if one fails.
 
-usage: check_windows.py ZIP LINUX_PROGRAM [TEST...]
+usage: check_windows.py ZIP CHECK_SYSTEM LINUX_PROGRAM [TEST...]      CHECK_SYSTEM: check_system.cpp, compiled
 """
 import csv
+import fcntl
 import math
 import os
+import pty
 import re
+import select
 import shutil
 import subprocess
 import sys
 import tempfile
+import termios
 import time
 import zipfile
 from pathlib import Path
@@ -34,7 +38,7 @@ MOST_SECONDS = 540
 class Place:
     """The unpacked program, and a Wine of its own."""
 
-    def __init__(self, scratch, archive, linux):
+    def __init__(self, scratch, archive, check_system, linux):
         self.folder = Path(scratch) / "Grüne Düne 2"
         self.linux = str(Path(linux).resolve())
         self.environment = dict(os.environ, WINEDEBUG="-all", WINEPREFIX=str(Path(scratch) / "wine"), LC_ALL="C.UTF-8")
@@ -42,10 +46,18 @@ class Place:
         with zipfile.ZipFile(archive) as z:
             z.extractall(self.folder)
         (self.home,) = self.folder.iterdir()
-        for name in ("hold_file", "press_ctrl_c"):
-            subprocess.run([COMPILER, "-static", "-o", self.home / f"{name}.exe", Path(__file__).parent / f"{name}.c"],
-                           check=True)
-        self.windows("cmd", "/c", "exit")  # makes its folder, which takes a while
+        subprocess.run([COMPILER, "-static", "-o", self.home / "hold_file.exe", Path(__file__).parent / "hold_file.c"],
+                       check=True)
+        shutil.copy(check_system, self.home / "check_system.exe")
+        # A server that stays, so that no program waits for its end; what it starts has no pipe of ours.
+        nowhere = {"env": self.environment, "stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL,
+                   "stderr": subprocess.DEVNULL}
+        self.server = shutil.which("wineserver") or "/usr/lib/wine/wineserver64"
+        subprocess.run([self.server, "-p"], **nowhere)
+        subprocess.run(["wine", "cmd", "/c", "exit"], check=True, **nowhere)  # makes its folder, which takes a while
+
+    def end(self):
+        subprocess.run([self.server, "-k"], env=self.environment)
 
     def windows(self, *words, instructions=None):
         return self.run(["wine", *words], instructions)
@@ -107,6 +119,13 @@ def test_needs_no_file_beside_those_of_windows(place):
     names = re.findall(r"DLL Name: (\S+)", dump)
     expect(names and all(OF_WINDOWS.fullmatch(n) for n in names), f"it needs {names}")
     return ", ".join(names)
+
+
+def test_asks_windows_for_what_terp_needs(place):
+    (place.home / "Für Dateien").mkdir()
+    said = expect_done(place.windows("check_system.exe", "Für Dateien"))
+    expect("0 failures" in said, said)
+    return said.strip().splitlines()[0]
 
 
 def test_says_its_version_and_instructions(place):
@@ -174,10 +193,30 @@ def test_assesses_a_reach_by_processes_of_its_own(place):
     return said.strip().splitlines()[-1]
 
 
+def test_calls_a_law_of_the_user(place):
+    folder = place.home / "cases/user_law"
+    header = ["-O2", "-ffp-contract=off", "-shared", "-I", ROOT / "src/user_laws", folder / "elastic.c", "-o"]
+    subprocess.run([COMPILER, *header, folder / "elastic.dll"], check=True)
+    subprocess.run(["gcc", "-fPIC", *header, folder / "elastic.so"], check=True)
+    lines = (folder / "column.toml").read_text(encoding="utf-8").splitlines()
+    lines = [line for line in lines if not line.startswith(("library ", "interface", "parameters", "state", "thread"))]
+    k = next(k for k, line in enumerate(lines) if line.startswith("model "))
+    for ending in ("dll", "so"):
+        law = [f'library = "elastic.{ending}"', 'interface = "native"',
+               "parameters = { stiffness = 2.0e6, poisson = 0.48 }"]
+        (folder / f"{ending}.toml").write_text("\n".join(lines[:k + 1] + law + lines[k + 1:]), encoding="utf-8")
+    options = ["--set", "time.end=0.3", "-q", "-o"]
+    expect_done(place.terp("run", "cases/user_law/dll.toml", *options, "runs/dll"))
+    expect_done(place.terp_of_linux("run", "cases/user_law/so.toml", *options, "runs/so"))
+    worst = largest_difference(rows(place.home / "runs/dll/ledger.csv"), rows(place.home / "runs/so/ledger.csv"))
+    expect(worst < 1e-9, f"the ledgers differ by {worst:.1e}")
+    return f"ledger beside Linux: {worst:.1e}"
+
+
 def test_writes_the_report_page(place):
     expect_done(place.terp("run", *COLUMN, *SHORT, "-q", "-o", "runs/paged"))
     expect_done(place.terp("report", "runs/paged"))
-    page = (place.home / "runs/paged/report.html").read_bytes()
+    page = (place.home / "report.html").read_bytes()
     expect(b"</html>" in page[-200:] and b"\r\n" not in page, "the page is not whole")
     expect_done(place.terp_of_linux("report", "runs/paged", "-o", "of_linux.html"))
     size = (place.home / "of_linux.html").stat().st_size
@@ -201,6 +240,27 @@ def test_takes_letters_beyond_ascii_and_lines_of_windows(place):
     expect_done(wrong, 2)
     expect("Did you mean" in text(wrong) and "Säule 1.toml" in text(wrong), text(wrong))
     return "Säule 1.toml"
+
+
+def test_takes_a_table_by_its_drive(place):
+    shutil.copytree(place.home / "cases/verification/water_at_rest", place.home / "Mit Laufwerk")
+    case = place.home / "Mit Laufwerk/grid.toml"
+    table = (place.home / "Mit Laufwerk/pressure.csv").rename(place.home / "Drücke 1.csv")
+    drive = "Z:" + str(table)  # where Wine has the files of this system
+    case.write_text(case.read_text(encoding="utf-8").replace('"pressure.csv"', f"'{drive}'"), encoding="utf-8")
+    expect_done(place.terp("check", "Mit Laufwerk/grid.toml"))
+    backward = drive.replace("/", "\\")
+    case.write_text(case.read_text(encoding="utf-8").replace(drive, backward), encoding="utf-8")
+    expect_done(place.terp("check", "Mit Laufwerk/grid.toml"))
+    return backward
+
+
+def test_takes_all_files_of_a_pattern(place):
+    for name in ("Übung 1", "Übung 2"):
+        shutil.copy(SAMPLES / "empty-2023.stix", place.home / f"{name}.stix")
+    said = text(place.terp("assess", "Übung*.stix", "--estimate", "-o", "Pattern"))
+    expect("Übung 1" in said and "Übung 2" in said, said)
+    return "Übung*.stix"
 
 
 def hold(place, path, seconds):
@@ -227,13 +287,36 @@ def test_waits_for_a_file_that_is_open_for_a_moment_and_names_it_else(place):
     return said.strip().splitlines()[0]
 
 
+def press_ctrl_c(place, words, sign):
+    """Runs a program in a console, which Wine makes of a terminal, and presses Ctrl-C once the file `sign` is there.
+    Its status, and what it said without the movements of the cursor."""
+    ours, theirs = pty.openpty()
+    console = subprocess.Popen(["wine", *words], cwd=place.home, env=dict(place.environment, TERM="xterm"),
+                               stdin=theirs, stdout=theirs, stderr=theirs, start_new_session=True,
+                               preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0))
+    os.close(theirs)
+    said, pressed, end = b"", False, time.monotonic() + 120.0
+    while console.poll() is None and time.monotonic() < end:
+        if select.select([ours], [], [], 0.2)[0]:
+            try:
+                said += os.read(ours, 65536)
+            except OSError:  # the other end is closed
+                break
+        if not pressed and sign.exists():
+            os.write(ours, b"\x03")
+            pressed = True
+    expect(pressed, f"{sign.name} did not come: {said[-1000:]}")
+    os.close(ours)
+    status = console.wait(60)
+    return status, re.sub(r"\x1b\[[?\d;]*[A-Za-z]", "", said.decode("utf-8", "replace"))
+
+
 def test_ends_with_a_checkpoint_on_ctrl_c(place):
-    line = "terp.exe run " + " ".join([*COLUMN, *LONG, "-q", "-o", "runs/stopped"])
-    done = place.windows("press_ctrl_c.exe", "runs/stopped/ledger.csv", line)
-    expect(done.returncode == 1, f"status {done.returncode}: {text(done)}")
+    status, said = press_ctrl_c(place, ["terp.exe", "run", *COLUMN, *LONG, "-o", "runs/stopped"],
+                                place.home / "runs/stopped/ledger.csv")
+    expect(status == 1 and "a checkpoint is written" in said, f"status {status}: {said[-1000:]}")
     expect(list((place.home / "runs/stopped").glob("checkpoint_*.h5")), "there is no checkpoint")
-    expect("resume" in text(done), text(done))
-    return text(done).strip().splitlines()[-1]
+    return next(line.strip() for line in said.splitlines() if "a checkpoint is written" in line)
 
 
 def test_says_that_a_polygon_needs_gmsh(place):
@@ -243,11 +326,11 @@ def test_says_that_a_polygon_needs_gmsh(place):
 
 
 def main():
-    archive, linux, *only = sys.argv[1:]
+    archive, check_system, linux, *only = sys.argv[1:]
     tests = {name[5:]: test for name, test in globals().items() if name.startswith("test_")}
     failed = 0
     with tempfile.TemporaryDirectory() as scratch:
-        place = Place(scratch, archive, linux)
+        place = Place(scratch, archive, check_system, linux)
         for name, test in tests.items():
             if only and not any(word in name for word in only):
                 continue
@@ -258,7 +341,7 @@ def main():
                 result, mark = error, "FAIL"
                 failed += 1
             print(f"{mark} {name.replace('_', ' ')} ({time.monotonic() - start:.0f} s)\n       {result}", flush=True)
-        subprocess.run(["wine", "wineboot", "--kill"], env=place.environment, capture_output=True)
+        place.end()
     print(f"{failed} tests failed" if failed else "all tests passed")
     return 1 if failed else 0
 
