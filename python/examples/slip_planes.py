@@ -5,7 +5,8 @@
 
 Reads case.toml alone: outlines, weights, water, loads of the last stage, strengths. It shares no code with the solver,
 so it says whether a difference from a stored factor lies in what was read or in the mechanism that was found.
-Slices are vertical and 0.25 m wide. Cohesion and friction are reduced as soil without dilatancy has them.
+Slices are vertical and 0.25 m wide. Cohesion and friction are those of the case: an import has reduced them to slip
+planes.
 """
 import argparse
 import math
@@ -137,10 +138,8 @@ class Section:
 
     def set_strength(self, soil, here):
         if soil["model"] == "mohr_coulomb":
-            phi, psi = math.radians(soil["friction_angle"]), math.radians(soil.get("dilatancy_angle", 0))
-            reduced = math.cos(psi) / (1 - math.sin(phi) * math.sin(psi))
-            self.cohesion[here] = number(soil["cohesion"]) * math.cos(phi) * reduced
-            self.friction[here] = math.sin(phi) * reduced
+            self.cohesion[here] = number(soil["cohesion"])
+            self.friction[here] = math.tan(math.radians(soil["friction_angle"]))
         elif not isinstance(soil["su_peak"], dict):
             self.cohesion[here] = number(soil["su_peak"])
         elif "table" in soil["su_peak"]:

@@ -1,6 +1,6 @@
-// Terp shears drained soil with the flow rule of its dilatancy. On a plane of shear that gives the strength with the
-// Davis reduction of D-Stability's model, so the file's own phi, c and psi go into the case (docs/stability.md,
-// "Non-associated friction"). Reduced values would be reduced twice.
+// Drained soil gets the strength that D-Stability has on a slip plane: c* and phi* of the Davis reduction. A slope of
+// soil without dilatancy finds a mechanism with nearly all of tan phi' (docs/strength.md, "Friction and dilatancy"), so
+// the plain pair would make the section stronger than in the file.
 
 #include "dstability/soil_text.hpp"
 
@@ -135,14 +135,6 @@ void add_common(const SoilUse& use, const SoilKind& kind, bool drained, SoilText
   lines.push_back({"k0", fmt::format("{:g}", kind.k0), origin});
 }
 
-void add_friction(SoilText& text, Real cohesion, Real friction, Real dilatancy, const std::string& origin)
-{
-  auto& lines = text.material.lines;
-  lines.push_back({"friction_angle", fmt::format("{:.9g}", friction), "degrees; " + origin});
-  lines.push_back({"cohesion", in_quotes(kilo_text(cohesion, "kPa")), origin});
-  lines.push_back({"dilatancy_angle", fmt::format("{:.9g}", dilatancy), origin});
-}
-
 /// The straight line nearest to a table up to a stress: cohesion [Pa] and tan of its slope.
 Vec<2> line_through(const StixTable& table, Real largest_stress, StixBasis basis)
 {
@@ -155,16 +147,54 @@ Vec<2> line_through(const StixTable& table, Real largest_stress, StixBasis basis
   return {std::max(0.0, (y - slope * x) / n), slope};
 }
 
-/// A strength c + sigma tan a on planes of shear, as soil without dilatancy: sin phi = tan a, c' = c / cos phi.
-void add_plane_strength(const SoilUse& use, SoilText& text, Real cohesion, Real slope, const std::string& origin)
+/// Friction as the case takes it: c + sigma'_n tan phi on slip planes, dilating by no more than phi.
+struct CaseFriction {
+  Real cohesion;   ///< [Pa]
+  Real friction;   ///< [degrees]
+  Real dilatancy;  ///< [degrees]
+};
+
+void add_friction(SoilText& text, const CaseFriction& f, const std::string& origin)
 {
-  const Real sine = std::min(slope, std::sin(largest_friction / degrees));
-  if (sine < slope)
-    text.assumed.push_back(
-        fmt::format("{}: tan phi on its planes of shear is {:.3f}; taken was {:.3f}, the most that the law takes "
-                    "(phi' = {:g} degrees). The soil is weaker than in the file.",
-            use.name, slope, sine, largest_friction));
-  add_friction(text, cohesion / std::sqrt(1.0 - sine * sine), degrees * std::asin(sine), 0.0, origin);
+  auto& lines = text.material.lines;
+  lines.push_back({"friction_angle", fmt::format("{:.9g}", f.friction), "degrees; " + origin});
+  lines.push_back({"cohesion", in_quotes(kilo_text(f.cohesion, "kPa")), origin});
+  lines.push_back({"dilatancy_angle", fmt::format("{:.9g}", f.dilatancy), "degrees"});
+}
+
+/// That of a material of the model with dilatancy. Notes what was reduced.
+CaseFriction reduced_friction(const SoilUse& use, SoilText& text, StixBasis basis)
+{
+  const StixFriction& f = use.soil->advanced;
+  const Real cohesion = value_of(f.cohesion, basis), friction = value_of(f.friction, basis),
+             given = value_of(f.dilatancy, basis), dilatancy = std::isnan(given) ? 0.0 : given;
+  if (std::isnan(given))
+    text.assumed.push_back(fmt::format("{}: its dilatancy is empty in the file; taken was 0.", use.name));
+  if (dilatancy >= friction) return {cohesion, friction, friction};
+  const DavisStrength on_planes = davis_reduced(cohesion, friction, dilatancy);
+  text.assumed.push_back(
+      fmt::format("{}: phi' = {:g} degrees and c' = {:g} kPa of the file were reduced to {:.2f} and {:.2f}, as "
+                  "D-Stability reduces them on slip planes of soil that dilates by {:g} degrees.",
+          use.name, friction, cohesion / 1e3, on_planes.friction, on_planes.cohesion / 1e3, dilatancy));
+  return {on_planes.cohesion, on_planes.friction, std::min(dilatancy, on_planes.friction)};
+}
+
+/// That of the straight line nearest to the table of a soil.
+CaseFriction friction_of_table(const SoilUse& use, SoilText& text, StixBasis basis)
+{
+  const Real up_to = std::max(use.largest_stress, 10e3);
+  const Vec<2> line = line_through(use.soil->sigma_tau_table, up_to, basis);
+  const Real friction = degrees * std::atan(line[1]);
+  text.assumed.push_back(
+      fmt::format("{}: its SigmaTauTable was replaced by the straight line nearest to it from 0 to {:.0f} kPa: {:.2f} "
+                  "kPa + {:.3f} sigma'_n.",
+          use.soil->name, up_to / 1e3, line[0] / 1e3, line[1]));
+  if (friction > largest_friction)
+    text.assumed.push_back(fmt::format(
+        "{}: the friction angle of its line is {:.1f} degrees; taken was {:g}, the most that the law takes. "
+        "The soil is weaker than in the file.",
+        use.name, friction, largest_friction));
+  return {line[0], std::min(friction, largest_friction), 0.0};
 }
 
 /// Soil that the file gives no strength at all: D-Stability takes none, a run cannot begin with none.
@@ -178,7 +208,8 @@ void add_drained(const SoilUse& use, StixStrengthModel model, StixBasis basis, c
   const StixSoil& soil = *use.soil;
   if (model != StixStrengthModel::sigma_tau_table &&
       has_no_strength(model == StixStrengthModel::advanced ? soil.advanced : soil.classic, basis)) {
-    add_friction(text, 1e3 * kind.least_strength, 0.0, 0.0, fmt::format("none in the file: least_su of {}", kind.kind));
+    add_friction(
+        text, {1e3 * kind.least_strength, 0.0, 0.0}, fmt::format("none in the file: least_su of {}", kind.kind));
     text.material.lines.push_back({"drainage", "\"drained\"", ""});
     text.assumed.push_back(
         fmt::format("{}: the file has c' = 0 and phi' = 0 {} the phreatic line; taken was c' = {:g} "
@@ -188,26 +219,14 @@ void add_drained(const SoilUse& use, StixStrengthModel model, StixBasis basis, c
   }
   if (model == StixStrengthModel::advanced) {
     const StixFriction& f = soil.advanced;
-    const Real dilatancy = value_of(f.dilatancy, basis);
-    if (std::isnan(dilatancy))
-      text.assumed.push_back(fmt::format("{}: its dilatancy is empty in the file; taken was 0.", use.name));
-    add_friction(text, value_of(f.cohesion, basis), value_of(f.friction, basis),
-        std::isnan(dilatancy) ? 0.0 : dilatancy, "of the file");
+    add_friction(text, reduced_friction(use, text, basis),
+        fmt::format("on slip planes; the file's are {:g} degrees and {:g} kPa", value_of(f.friction, basis),
+            value_of(f.cohesion, basis) / 1e3));
   } else if (model == StixStrengthModel::classic) {
-    const Real phi = value_of(soil.classic.friction, basis);
-    add_plane_strength(use, text, value_of(soil.classic.cohesion, basis), std::tan(phi / degrees),
-        fmt::format("MohrCoulombClassic, phi {:g} on slip planes: sin phi' = tan phi", phi));
-    text.assumed.push_back(
-        fmt::format("{}: MohrCoulombClassic has no reduction for dilatancy. phi' and c' are those of "
-                    "soil without dilatancy that is as strong on its planes of shear.",
-            soil.name));
+    const StixFriction& f = soil.classic;
+    add_friction(text, {value_of(f.cohesion, basis), value_of(f.friction, basis), 0.0}, "of the file");
   } else {
-    const Vec<2> line = line_through(soil.sigma_tau_table, std::max(use.largest_stress, 10e3), basis);
-    add_plane_strength(use, text, line[0], line[1], "straight line through the file's SigmaTauTable");
-    text.assumed.push_back(
-        fmt::format("{}: its SigmaTauTable was replaced by the straight line nearest to it from 0 to "
-                    "{:.0f} kPa: {:.2f} kPa + {:.3f} sigma'_n.",
-            soil.name, std::max(use.largest_stress, 10e3) / 1e3, line[0] / 1e3, line[1]));
+    add_friction(text, friction_of_table(use, text, basis), "straight line through the file's SigmaTauTable");
   }
 }
 

@@ -20,7 +20,7 @@ std::vector<std::string> assess_command(
 {
   std::vector<std::string> words{"assess"};
   words.insert(words.end(), files.begin(), files.end());
-  words.insert(words.end(), {"-o", folder, "--cell", "6", "-j", "2", "--threads", "1"});
+  words.insert(words.end(), {"-o", folder, "--cell", "4", "-j", "2", "--threads", "1"});
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }

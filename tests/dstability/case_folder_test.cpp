@@ -124,7 +124,9 @@ TEST(CaseFolder, SaysTheStrengthOfTheFileWithItsHistory)
   EXPECT_THAT(text, HasSubstr("[material.clay_shallow]"));
   EXPECT_THAT(
       text, HasSubstr("shansep = { S = 0.23, m = 0.9, pop = \"10 kPa\", water = \"high_water_water\", minimum"));
-  EXPECT_THAT(text, HasSubstr("friction_angle  = 30                     # degrees; of the file"));
+  EXPECT_THAT(text,
+      HasSubstr(
+          "friction_angle  = 26.5650512             # degrees; on slip planes; the file's are 30 degrees and 0 kPa"));
   EXPECT_THAT(text, HasSubstr("shear_modulus   = \"12 MPa\"               # not in the file: default of sand"));
 }
 

@@ -45,8 +45,11 @@ TEST(SoilText, HasTheNumbersOfDrainedSoil)
   const SoilText sand = text_of(two_soils()[0]);
   EXPECT_EQ(value_of_key(sand, "model"), "\"mohr_coulomb\"");
   EXPECT_EQ(value_of_key(sand, "density"), "\"20 kN/m3\"");
-  EXPECT_EQ(value_of_key(sand, "friction_angle"), "30");
-  EXPECT_EQ(value_of_key(sand, "cohesion"), "\"2 kPa\"");
+  EXPECT_EQ(value_of_key(sand, "friction_angle"), "26.5650512");         // tan phi* = sin 30, without dilatancy
+  EXPECT_THAT(value_of_key(sand, "cohesion"), StartsWith("\"1.73205"));  // 2 cos 30
+  EXPECT_THAT(sand.assumed, Contains("soil: phi' = 30 degrees and c' = 2 kPa of the file were reduced to 26.57 and "
+                                     "1.73, as D-Stability reduces them on slip planes of soil that dilates by 0 "
+                                     "degrees."));
   EXPECT_EQ(value_of_key(sand, "shear_modulus"), "\"12 MPa\"");  // default of sand
 }
 
@@ -57,23 +60,25 @@ TEST(SoilText, HasTheNumbersOfShansepAndTheirDesignValues)
   EXPECT_THAT(value_of_key(text_of(clay, false, StixBasis::design), "su_peak"), HasSubstr("S = 0.225386"));
 }
 
-TEST(SoilText, TurnsClassicStrengthIntoThatOfItsPlanesOfShear)
-{
-  const SoilText clay = text_of(two_soils()[1], true);  // c' 5 kPa, phi' 25: sin phi = tan 25 = 0.46631
-  EXPECT_THAT(value_of_key(clay, "friction_angle"), StartsWith("27.7948"));
-  EXPECT_THAT(value_of_key(clay, "cohesion"), StartsWith("\"5.6521"));  // 5 / cos 27.795
-}
-
-TEST(SoilText, SaysThatAVerySteepClassicStrengthIsCapped)
+TEST(SoilText, KeepsTheStrengthOfSoilThatDilatesAsMuchAsItRubs)
 {
   StixSoil sand = two_soils()[0];
-  sand.below = StixStrengthModel::classic;
-  sand.classic = {{.value = 1e3}, {.value = 45.0}, {}};
+  sand.advanced.dilatancy.value = 30.0;
   const SoilText text = text_of(sand);
-  EXPECT_EQ(value_of_key(text, "friction_angle"), "60");
-  EXPECT_THAT(text.assumed, Contains(HasSubstr("tan phi on its planes of shear is 1.000; taken was 0.866")));
-  sand.classic.friction.value = 40.0;
-  EXPECT_THAT(text_of(sand).assumed, Not(Contains(HasSubstr("taken was 0.866"))));
+  EXPECT_EQ(value_of_key(text, "friction_angle"), "30");
+  EXPECT_EQ(value_of_key(text, "cohesion"), "\"2 kPa\"");
+  EXPECT_EQ(value_of_key(text, "dilatancy_angle"), "30");
+  EXPECT_THAT(text.assumed, Not(Contains(HasSubstr("reduced"))));
+  sand.advanced.dilatancy.value = 29.0;  // phi* = 29.997 degrees
+  EXPECT_EQ(value_of_key(text_of(sand), "dilatancy_angle"), "29");
+}
+
+TEST(SoilText, TakesClassicStrengthAsItIs)
+{
+  const SoilText clay = text_of(two_soils()[1], true);
+  EXPECT_EQ(value_of_key(clay, "friction_angle"), "25");
+  EXPECT_EQ(value_of_key(clay, "cohesion"), "\"5 kPa\"");
+  EXPECT_THAT(clay.assumed, Not(Contains(HasSubstr("reduced"))));
 }
 
 TEST(SoilText, RefusesEmptyNumbersWithSoilParameterAndStage)
