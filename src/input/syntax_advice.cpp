@@ -32,6 +32,8 @@ std::string cure_of_unit(std::string number, const std::string& unit)
   return fmt::format("Write {} in the unit that `terp explain` names: Terp reads SI units, m, kg, s, Pa.", number);
 }
 
+constexpr const char* one_number = "Write one number, 8.0e3, or a list in square brackets: [1.0, 2.0].";
+
 /// What people write instead of TOML: a pattern of the line, what is wrong, and the cure from what the pattern found.
 struct Habit {
   const char* pattern;
@@ -49,6 +51,13 @@ const Habit habits[] = {
           std::erase(rest, '.');
           return fmt::format("Write {}{}.{}: one point, and none between thousands.", m.str(1), rest, m.str(3));
         }},
+    {R"(=\s*([-+]?\d+(?:,\d+)+(?:\.\d+)?(?:[eE][-+]?\d+)?(?:\s*[A-Za-z%][\w/^%]*)?)\s*(?:[,}#].*)?$)",
+        "a number has a decimal point, no comma",
+        [](const std::smatch& m) { return advise_on_commas(m.str(1)).value_or(one_number); }},
+    {R"([\[,]\s*([-+]?\d+),(0\d+)\s*[,\]])", "a number has a decimal point, no comma",
+        [](const std::smatch& m) {
+          return fmt::format("Write {}.{} if the comma is a decimal one.", m.str(1), m.str(2));
+        }},
     {R"(^[^"'#]*==)", "a value stands behind one equals sign",
         [](const std::smatch&) { return std::string("Remove one."); }},
     {R"(=\s*(?:#.*)?$)", "a key has no value",
@@ -63,10 +72,20 @@ const Habit habits[] = {
         [](const std::smatch&) { return std::string("Write [1.0, 2.0], not [1.0 2.0]."); }},
     {R"(^[^"'#]*\s(//|/\*))", "a comment begins with #",
         [](const std::smatch& m) { return fmt::format("Write # in place of {}.", m.str(1)); }},
-    {R"([=\[,]\s*([-+]?\d+),(\d+)\s*(?:#.*)?$)", "a number has a decimal point, no comma",
-        [](const std::smatch& m) { return fmt::format("Write {}.{}.", m.str(1), m.str(2)); }},
     {R"([=\[,]\s*([-+]?)(\.\d+))", "a number has a digit before its decimal point",
         [](const std::smatch& m) { return fmt::format("Write {}0{}.", m.str(1), m.str(2)); }},
+    {R"([=\[,]\s*)" TERP_NUMBER R"(\s*[*/^+]\s*[-+]?[\d.])", "a value is a number, no calculation",
+        [](const std::smatch&) {
+          return std::string("Write its result, 8.0e3. Where a key takes a formula, it stands in quotes.");
+        }},
+    {R"(([-+]?\d+(?:\.\d+)?[eE][-+]?\d+)\.\d*)", "the exponent of a number is a whole number",
+        [](const std::smatch& m) { return fmt::format("Write {}, without the point behind it.", m.str(1)); }},
+    {R"(=\s*([-+]?\d{1,3}(?:'\d{3})+))", "a number has no apostrophes in it",
+        [](const std::smatch& m) {
+          std::string digits = m.str(1);
+          std::erase(digits, '\'');
+          return fmt::format("Write {}.", digits);
+        }},
     {R"(([-+]?\d+(?:\.\d*)?)[dD]([-+]?\d+))", "an exponent is written with e",
         [](const std::smatch& m) { return fmt::format("Write {}e{}.", m.str(1), m.str(2)); }},
     {R"(([-+]?\d+)\.(?:[eE]|\s|,|\]|$))", "a number has a digit after its decimal point",
@@ -79,8 +98,8 @@ const Habit habits[] = {
           std::erase(rest, ' ');
           return fmt::format("Write {}{}.", m.str(1), rest);
         }},
-    {R"([=\[,]\s*()" TERP_NUMBER R"()\s*([A-Za-z%][\w/^%]*)(?![\w/^%]|\s*=))", "a number with a unit stands in quotes",
-        [](const std::smatch& m) { return cure_of_unit(m.str(1), m.str(2)); }},
+    {R"([=\[,]\s*()" TERP_NUMBER R"()\s*(?![eE][-+]?\d)([A-Za-z%][\w/^%]*)(?![\w/^%]|\s*=))",
+        "a number with a unit stands in quotes", [](const std::smatch& m) { return cure_of_unit(m.str(1), m.str(2)); }},
     {R"([=\[,]\s*(True|False|TRUE|FALSE|yes|no|on|off)\b)", "true and false are written in small letters",
         [](const std::smatch& m) {
           const bool is_true = m.str(1) == "yes" || m.str(1) == "on" || m.str(1)[0] == 'T';
@@ -88,6 +107,11 @@ const Habit habits[] = {
         }},
     {R"(^\s*([\w.-]+)\s*(?::\s*|\s)\s*([^=\s].*)$)", "a key and its value stand on both sides of an equals sign",
         [](const std::smatch& m) { return fmt::format("Write {} = {}", m.str(1), m.str(2)); }},
+    {R"([{,]\s*([A-Za-z_][\w-]*)(?:\s*:\s*|[ \t]+)([^\s=:,}][^=:,}]*?)\s*[,}])",
+        "a key and its value stand on both sides of an equals sign",
+        [](const std::smatch& m) { return fmt::format("Write {} = {}", m.str(1), m.str(2)); }},
+    {R"(,\s*\})", "no comma stands behind the last entry in braces",
+        [](const std::smatch&) { return std::string("Remove the comma before the `}`."); }},
     {R"([=\[,]\s*([A-Za-z][\w.-]*))", "text stands in quotes",
         [](const std::smatch& m) { return fmt::format("Write \"{}\". Numbers are written 8.0e3.", m.str(1)); }},
 };
@@ -127,6 +151,11 @@ std::optional<SyntaxAdvice> advise_on_bracket(std::string_view text, const Synta
   const Place place = place_at(text, *open);
   const std::string line(line_at(text, error.place.line));
   static const std::regex outside(R"(^\s*(\[+\s*[A-Za-z_"]|[\w."-]+\s*=))");
+  const std::string_view rest = text.substr(offset_of(text, error.place));
+  const std::size_t behind = std::min(rest.find_first_not_of(" \t\r"), rest.size());
+  const bool line_ends = behind == rest.size() || rest[behind] == '\n' || rest[behind] == '#';
+  if (text[*open] == '{' && place.line == error.place.line && line_ends)
+    return SyntaxAdvice{place, "a bracket is not closed", "The `{` here wants its `}` in the same line."};
   const bool elsewhere = place.line != error.place.line;
   const bool at_end = why.find("end-of-file") != std::string_view::npos,
              in_header = why.find("header") != std::string_view::npos;
@@ -184,6 +213,31 @@ std::optional<SyntaxAdvice> advise_on_letter(std::string_view text, const Syntax
 }
 
 }  // namespace
+
+std::optional<std::string> advise_on_commas(std::string_view value)
+{
+  static const std::regex pattern(
+      R"(^\s*([-+]?)(\d+)((?:,\d+)+)(\.\d+)?((?:[eE][-+]?\d+)?)\s*([A-Za-z%][\w/^%]*)?\s*$)");
+  std::smatch found;
+  const std::string text(value.substr(0, 100));  // std::regex calls itself for each character
+  if (!std::regex_match(text, found, pattern)) return std::nullopt;
+  const std::string first = found.str(2), groups = found.str(3), unit = found.str(6);
+  std::string digits = first + groups;
+  std::erase(digits, ',');
+  const auto written = [&](const std::string& number) {
+    const std::string whole = found.str(1) + number + found.str(4) + found.str(5);
+    return unit.empty() ? whole : fmt::format("\"{} {}\"", whole, unit);
+  };
+  const bool decimal = std::ranges::count(groups, ',') == 1 && !found[4].matched;
+  const bool thousands = first.size() <= 3 && first[0] != '0' && groups.size() % 4 == 0 &&
+                         std::regex_match(groups, std::regex(R"((,\d{3})+)"));
+  const std::string as_decimal = decimal ? written(first + '.' + groups.substr(1)) : "";
+  if (thousands && decimal)
+    return fmt::format(
+        "Write {} if the comma stands between thousands, {} if it is a decimal one.", written(digits), as_decimal);
+  if (thousands) return fmt::format("Write {}: no comma stands between thousands.", written(digits));
+  return decimal ? fmt::format("Write {}.", as_decimal) : one_number;
+}
 
 SyntaxAdvice advise_on_syntax(std::string_view text, const SyntaxError& error)
 {

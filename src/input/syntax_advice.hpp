@@ -4,6 +4,8 @@
 
 #include "input/document.hpp"
 
+#include <optional>
+
 namespace terp {
 
 struct SyntaxAdvice {
@@ -13,6 +15,10 @@ struct SyntaxAdvice {
 };
 
 SyntaxAdvice advise_on_syntax(std::string_view text, const SyntaxError& error);
+
+/// The cure of a number with commas and what stands behind it, as "8,5 kPa": both readings where there are two. None if
+/// the text is no such number.
+std::optional<std::string> advise_on_commas(std::string_view value);
 
 /// Text in UTF-16, as some editors save it: with its mark, or with a zero in every second byte.
 bool is_utf16(std::string_view text);

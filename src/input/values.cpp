@@ -4,6 +4,7 @@
 #include "input/expression.hpp"
 #include "input/field_kinds.hpp"
 #include "input/key_text.hpp"
+#include "input/syntax_advice.hpp"
 #include "input/units.hpp"
 
 #include <fmt/format.h>
@@ -123,6 +124,17 @@ class ValueReader {
   Findings& findings_;
 };
 
+/// A pair with decimal commas is a list of four whole numbers: [0,0, -9,81].
+std::string advice_on_decimal_commas(const Node& list)
+{
+  const auto is_whole = [](const Node& item) { return item.kind == NodeKind::integer; };
+  if (list.kind != NodeKind::list || list.items.size() != 4 || !std::ranges::all_of(list.items, is_whole)) return "";
+  const auto& it = list.items;
+  if (it[1].integer < 0 || it[3].integer < 0) return "";
+  return fmt::format(" If the commas are decimal ones, write [{}.{}, {}.{}].", it[0].integer, it[1].integer,
+      it[2].integer, it[3].integer);
+}
+
 bool ValueReader::fail(const std::string& path, std::string what, std::string detail)
 {
   findings_.problems.push_back({path, std::move(what), std::move(detail), topic_of(key_.path)});
@@ -132,7 +144,7 @@ bool ValueReader::fail(const std::string& path, std::string what, std::string de
 bool ValueReader::wrong_type(const Node& node, const std::string& path)
 {
   return fail(path, fmt::format("`{}` must be {}", name(), type_text(key_)),
-      fmt::format("Got {}; allowed: {}.", describe_value(node), allowed_text(key_)));
+      fmt::format("Got {}; allowed: {}.", describe_value(node), allowed_text(key_)) + advice_on_decimal_commas(node));
 }
 
 bool ValueReader::out_of_range(const std::string& path, const std::string& got)
@@ -157,6 +169,8 @@ bool ValueReader::wrong_unit(const Node& node, const std::string& path, const Nu
   const bool has_unit = key_.unit != "-";
   const std::string allowed = fmt::format("Got \"{}\"; allowed: a plain number{}{}.\n", node.text,
       has_unit ? " in " + key_.unit : "", fitting.empty() ? "" : ", or a text with one of: " + plain_list(fitting));
+  if (const auto cure = quantity.name.starts_with(',') ? advise_on_commas(node.text) : std::nullopt)
+    return fail(path, fmt::format("`{}` has a decimal point, no comma", name()), allowed + *cure);
   if (quantity.unit == nullptr) {
     const std::string nearest = closest(quantity.name, fitting.empty() ? all_unit_names() : fitting);
     return fail(path, fmt::format("`{}` has a unit that Terp does not know, `{}`", name(), quantity.name),

@@ -3,6 +3,7 @@
 // within a factor of 1000, the usual mistake of a unit (kPa, MPa, mm). What a parameter is (stiffness, strength, angle)
 // follows from the law's own table, so that a new law is checked without an entry here.
 
+#include "simulation/setup_points.hpp"
 #include "simulation/setup_warnings.hpp"
 
 #include <algorithm>
@@ -17,10 +18,12 @@ using Problems = std::vector<Problem>;
 
 constexpr Range stiffness_over_strength = between(4.0, 1e4);  // soil: 20 to 2000
 constexpr Range stiffness_over_weight = between(2.0, 1e7);    // soil: 10 to 1e4, rock 1e5
+constexpr Real greatest_without_strength = 4e4;               // of G / (rho g H), where no strength is compared with G
 constexpr Real greatest_over_friction = 1e5;                  // G over rho g H/2 tan(phi); soil: 50 to 2000
 constexpr Real greatest_strength_over_weight = 50.0;          // soil: 0.02 to 5
 constexpr Real least_strength_over_weight = 1.0 / 300.0;      // a heap of slurry flows at 0.05
-constexpr Real greatest_speed = 20.0;                         // over sqrt(g H); a fall from H ends at 1.4
+constexpr Real greatest_speed = 3.0;                          // of a body over sqrt(g H); a fall from H ends at 1.4
+constexpr Real greatest_push = 0.1;                           // of a side or footing over sqrt(g H); pushes are slow
 constexpr Real least_motion = 1e-5;                           // of a footing in the whole run, over H
 
 struct Soil {
@@ -67,6 +70,7 @@ class MaterialScales {
   {
     check_stiffness();
     check_friction();
+    for (const ParameterField& field : values_.fields) check_angle(field);
     for (std::size_t k = 0; k < material_.type->parameters.size(); ++k)
       if (is_strength(material_.type->parameters[k]) && values_.parameters[k] > 0.0)
         check_strength(std::string(material_.type->parameters[k].name), values_.parameters[k]);
@@ -93,16 +97,24 @@ class MaterialScales {
         false, {fmt::format("material.\"{}\"", values_.name), "body", "forces.gravity"}});
   }
 
+  bool has_strength() const
+  {
+    return std::ranges::any_of(
+        material_.type->parameters, [](const ParameterInfo& info) { return is_strength(info.reduction); });
+  }
+
   /// G of a solid, K of a fluid, against what it carries.
   void check_stiffness()
   {
     const Real shear = material_.law->shear_modulus(), stiffness = shear > 0.0 ? shear : material_.law->bulk_modulus();
-    if (weight() == 0.0 || stiffness_over_weight.contains(stiffness / weight())) return;
+    Range usual = stiffness_over_weight;
+    if (shear > 0.0 && !has_strength()) usual.high = greatest_without_strength;
+    if (weight() == 0.0 || usual.contains(stiffness / weight())) return;
     const bool soft = stiffness < weight();
     warn(stiffness_name(),
         fmt::format("`{}` is {} its own weight", values_.name, soft ? "too soft for" : "very stiff beside"),
-        fmt::format("{} = {} Pa is {} times {}. Usual: 10 to 1e5 times.", shear > 0.0 ? "G" : "K", number(stiffness),
-            number(stiffness / weight()), weight_text()));
+        fmt::format("{} = {} Pa is {} times {}. Usual: 10 to {} times.", shear > 0.0 ? "G" : "K", number(stiffness),
+            number(stiffness / weight()), weight_text(), shear > 0.0 ? "1e4" : "1e5"));
   }
 
   /// G against the strength that friction gives at mid-height.
@@ -115,6 +127,21 @@ class MaterialScales {
         fmt::format("G = {} Pa is {} times rho g H/2 tan(phi) = {} Pa, its strength at mid-height (H = {} m of soil).\n"
                     "Usual: 20 to 2000 times.",
             number(shear), number(shear / strength), number(strength), number(soil_.height)));
+  }
+
+  /// An angle that varies: each number of a case is compared with its usual range where it is read, a field is not.
+  void check_angle(const ParameterField& field)
+  {
+    const ParameterInfo& info = material_.type->parameters[field.parameter];
+    const Real mean = values_.parameters[field.parameter];
+    if (field.follows || info.unit != "deg" || !(mean > 0.0) || !(mean < info.usual.low)) return;
+    warnings_.push_back(
+        {fmt::format("material.\"{}\".{}", values_.name, info.name), fmt::format("`{}` is unusually small", info.name),
+            fmt::format(
+                "Its mean over the soil is {} degrees; usual: {} to {}. Angles are in degrees, neither in radians nor "
+                "as tangents:\n0.52 rad is 30 degrees.",
+                number(mean), info.usual.low, info.usual.high),
+            std::string(values_.model), false, {fmt::format("material.\"{}\"", values_.name)}});
   }
 
   std::string stiffness_name() const
@@ -151,20 +178,49 @@ class MaterialScales {
   Problems& warnings_;
 };
 
-void warn_of_speed(const std::string& key, const std::string& what, Real speed, const Soil& soil, Problems& warnings)
+Real size(Vec<2> v) { return std::hypot(v[0], v[1]); }
+
+/// limit: over sqrt(g H); why: what usual speeds are.
+void warn_of_speed(const std::string& key, const std::string& what, Real speed, Real limit, const char* why,
+    const Soil& soil, Problems& warnings)
 {
   const Real scale = std::sqrt(soil.g * soil.height);
-  if (!(scale > 0.0) || !(speed > greatest_speed * scale)) return;
+  if (!(scale > 0.0) || !(speed > limit * scale)) return;
   warnings.push_back({key, fmt::format("{} is very fast", what),
-      fmt::format("{:.4g} m/s is {:.3g} times sqrt(g H) = {:.3g} m/s (H = {:.3g} m of soil); soil that fell from H has "
-                  "1.4 times.\nVelocities are in m/s: 5 mm/s is 0.005.",
-          speed, speed / scale, scale, soil.height),
+      fmt::format("{:.4g} m/s is {:.3g} times sqrt(g H) = {:.3g} m/s (H = {:.3g} m of soil); {}.\n"
+                  "Velocities are in m/s: 5 mm/s is 0.005.",
+          speed, speed / scale, scale, soil.height, why),
       key.starts_with("body")      ? "body.velocity"
       : key.starts_with("footing") ? "footing.velocity"
                                    : "boundary.SIDE.velocity"});
 }
 
-Real size(Vec<2> v) { return std::hypot(v[0], v[1]); }
+/// The greatest velocity of a side, at its nodes [m/s].
+Real speed_of_side(const Model& model, const SideCondition& side)
+{
+  Real speed = 0.0;
+  for (const CellSide& edge : find_side(*model.mesh, side.side).edges)
+    for (const int end : {0, 1}) {
+      const Index node = model.mesh->cells[edge.cell][(edge.side + end) % Quad4::n_corners];
+      speed = std::max(speed, size(velocity_of(side, model.mesh->nodes[node])));
+    }
+  return speed;
+}
+
+/// The greatest velocities that the case gives the points of each body at t = 0 [m/s].
+std::vector<Real> speeds_of_bodies(const Model& model)
+{
+  const std::vector<BodyCase>& bodies = model.description.bodies;
+  std::vector<Real> speeds;
+  for (const BodyCase& body : bodies) speeds.push_back(body.velocity_at ? 0.0 : size(body.velocity));
+  if (std::ranges::none_of(bodies, [](const BodyCase& body) { return bool(body.velocity_at); })) return speeds;
+  for (const auto& batch : make_points(model))
+    for (const NewPoint& point : batch) {
+      const auto b = static_cast<std::size_t>(point.body);
+      speeds[b] = std::max(speeds[b], size(velocity_of(bodies[b], point.x)));
+    }
+  return speeds;
+}
 
 /// A footing that moves by nothing in the whole run.
 void warn_of_no_motion(
@@ -198,15 +254,22 @@ void warn_of_inertia(const std::string& key, const FootingCase& footing, const M
 void check_speeds(const Model& model, const Soil& soil, Problems& warnings)
 {
   const Case& c = model.description;
+  const char *of_body = "soil that fell from H has 1.4 times", *of_push = "usual is a hundredth or less";
+  const std::vector<Real> speeds = speeds_of_bodies(model);
   for (std::size_t b = 0; b < c.bodies.size(); ++b)
-    warn_of_speed(
-        fmt::format("body[{}].velocity", b), called(c.bodies[b], b), size(c.bodies[b].velocity), soil, warnings);
+    warn_of_speed(fmt::format("body[{}].velocity", b), called(c.bodies[b], b), speeds[b], greatest_speed, of_body, soil,
+        warnings);
   for (const SideCondition& side : c.sides) {
     const std::string key = fmt::format("boundary.\"{}\".velocity", side.side);
-    warn_of_speed(key, fmt::format("the side `{}`", side.side), size(side.velocity), soil, warnings);
+    warn_of_speed(key, fmt::format("the side `{}`", side.side), speed_of_side(model, side), greatest_push, of_push,
+        soil, warnings);
   }
   for (std::size_t k = 0; k < c.footings.size(); ++k) {
     const std::string key = fmt::format("footing[{}].velocity", k);
+    const std::size_t before = warnings.size();
+    warn_of_speed(key, fmt::format("the footing `{}`", c.footings[k].name), size(c.footings[k].velocity), greatest_push,
+        of_push, soil, warnings);
+    if (warnings.size() > before) continue;
     warn_of_inertia(key, c.footings[k], model, warnings);
     warn_of_no_motion(key, c.footings[k], model, soil, warnings);
   }

@@ -1,7 +1,9 @@
 // Bodies are compared by their outlines: from places along each outline a ray goes straight outward and meets the next
 // body or a held side of the mesh. Nothing in between: they touch. Less than half a cell: a gap that was hardly drawn
-// on purpose. Bodies that touch neither a held side nor a body that does hang in the air. The area that is drawn is
-// that of all outlines together, cut into trapezoids as for the seeding (points/overlay.hpp).
+// on purpose. Bodies that no chain of bodies joins to a side that holds against gravity hang in the air: a roller
+// beside them holds nothing. A long side that lies on another outline with one end only makes a wedge, which is told
+// where nothing else carries the body: caverns and overhangs have such a carrier. The area that is drawn is that of all
+// outlines together, cut into trapezoids as for the seeding (points/overlay.hpp).
 
 #include "simulation/setup_warnings.hpp"
 
@@ -26,20 +28,32 @@ using Problems = std::vector<Problem>;
 constexpr Real touching = 1e-6;     // of a cell: round-off of coordinates
 constexpr Real gap_in_cells = 0.5;  // less is no room that was left on purpose
 constexpr int most_samples = 2000;  // of the outline of one body
+constexpr Real least_rise = 0.05;   // of a wedge, in cells: chords of one curve differ by less
+constexpr Real some_share = 0.1;    // of gravity across a side: steeper sides carry nothing
 constexpr Real lost_share = 2e-3;   // of the drawn area; curved outlines on straight cells lose less
 constexpr std::size_t most_corners = 2000;
 
 Vec<2> plus(Vec<2> a, Real t, Vec<2> d) { return {a[0] + t * d[0], a[1] + t * d[1]}; }
 Vec<2> minus(Vec<2> a, Vec<2> b) { return {a[0] - b[0], a[1] - b[1]}; }
 Real cross(Vec<2> a, Vec<2> b) { return a[0] * b[1] - a[1] * b[0]; }
+Real dot(Vec<2> a, Vec<2> b) { return a[0] * b[0] + a[1] * b[1]; }
 Real length(Vec<2> a) { return std::hypot(a[0], a[1]); }
 
 /// A body, or a held side of the mesh, that a ray may meet.
 struct Obstacle {
   std::string name;  ///< "body 1", "the side `bottom`"
   std::vector<Side> sides;
-  bool moves = false;  ///< a side with a velocity: soil may be meant to meet it later
+  bool moves = false;            ///< a side with a velocity: soil may be meant to meet it later
+  bool holds_along = false;      ///< a side that resists motion along itself
+  Across across = Across::free;  ///< of a side
 };
+
+/// True if a side of the mesh can carry soil along itself: it is fixed, or a contact with a strength.
+bool resists_along(const SideCondition& side)
+{
+  const Along along = side.slip ? Along::free : info_of(side.kind).action.along;
+  return along == Along::prescribed || (along == Along::resisted && (side.adhesion > 0.0 || side.friction > 0.0));
+}
 
 /// Distance from x along d (of length 1) to a line, if it is met.
 std::optional<Real> meet(Vec<2> x, Vec<2> d, const Side& line)
@@ -75,39 +89,57 @@ class SectionCheck {
     n_bodies_ = obstacles_.size();
     for (const SideCondition& side : model.description.sides) {
       if (info_of(side.kind).action == SideAction{}) continue;
-      Obstacle held{fmt::format("the side `{}`", side.side), {}, is_driven(side)};
+      Obstacle held{fmt::format("the side `{}`", side.side), {}, is_driven(side), resists_along(side),
+          info_of(side.kind).action.across};
       for (const CellSide& edge : find_side(*model.mesh, side.side).edges)
         held.sides.push_back(edge_of(*model.mesh, edge));
       obstacles_.push_back(std::move(held));
     }
-    touches_.assign(n_bodies_, std::vector<bool>(obstacles_.size(), false));
+    const Real g = length(model.gravity);
+    if (g > 0.0) down_ = {model.gravity[0] / g, model.gravity[1] / g};
+    near_ = meets_ = Touches(n_bodies_, std::vector<bool>(n_bodies_, false));
+    near_side_ = meets_side_ = std::vector<bool>(n_bodies_, false);
+    beside_side_.resize(n_bodies_);
   }
 
   void check(Problems& warnings)
   {
     for (std::size_t b = 0; b < n_bodies_; ++b) look_around(b, warnings);
-    if (number_.size() == model_.description.bodies.size() && n_bodies_ < obstacles_.size()) find_hanging(warnings);
+    if (number_.size() != model_.description.bodies.size() || n_bodies_ == obstacles_.size() || down_ == Vec<2>{})
+      return;
+    find_wedges(warnings);
+    find_hanging(warnings);
   }
 
  private:
+  using Touches = std::vector<std::vector<bool>>;
+
   struct Beside {
     int n = 0;
     Real least = INFINITY, most = 0.0;
     Vec<2> at{};
+    Vec<2> widest{};  ///< where it is `most`
+  };
+
+  struct Wedge {
+    std::size_t body, other;
+    Beside gap;
   };
 
   void look_around(std::size_t body, Problems& warnings)
   {
     const std::vector<Side>& sides = obstacles_[body].sides;
-    const int per_side = std::clamp(most_samples / static_cast<int>(sides.size() + 1), 1, 16);
+    const int per_side = std::clamp(most_samples / static_cast<int>(sides.size() + 1), 1, 64);
     const auto stride = std::max<std::size_t>(1, sides.size() / most_samples);
     for (std::size_t k = 0; k < sides.size(); k += stride) {
       std::vector<Beside> beside(obstacles_.size());
       const Real l = length(minus(sides[k].b, sides[k].a));
       if (l == 0.0) continue;
       for (int i = 0; i < per_side; ++i) sample(body, sides[k], (i + 0.5) / per_side, beside);
-      for (std::size_t other = 0; other < beside.size(); ++other)
+      for (std::size_t other = 0; other < beside.size(); ++other) {
         if (is_gap(beside[other], l, per_side)) report_gap(body, other, beside[other], warnings);
+        if (is_wedge(body, sides[k], beside[other], per_side)) wedges_.push_back({body, other, beside[other]});
+      }
     }
   }
 
@@ -118,30 +150,66 @@ class SectionCheck {
     return beside.n > 0 && beside.least > 0.3 * beside.most && (along > 2.0 * cell_ || 2 * beside.n >= per_side);
   }
 
+  /// A lower side that is near another outline over more than two cells, and meets it at one end only.
+  bool is_wedge(std::size_t body, const Side& side, const Beside& gap, int per_side) const
+  {
+    const Vec<2> middle = plus(side.a, 0.5, minus(side.b, side.a)), out = outward(body, side, middle);
+    const Real l = length(minus(side.b, side.a));
+    return gap.n > 0 && dot(out, down_) > 0.5 && l * gap.n > 2.0 * cell_ * per_side && gap.least <= 0.3 * gap.most &&
+           gap.most > least_rise * cell_;
+  }
+
+  /// Of a side of a body at x, of length 1.
+  Vec<2> outward(std::size_t body, const Side& side, Vec<2> x) const
+  {
+    const Vec<2> along = minus(side.b, side.a);
+    const Real l = length(along);
+    const Vec<2> out{along[1] / l, -along[0] / l};
+    return is_inside(obstacles_[body].sides, plus(x, touching * cell_, out)) ? Vec<2>{-out[0], -out[1]} : out;
+  }
+
+  /// True if a side of the mesh that a body meets in the direction `out` holds it against gravity.
+  bool holds(const Obstacle& side, const Side& line, Vec<2> out) const
+  {
+    const Vec<2> along = minus(line.b, line.a);
+    const Real across = std::abs(cross(along, down_)) / length(along);
+    if (side.across == Across::opens && dot(out, down_) < some_share) return false;
+    return side.holds_along || across > some_share;
+  }
+
   void sample(std::size_t body, const Side& side, Real share, std::vector<Beside>& beside)
   {
-    const Vec<2> along = minus(side.b, side.a), x = plus(side.a, share, along);
-    const Real l = length(along), near = touching * cell_;
-    Vec<2> out{along[1] / l, -along[0] / l};
-    if (is_inside(obstacles_[body].sides, plus(x, near, out))) out = {-out[0], -out[1]};
+    const Vec<2> x = plus(side.a, share, minus(side.b, side.a)), out = outward(body, side, x);
+    const Real near = touching * cell_;
     std::size_t nearest = obstacles_.size();
+    const Side* nearest_line = nullptr;
     Real distance = INFINITY;
     for (std::size_t k = 0; k < obstacles_.size(); ++k) {
       if (k == body) continue;
       if (k < n_bodies_ && is_inside(obstacles_[k].sides, plus(x, near, out))) {
-        touches_[body][k] = true;
+        near_[body][k] = meets_[body][k] = true;
         return;
       }
       for (const Side& line : obstacles_[k].sides)
-        if (const auto t = meet(plus(x, -near, out), out, line); t && *t < distance) distance = *t, nearest = k;
+        if (const auto t = meet(plus(x, -near, out), out, line); t && *t < distance)
+          distance = *t, nearest = k, nearest_line = &line;
     }
     if (!(distance < gap_in_cells * cell_)) return;
-    touches_[body][nearest] = true;
-    if (distance <= 3.0 * near || obstacles_[nearest].moves) return;
+    const bool meets = distance <= 3.0 * near;
+    if (nearest < n_bodies_) {
+      near_[body][nearest] = true;
+      meets_[body][nearest] = meets_[body][nearest] || meets;
+    } else if (holds(obstacles_[nearest], *nearest_line, out)) {
+      near_side_[body] = true;
+      meets_side_[body] = meets_side_[body] || meets || obstacles_[nearest].moves;
+    } else {
+      beside_side_[body] = nearest;
+    }
+    if (meets || obstacles_[nearest].moves) return;
     Beside& gap = beside[nearest];
     ++gap.n;
     gap.least = std::min(gap.least, distance);
-    gap.most = std::max(gap.most, distance);
+    if (distance > gap.most) gap.most = distance, gap.widest = x;
     gap.at = x;
   }
 
@@ -159,47 +227,104 @@ class SectionCheck {
         "body", false, keys_of_outline(number_[body])});
   }
 
-  /// Bodies that no chain of bodies joins to a held side.
-  void find_hanging(Problems& warnings) const
+  /// Which bodies a chain of bodies joins to a side that holds them.
+  std::vector<bool> held_by(const Touches& touches, std::vector<bool> held) const
   {
-    if (model_.gravity == Vec<2>{0.0, 0.0}) return;
-    std::vector<bool> held(n_bodies_, false);
     for (std::size_t round = 0; round < n_bodies_; ++round)
       for (std::size_t b = 0; b < n_bodies_; ++b)
-        for (std::size_t k = 0; k < obstacles_.size(); ++k)
-          held[b] = held[b] || (touches_[b][k] && (k >= n_bodies_ || held[k])) ||
-                    (k < n_bodies_ && touches_[k][b] && held[k]);
-    for (std::size_t b = 0; b < n_bodies_; ++b) {
-      const BodyCase& body = model_.description.bodies[number_[b]];
-      if (held[b] || model_.bodies[number_[b]].n_points == 0 || body.velocity_at || body.velocity != Vec<2>{0.0, 0.0})
-        continue;
-      warnings.push_back({fmt::format("body[{}]", number_[b]), obstacles_[b].name + " hangs in the air",
-          fmt::format("It touches no other body and no side with a condition. {}", fall_of(b)), "body", false,
-          keys_of_outline(number_[b])});
+        for (std::size_t k = 0; k < n_bodies_; ++k) held[b] = held[b] || ((touches[b][k] || touches[k][b]) && held[k]);
+    return held;
+  }
+
+  bool is_thrown(std::size_t body) const
+  {
+    const BodyCase& values = model_.description.bodies[number_[body]];
+    return values.velocity_at || values.velocity != Vec<2>{0.0, 0.0};
+  }
+
+  /// Bodies that lie on what is below them with one end of a side, and on nothing else.
+  void find_wedges(Problems& warnings)
+  {
+    const std::vector<bool> held = held_by(meets_, meets_side_);
+    for (const auto& [body, other, gap] : wedges_) {
+      const std::pair pair(std::min(body, other), std::max(body, other));
+      if (held[body] || is_thrown(body) || std::ranges::find(reported_, pair) != reported_.end()) continue;
+      reported_.push_back(pair);
+      warnings.push_back({fmt::format("body[{}]", number_[body]),
+          fmt::format("a gap like a wedge between {} and {}", obstacles_[body].name, obstacles_[other].name),
+          fmt::format(
+              "It opens to more than {:.3g} m at {} m. {} lies on {} with one end only, and nothing else carries "
+              "it: it turns and falls.\nDraw the two along one line.",
+              gap.most, place_text(gap.widest), obstacles_[body].name, obstacles_[other].name),
+          "body", false, keys_of_outline(number_[body])});
     }
   }
 
-  /// How deep it falls, from its own outline along gravity.
-  std::string fall_of(std::size_t body) const
+  /// Bodies that no chain of bodies joins to a side that holds them: each chain is reported once.
+  void find_hanging(Problems& warnings) const
   {
-    const Real g = length(model_.gravity);
-    const Vec<2> down{model_.gravity[0] / g, model_.gravity[1] / g};
+    const std::vector<bool> held = held_by(near_, near_side_);
+    std::vector<bool> reported(n_bodies_, false);
+    for (std::size_t b = 0; b < n_bodies_; ++b) {
+      if (held[b] || reported[b] || is_thrown(b) || model_.bodies[number_[b]].n_points == 0) continue;
+      std::vector<bool> first(n_bodies_, false);
+      first[b] = true;
+      const std::vector<bool> chain = held_by(near_, first);
+      std::string names = obstacles_[b].name;
+      bool thrown = false;
+      for (std::size_t k = 0; k < n_bodies_; ++k) {
+        if (!chain[k]) continue;
+        reported[k] = true;
+        thrown = thrown || is_thrown(k);
+        if (k != b) names += " and " + obstacles_[k].name;
+      }
+      if (thrown) continue;
+      const bool alone = std::ranges::count(chain, true) == 1;
+      warnings.push_back(
+          {fmt::format("body[{}]", number_[b]), fmt::format("{} hang{} in the air", names, alone ? "s" : ""),
+              fmt::format("{} no {}side that holds against gravity{}. {}", alone ? "It touches" : "They touch",
+                  alone ? "other body and no " : "", beside_text(chain), fall_of(chain)),
+              "body", false, keys_of_outline(number_[b])});
+    }
+  }
+
+  /// Sides that a chain of bodies touches without being held by them.
+  std::string beside_text(const std::vector<bool>& chain) const
+  {
+    for (std::size_t b = 0; b < n_bodies_; ++b)
+      if (chain[b] && beside_side_[b])
+        return fmt::format(" ({} does not: soil slides along it)", obstacles_[*beside_side_[b]].name);
+    return "";
+  }
+
+  /// How deep a chain of bodies falls, from its own outlines along gravity.
+  std::string fall_of(const std::vector<bool>& chain) const
+  {
     Real fall = INFINITY;
-    for (const Side& side : obstacles_[body].sides)
-      for (std::size_t k = 0; k < obstacles_.size(); ++k)
-        for (const Side& line : obstacles_[k].sides)
-          if (const auto t = meet(plus(side.a, 0.5, minus(side.b, side.a)), down, line); t && k != body)
-            fall = std::min(fall, *t);
-    return std::isfinite(fall) ? fmt::format("It falls by {:.3g} m. Draw it down to what carries it.", fall)
-                               : "Nothing below it carries it. Give the side below it a condition in [boundary].";
+    for (std::size_t body = 0; body < n_bodies_; ++body)
+      for (std::size_t s = 0; chain[body] && s < obstacles_[body].sides.size(); ++s) {
+        const Side& side = obstacles_[body].sides[s];
+        for (std::size_t k = 0; k < obstacles_.size(); ++k)
+          for (const Side& line : obstacles_[k].sides)
+            if (const auto t = meet(plus(side.a, 0.5, minus(side.b, side.a)), down_, line);
+                t && (k >= n_bodies_ || !chain[k]))
+              fall = std::min(fall, *t);
+      }
+    const char* drawn = std::ranges::count(chain, true) == 1 ? "It falls" : "They fall";
+    return std::isfinite(fall) ? fmt::format("{} by {:.3g} m. Draw it down to what carries it.", drawn, fall)
+                               : "Nothing below carries it. Give the side below it a condition in [boundary].";
   }
 
   const Model& model_;
   Real cell_;
   std::size_t n_bodies_ = 0;
-  std::vector<std::size_t> number_;  ///< of each outline among the bodies of the case
-  std::vector<Obstacle> obstacles_;  ///< bodies, then held sides
-  std::vector<std::vector<bool>> touches_;
+  std::vector<std::size_t> number_;           ///< of each outline among the bodies of the case
+  std::vector<Obstacle> obstacles_;           ///< bodies, then held sides
+  Vec<2> down_{};                             ///< of length 1; zero without gravity
+  Touches near_, meets_;                      ///< which bodies a body is near to, by less than half a cell; and touches
+  std::vector<bool> near_side_, meets_side_;  ///< the same of any side that holds against gravity
+  std::vector<std::optional<std::size_t>> beside_side_;  ///< a side that each body is near to, which does not hold it
+  std::vector<Wedge> wedges_;
   std::vector<std::pair<std::size_t, std::size_t>> reported_;
 };
 

@@ -55,6 +55,18 @@ TEST(ScaleWarnings, StiffnessAndStrengthOffTogetherStandOutBesideTheWeight)
       ElementsAre(Field(&Problem::what, "`clay` is so weak that it flows like a liquid")));
 }
 
+TEST(ScaleWarnings, AnElasticStiffnessInTheWrongUnitStandsOutBesideTheWeight)
+{
+  Case c = column("mpm_gp");
+  c.materials = {{"clay", "linear_elastic", 1900.0, {2e6, 0.3}}};
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+  c.materials[0].parameters[0] = 1e9;  // rock
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+  c.materials[0].parameters[0] = 2e9;
+  EXPECT_THAT(warnings_of(c), ElementsAre(told("material.\"clay\".shear_modulus",
+                                  "`clay` is very stiff beside its own weight", HasSubstr("Usual: 10 to 1e4 times."))));
+}
+
 TEST(ScaleWarnings, SandWithHardlyAnyCohesionIsUsual)
 {
   Case c = column("mpm_gp");
@@ -82,6 +94,45 @@ TEST(ScaleWarnings, AVelocityInMillimetresPerSecondIsTooFast)
   const auto fast = warnings_of(c);
   EXPECT_THAT(fast, ElementsAre(told("body[0].velocity", "body 0 is very fast",
                         HasSubstr("Velocities are in m/s: 5 mm/s is 0.005."))));
+  c.bodies[0].velocity = {20.0, 0.0};
+  EXPECT_THAT(warnings_of(c), ElementsAre(Field(&Problem::detail, HasSubstr("20 m/s is 4.63"))));
+}
+
+TEST(ScaleWarnings, AVelocityByAFormulaIsComparedAtThePoints)
+{
+  Case c = column("mpm_gp");
+  c.bodies[0].velocity_at = [](Vec<2> x) { return Vec<2>{0.1 * x[1], 0.0}; };
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+  c.bodies[0].velocity_at = [](Vec<2> x) { return Vec<2>{1000.0 + 0.0 * x[1], 0.0}; };
+  EXPECT_THAT(warnings_of(c), ElementsAre(told("body[0].velocity", "body 0 is very fast", HasSubstr("1000 m/s is"))));
+}
+
+TEST(ScaleWarnings, ASideIsPushedSlowly)
+{
+  Case c = column("mpm_gp");
+  c.sides[0].kind = SideKind::velocity;
+  c.sides[0].velocity = {0.01, 0.0};
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+  c.sides[0].velocity = {1.0, 0.0};
+  EXPECT_THAT(warnings_of(c), ElementsAre(told("boundary.\"left\".velocity", "the side `left` is very fast",
+                                  HasSubstr("usual is a hundredth or less"))));
+  c.sides[0].velocity_at = [](Vec<2> x) { return Vec<2>{x[1], 0.0}; };
+  EXPECT_EQ(warnings_of(c).size(), 1u);
+}
+
+TEST(ScaleWarnings, AFrictionAngleThatVariesInRadiansIsTold)
+{
+  Case c = column("mpm_gp");
+  c.materials = {{"clay", "mohr_coulomb", 1900.0, {2e6, 0.3, 10.0, 33.0, 0.0, 1e30, 10.0, 0.0, 0.0, 0.0}}};
+  for (const Real angle : {30.0, 0.52}) {
+    c.materials[0].fields = {
+        {.parameter = 3, .value_at = [=](const PlaceInSoil& at) { return angle + 0.01 * at.x[1]; }}};
+    if (angle > 2.0)
+      EXPECT_THAT(warnings_of(c), IsEmpty());
+    else
+      EXPECT_THAT(warnings_of(c), ElementsAre(told("material.\"clay\".friction_angle",
+                                      "`friction_angle` is unusually small", HasSubstr("0.52 rad is 30 degrees"))));
+  }
 }
 
 TEST(ScaleWarnings, AFootingMovesSlowlyAndFarEnough)
@@ -90,8 +141,13 @@ TEST(ScaleWarnings, AFootingMovesSlowlyAndFarEnough)
   c.footings = {{.name = "plate", .low = {1.0, 2.0}, .high = {2.0, 2.5}, .velocity = {0.0, -0.01}}};
   EXPECT_THAT(warnings_of(c), IsEmpty());
   c.footings[0].velocity = {0.0, -10.0};
+  EXPECT_THAT(warnings_of(c),
+      ElementsAre(told("footing[0].velocity", "the footing `plate` is very fast", HasSubstr("10 m/s is 2.3"))));
+  c.footings[0].velocity = {0.0, -0.2};
+  c.materials[0].parameters[0] = 1e5;
   EXPECT_THAT(
-      warnings_of(c), ElementsAre(Field(&Problem::what, "the footing `plate` is fast: its reaction holds inertia")));
+      warnings_of(c), Contains(Field(&Problem::what, "the footing `plate` is fast: its reaction holds inertia")));
+  c.materials = {test::clay({})};
   c.footings[0].velocity = {0.0, -1e-6};
   EXPECT_THAT(warnings_of(c), ElementsAre(Field(&Problem::what, "the footing `plate` hardly moves")));
 }

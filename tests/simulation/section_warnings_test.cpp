@@ -71,9 +71,60 @@ TEST(SectionWarnings, ABodyThatHangsInTheAirIsTold)
   c.bodies.push_back(body("clay", {2.0, 2.4}, {3.0, 2.9}));
   const auto warnings = warnings_of(c);
   EXPECT_THAT(warnings, ElementsAre(told("body[1]", "body 1 hangs in the air",
-                            "It touches no other body and no side with a condition. It falls by 0.4 m. Draw it down "
-                            "to what carries it.")));
+                            "It touches no other body and no side that holds against gravity. It falls by 0.4 m. Draw "
+                            "it down to what carries it.")));
   c.bodies[1].velocity = {0.0, -1.0};  // thrown on purpose
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+}
+
+TEST(SectionWarnings, ARollerBesideABodyDoesNotHoldItUp)
+{
+  Case c = column("mpm_gp");
+  c.bodies = {body("clay", {0.0, 0.5}, {8.0, 2.0})};
+  EXPECT_THAT(warnings_of(c), ElementsAre(told("body[0]", "body 0 hangs in the air",
+                                  "It touches no other body and no side that holds against gravity (the side `left` "
+                                  "does not: soil slides along it). It falls by 0.5 m. Draw it down to what carries "
+                                  "it.")));
+  for (SideCondition& side : c.sides)
+    if (side.side == "left") side.kind = SideKind::fixed;  // a console
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+}
+
+TEST(SectionWarnings, AGapOfAWholeCellUnderALayerIsTold)
+{
+  EXPECT_THAT(warnings_of(two_layers(1.5)),
+      ElementsAre(told("body[1]", "body 1 hangs in the air", HasSubstr("It falls by 0.5 m."))));
+}
+
+TEST(SectionWarnings, BodiesThatHangTogetherAreToldOnce)
+{
+  Case c = column("mpm_gp");
+  c.bodies.push_back(body("clay", {2.0, 2.3}, {3.0, 2.6}));
+  c.bodies.push_back(body("clay", {2.0, 2.6}, {3.0, 2.9}));
+  EXPECT_THAT(warnings_of(c), ElementsAre(told("body[1]", "body 1 and body 2 hang in the air",
+                                  HasSubstr("They touch no side that holds against gravity. They fall by 0.3 m."))));
+}
+
+TEST(SectionWarnings, AGapLikeAWedgeUnderABodyIsTold)
+{
+  for (const Real rise : {0.05, 0.4}) {
+    Case c = two_layers(1.0);
+    c.bodies[1] = c.bodies[0];
+    c.bodies[1].polygon = {{0.0, 1.0}, {8.0, 1.0 + rise}, {8.0, 2.0}, {0.0, 2.0}};
+    EXPECT_THAT(warnings_of(c), ElementsAre(told("body[1]", "a gap like a wedge between body 1 and body 0",
+                                    HasSubstr("body 1 lies on body 0 with one end only"))))
+        << rise;
+    c.bodies[1].polygon = {{0.0, 1.0}, {2.0, 1.0}, {8.0, 1.0 + rise}, {8.0, 2.0}, {0.0, 2.0}};  // it has a foot
+    EXPECT_THAT(warnings_of(c), IsEmpty()) << rise;
+  }
+}
+
+TEST(SectionWarnings, AnOverhangAndACavernAreMeant)
+{
+  Case c = column("mpm_gp");
+  c.bodies = {body("clay", {0.0, 0.0}, {3.0, 1.0}), body("clay", {0.0, 1.0}, {8.0, 2.0})};
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+  c.bodies.push_back(body("clay", {6.0, 0.0}, {8.0, 1.0}));
   EXPECT_THAT(warnings_of(c), IsEmpty());
 }
 
