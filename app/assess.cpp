@@ -123,7 +123,7 @@ class Reach {
   {
     std::error_code error;
     fs::remove(path, error);
-    if (error) throw_file_error("remove", path, error.value());
+    if (error) throw_file_error("remove", path, error);
   }
 
   void begin_next()

@@ -152,7 +152,7 @@ std::vector<std::int64_t> steps_of_checkpoints(const std::string& folder)
     std::error_code unreadable;  // a pipe of that name would be waited for
     if (step >= 0 && entry.is_regular_file(unreadable)) steps.push_back(step);
   }
-  if (error) throw_file_error("open the run folder", folder, error.value());
+  if (error) throw_file_error("open the run folder", folder, error);
   std::ranges::sort(steps, std::greater<>());
   return steps;
 }
@@ -162,7 +162,7 @@ void remove_checkpoint(const std::string& folder, std::int64_t step)
   const std::string path = path_in(folder, checkpoint_file(step));
   std::error_code error;
   std::filesystem::remove(path, error);
-  if (error) throw_file_error("remove", path, error.value());
+  if (error) throw_file_error("remove", path, error);
 }
 
 }  // namespace

@@ -17,6 +17,11 @@ void throw_file_error(std::string_view doing, const std::string& path, int error
   throw FileError(fmt::format("cannot {} {}: {}", doing, path, words_of_errno(error_number)));
 }
 
+void throw_file_error(std::string_view doing, const std::string& path, const std::error_code& error)
+{
+  throw_file_error(doing, path, error.default_error_condition().value());  // on Windows it may be a number of its own
+}
+
 std::string folder_of(const std::string& path)
 {
   const auto parent = std::filesystem::path(path).parent_path().string();
@@ -29,7 +34,7 @@ void make_folder(const std::string& folder)
 {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw_file_error("make the folder", folder, error.value());
+  if (error) throw_file_error("make the folder", folder, error);
 }
 
 void check_is_file(const std::string& path)

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace terp {
 
 /// Throws FileError "cannot <doing> <path>: <the system's reason>". error_number: errno of the failed call.
 [[noreturn]] void throw_file_error(std::string_view doing, const std::string& path, int error_number);
+[[noreturn]] void throw_file_error(std::string_view doing, const std::string& path, const std::error_code& error);
 
 /// With the folders above it, as needed. Throws FileError.
 void make_folder(const std::string& folder);

@@ -112,7 +112,7 @@ void remove_frames_from(const std::string& folder, const FrameKind& kind, std::i
     const std::string path = path_in(folder, frame_file(kind, k));
     std::error_code error;
     fs::remove(path, error);
-    if (error) throw_file_error("remove", path, error.value());
+    if (error) throw_file_error("remove", path, error);
   }
 }
 

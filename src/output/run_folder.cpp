@@ -50,7 +50,7 @@ bool is_empty_folder(const std::string& folder)
 {
   std::error_code error;
   const bool empty = fs::is_empty(folder, error);
-  if (error) throw_file_error("open", folder, error.value());
+  if (error) throw_file_error("open", folder, error);
   return empty;
 }
 
@@ -76,9 +76,9 @@ void remove_files(const std::string& folder, Meant&& is_meant)
     const bool is_file = entry.is_symlink() || entry.is_regular_file();
     if (!is_file || !is_meant(entry.path().filename().string())) continue;
     fs::remove(entry.path(), error);
-    if (error) throw_file_error("remove", entry.path().string(), error.value());
+    if (error) throw_file_error("remove", entry.path().string(), error);
   }
-  if (error && error != std::errc::no_such_file_or_directory) throw_file_error("open", folder, error.value());
+  if (error && error != std::errc::no_such_file_or_directory) throw_file_error("open", folder, error);
 }
 
 bool is_copy_of_input(std::string_view name)
@@ -121,7 +121,7 @@ std::string find_stage_file(const std::string& folder, const std::string& stage)
     if (name == stage && !name.empty()) return entry.path().string();
     if (!name.empty()) names.push_back(name);
   }
-  if (error) throw_file_error("open", folder, error.value());
+  if (error) throw_file_error("open", folder, error);
   std::ranges::sort(names);
   throw FileError(fmt::format("{}: no stage `{}` of this run has ended\n  {}", folder, stage,
       names.empty() ? "It holds the end of no stage." : fmt::format("Stages that have: {}", fmt::join(names, ", "))));
@@ -154,7 +154,7 @@ FolderLock prepare_run_folder(const std::string& folder, bool force, const std::
   const Contents contents = read_contents(inputs);  // first: they may be those of the run that is replaced
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw_file_error("make the run folder", folder, error.value());
+  if (error) throw_file_error("make the run folder", folder, error);
   FolderLock lock(folder);
   if (!is_empty_folder(folder)) {
     if (!force) {

@@ -198,10 +198,7 @@ Vec<2> velocity_of(const BodyOrSide& which, Vec<2> x)
 }
 
 /// Path of a file that a case names, relative to the case's own folder.
-inline std::string path_of(const std::string& folder, const std::string& file)
-{
-  return file.starts_with('/') || folder.empty() ? file : folder + "/" + file;
-}
+std::string path_of(const std::string& folder, const std::string& file);
 
 struct Case {
   std::string title;
