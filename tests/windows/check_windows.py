@@ -49,11 +49,10 @@ class Place:
         subprocess.run([COMPILER, "-static", "-o", self.home / "hold_file.exe", Path(__file__).parent / "hold_file.c"],
                        check=True)
         shutil.copy(check_system, self.home / "check_system.exe")
-        # A server that stays, so that no program waits for its end; what it starts has no pipe of ours.
+        # What the first program starts stays for a while: it has no pipe of ours, whose end would be waited for.
         nowhere = {"env": self.environment, "stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL,
                    "stderr": subprocess.DEVNULL}
         self.server = shutil.which("wineserver") or "/usr/lib/wine/wineserver64"
-        subprocess.run([self.server, "-p"], **nowhere)
         subprocess.run(["wine", "cmd", "/c", "exit"], check=True, **nowhere)  # makes its folder, which takes a while
 
     def end(self):
