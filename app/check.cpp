@@ -280,7 +280,10 @@ int check_case(const RunOptions& options)
     warn_of_missing_threads(options, simulation.model.threads);
     fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
     if (!options.picture.empty()) write_picture(options.picture, simulation.model, simulation.state);
-    print_check(file, simulation, options);
+    if (options.quiet)
+      time_a_step(simulation);  // a run that would stop itself is told all the same
+    else
+      print_check(file, simulation, options);
     return solved;
   } catch (const RunError& error) {
     fmt::print(stderr, "error: the run would stop itself: {}\n", error.what());

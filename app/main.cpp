@@ -27,7 +27,14 @@ void check_command(const CLI::App& app, const std::string& word)
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(command->get_name());
-  if (word.starts_with('-') || std::ranges::find(names, word) != names.end()) return;
+  if (word.starts_with('-')) {
+    const std::string nearest = terp::closest(word, {"--version", "--help", "-h"});
+    throw terp::CaseError(
+        terp::printable(fmt::format("error: there is no option `{}` before a command\n{}"
+                                    "  Commands: {}\nUsage: terp COMMAND [options]; see terp --help\n",
+            word, nearest.empty() ? "" : fmt::format("  Did you mean `{}`?\n", nearest), fmt::join(names, ", "))));
+  }
+  if (std::ranges::find(names, word) != names.end()) return;
   std::string hint;
   if (const std::string nearest = terp::closest(word, names); !nearest.empty())
     hint = fmt::format("  Did you mean `{}`?\n", nearest);

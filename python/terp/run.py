@@ -16,6 +16,7 @@ import numpy as np
 from terp.errors import RunError, unknown
 from terp.tables import COLUMN_UNITS, read_table
 from terp.vtkhdf import VtkhdfFile, list_frames
+from terp.written import check_end, check_unaltered
 
 MESH = "mesh.vtkhdf"
 SAME_PLACE = 1e-9  # distances that differ by less are those of one lattice [m]
@@ -137,6 +138,10 @@ class Run:
         """Whether the run reached its end time. A run that is still going, was stopped, or stopped itself, did not."""
         return bool(self.summary.get("finished"))
 
+    @property
+    def _has_ended(self):
+        return (self.folder / "summary.json").is_file() and self.finished
+
     # Frames
 
     @functools.cached_property
@@ -220,12 +225,15 @@ class Run:
     @functools.cached_property
     def history(self):
         """Named points over time: structured array with the columns of history.csv."""
-        return read_table(self._file("history.csv"))
+        rows = self._table("history.csv")
+        if self._has_ended and (self.folder / "ledger.csv").is_file() and len(self.ledger):
+            check_end(self.folder / "history.csv", rows, self.ledger["time"][-1])
+        return rows
 
     @functools.cached_property
     def ledger(self):
         """Energies, mass, momentum, front and crest over time: structured array with the columns of ledger.csv."""
-        return read_table(self._file("ledger.csv"))
+        return self._table("ledger.csv")
 
     @functools.cached_property
     def history_points(self):
@@ -284,6 +292,12 @@ class Run:
         return units[name]
 
     # Inside
+
+    def _table(self, name):
+        path = self._file(name)
+        rows = read_table(path)
+        check_unaltered(path)
+        return rows
 
     def _file(self, name):
         path = self.folder / name

@@ -4,6 +4,7 @@ A run writes each file under a temporary name and renames it: what is there is w
 carry checksums, which HDF5 verifies: a damaged one raises RunError. Not for: what the fields mean (run.py).
 """
 
+import os
 import re
 
 import h5py
@@ -15,8 +16,12 @@ KNOWN_VERSION = 1  # the first number of the version; the second adds what an ol
 
 def list_frames(folder, kind):
     """{number: path} of the frames "points" or "mesh" in a run folder, ascending."""
-    found = ((re.fullmatch(rf"{kind}_(\d+)\.vtkhdf", path.name), path)
-             for path in (folder / "frames").glob(f"{kind}_*.vtkhdf"))
+    frames = folder / "frames"
+    try:
+        names = os.listdir(frames) if frames.is_dir() else []
+    except OSError as error:
+        raise RunError(f"{frames} cannot be read: {error.strerror}") from error
+    found = ((re.fullmatch(rf"{kind}_(\d+)\.vtkhdf", name), frames / name) for name in names)
     return dict(sorted((int(match[1]), path) for match, path in found if match))
 
 

@@ -87,7 +87,8 @@ void check_files(const Node& root, const std::string& folder, std::vector<Proble
     const std::string fault = fault_of_file(file);
     if (fault.empty()) continue;
     const std::string ending = path == "mesh.file" ? ".msh" : is_library(path) ? ".so" : ".csv";
-    const std::string similar = similar_file(file.string(), ending);
+    std::error_code ignored;
+    const std::string similar = fs::exists(file, ignored) ? "" : similar_file(file.string(), ending);
     std::string detail =
         similar.empty() ? "" : fmt::format("Did you mean `{}`?\n", fs::path(similar).filename().string());
     detail +=

@@ -162,6 +162,26 @@ void expand(const Node* node, const Parts& parts, std::size_t first, Parts& path
   }
 }
 
+/// Where a pattern fits materials, but none has the key: the nearest key that one has.
+std::string hint_at_parameter(const Node& root, const Parts& parts)
+{
+  const Node* materials = find_item(root, "material");
+  if (parts.size() != 3 || parts[0] != "material" || materials == nullptr) return "";
+  std::vector<std::string> keys;
+  for (const Node& material : materials->items) {
+    const Node* model = find_item(material, "model");
+    const MaterialType* law = model != nullptr && fits(parts[1], material.name) ? find_material(model->text) : nullptr;
+    if (law == nullptr) continue;
+    for (const ParameterInfo& info : law->parameters) {
+      keys.emplace_back(info.name);
+      if (!info.ratio.name.empty()) keys.emplace_back(info.ratio.name);
+    }
+    for (const std::string& name : names_in_section("material.NAME")) keys.push_back(name);
+  }
+  const std::string nearest = closest(parts[2], keys);
+  return nearest.empty() ? "" : fmt::format("Did you mean `material.{}.{}`?\n", parts[1], nearest);
+}
+
 std::optional<Problem> refuse_pattern(const Node& root, const Parts& parts, const std::string& where)
 {
   const Node* holder = &root;
@@ -173,8 +193,8 @@ std::optional<Problem> refuse_pattern(const Node& root, const Parts& parts, cons
   }
   const auto names = names_below(*holder);
   return Problem{where, "the pattern fits nothing",
-      fmt::format("There are: {}. In [material], those count whose model has the key.",
-          names.empty() ? "none" : plain_list(names)),
+      hint_at_parameter(root, parts) + fmt::format("There are: {}. In [material], those count whose model has the key.",
+                                           names.empty() ? "none" : plain_list(names)),
       ""};
 }
 

@@ -300,12 +300,25 @@ bool CaseReader::is_table(const Node& node, const std::string& path, const std::
   return false;
 }
 
-/// A key of that name in another section: "gravity" belongs to [forces].
-std::string hint_elsewhere(const std::string& name)
+/// A key of that name in another section: "gravity" belongs to [forces], a parameter of a law to the materials of that
+/// law, the name of a side to [boundary].
+std::string hint_elsewhere(const Node& root, const std::string& name)
 {
+  const auto sides = sides_of_mesh(root);
+  if (sides && std::ranges::find(*sides, name) != sides->end())
+    return fmt::format("Did you mean `{}`, in [boundary]?\n", join_path("boundary", name));
   for (const KeyInfo& key : all_keys())
     if (last_part(key.path) == name && !parent_path(key.path).empty())
       return fmt::format("Did you mean `{}`, in {}?\n", key.path, header_of(parent_path(key.path)));
+  const Node* materials = find_item(root, "material");
+  for (std::size_t k = 0; materials != nullptr && k < materials->items.size(); ++k) {
+    const Node& material = materials->items[k];
+    const Node* model = find_item(material, "model");
+    const MaterialType* law = model != nullptr ? find_material(model->text) : nullptr;
+    if (law != nullptr && std::ranges::any_of(law->parameters,
+                              [&](const auto& info) { return info.name == name || info.ratio.name == name; }))
+      return fmt::format("Did you mean `{}`?\n", join_path(join_path("material", material.name), name));
+  }
   return "";
 }
 
@@ -315,7 +328,8 @@ void CaseReader::report_unknown(const Section& section, const Node& item, std::v
   const std::string nearest = closest(item.name, names);
   meant.push_back(nearest);
   if (!section.law.empty()) std::erase(names, "model");
-  std::string detail = nearest.empty() ? hint_elsewhere(item.name) : fmt::format("Did you mean `{}`?\n", nearest);
+  std::string detail =
+      nearest.empty() ? hint_elsewhere(root_, item.name) : fmt::format("Did you mean `{}`?\n", nearest);
   detail += names.empty() ? "No side of this mesh has a name. Name them as in edges = { base = [0] } in [mesh]."
                           : fmt::format("Keys of {}: {}", title_of(section), plain_list(names));
   report({section.path_of(item), fmt::format("unknown key `{}`", item.name), detail,

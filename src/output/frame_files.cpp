@@ -70,7 +70,10 @@ std::vector<std::int64_t> list_frames(const std::string& folder, const FrameKind
 {
   std::vector<std::int64_t> numbers;
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder_of_frames(folder), none)) {
+  const std::string frames = folder_of_frames(folder);
+  fs::directory_iterator entries(frames, none);
+  if (none && fs::exists(frames)) throw_file_error("read", frames, none.value());
+  for (const auto& entry : entries) {
     const std::int64_t number = number_of_frame(kind, entry.path().filename().string());
     if (number >= 0) numbers.push_back(number);
   }

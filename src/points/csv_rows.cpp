@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -56,6 +57,11 @@ Places read_header(std::string_view line, Index number, std::span<const std::str
     return {};
   }
   const auto names = split(line);
+  if (std::ranges::all_of(names, [](std::string_view name) { return number_in_csv(name).has_value(); })) {
+    faults.add(number, fmt::format("the first row holds numbers; above it stand the names of the columns: {}",
+                           fmt::join(columns, ",")));
+    return {};
+  }
   for (const std::string_view name : names) {
     if (std::ranges::find(columns, name) != columns.end()) continue;
     const std::string meant = closest(name, {columns.begin(), columns.end()});
@@ -117,8 +123,13 @@ void read_csv_rows(const std::string& text, std::span<const std::string> columns
     const std::function<void(std::span<const std::string_view>, Index)>& row)
 {
   std::optional<Places> places;
-  bool any = false;
+  bool any = false, told_commas = false;
   std::string_view rest = text;
+  if (rest.substr(0, 64).find('\0') != std::string_view::npos || rest.starts_with("\xFF\xFE") ||
+      rest.starts_with("\xFE\xFF")) {
+    faults.add(1, "this is no text in UTF-8, more likely in UTF-16: save it as CSV in UTF-8");
+    faults.stop_if_any();
+  }
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // the mark that some spreadsheets put before UTF-8
   for (Index number = 1; !rest.empty(); ++number) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -134,6 +145,7 @@ void read_csv_rows(const std::string& text, std::span<const std::string> columns
     const auto cells = split(line);
     if (cells.size() != columns.size()) {
       const bool by_comma = cells.size() == 2 * columns.size() - 1 || cells.size() == 2 * columns.size();
+      if (by_comma && std::exchange(told_commas, true)) continue;
       faults.add(number, fmt::format("{} values, and {} columns{}", cells.size(), columns.size(),
                              by_comma ? "; numbers have a decimal point, no comma" : ""));
       continue;

@@ -107,7 +107,10 @@ void require_unaltered_tables(const std::string& folder)
   if (!written) return;
   for (const std::string_view name : {ledger_file, history_file}) {
     const std::string path = path_in(folder, name);
-    if (!fs::exists(path) || written->lines.find(name) == std::string::npos) continue;
+    if (written->lines.find(name) == std::string::npos) continue;
+    if (!fs::exists(path))
+      throw FileError(fmt::format(
+          "{}: it is missing, and the run wrote it\n  Copy the folder again, or solve the case again.", path));
     const std::string text = read_file(path);
     const TablePart part = read_part_until(path, text.substr(0, text.find('\n')), written->time);
     if (written->lines.find(table_line(name, part.checksum)) == std::string::npos)

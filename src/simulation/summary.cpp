@@ -27,7 +27,7 @@ const SummaryQuantity quantities[] = {
     {{"free_toe", "", "free toe", "of the slope that `facing` names; false: soil fills the mesh to that side", true},
         &Summary::free_toe},
     {{"front_x", "m", "front at the end", "front of the slope that `facing` names, at the end"}, &Summary::front_x},
-    {{"crest_x", "m", "crest at the end", "x of its crest, at the end"}, &Summary::crest_x},
+    {{"crest_x", "m", "x of the crest at the end", "x of its crest, at the end"}, &Summary::crest_x},
     {{"crest_y", "m", "height of the crest at the end", "height of the surface there"}, &Summary::crest_y},
     {{"residual_height", "m", "highest ground that remains",
          "height of the highest ground that hangs together with the base, at the end (docs/flood.md)"},

@@ -23,6 +23,14 @@ TEST(Check, TellsWhatWouldRun)
   EXPECT_TRUE(names_in(folder.path()).empty());
 }
 
+TEST(Check, QuietItPrintsWarningsAlone)
+{
+  const Finished f = test::terp(column_command("check", {"-q", "--set", "body.0.box=[[0,0.5],[8,2]]"}));
+  EXPECT_EQ(f.status, 0);
+  EXPECT_EQ(f.out, "");
+  EXPECT_THAT(f.err, HasSubstr("body 0 hangs in the air"));
+}
+
 TEST(Check, SaysHowFarK0IsFromBalanceOnGroundThatIsNotLevel)
 {
   const char* words = "  initial stress k0 on ground that is not level: ";

@@ -91,6 +91,8 @@ TEST(CommandLine, NamesAWordThatIsNoCommandAndTheNearestThatIs)
       "Usage: terp COMMAND [options]; see terp --help\n");
   EXPECT_THAT(test::terp({"bogus"}).err, StartsWith("error: there is no command `bogus`\n  Commands: run, "));
   EXPECT_THAT(test::terp({"cases/a.toml"}).err, HasSubstr("  To solve that case: terp run cases/a.toml\n"));
+  EXPECT_THAT(test::terp({"--verion"}).err,
+      StartsWith("error: there is no option `--verion` before a command\n  Did you mean `--version`?\n"));
   EXPECT_THAT(test::terp({"\x1B[2J"}).err, StartsWith("error: there is no command `?[2J`\n"));
 }
 

@@ -13,6 +13,18 @@ TEST(OtherFiles, AreLookedForBesideTheCaseFile)
     EXPECT_NO_THROW(read_case_text(small_case_on("file = \"" + name + "\""), folder.path() + "/case.toml")) << name;
 }
 
+TEST(OtherFiles, ThatAreThereAreNotProposedInTheirOwnPlace)
+{
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path() + "/dike.msh");
+  const auto message = [&](const char* file) {
+    return refusal<CaseError>(
+        [&] { read_case_text(small_case_on("file = \"" + std::string(file) + "\""), folder.path() + "/case.toml"); });
+  };
+  EXPECT_THAT(message("dike.msh"), AllOf(HasSubstr("this is a folder, not a file"), Not(HasSubstr("Did you mean"))));
+  EXPECT_THAT(message("dyke.msh"), HasSubstr("Did you mean `dike.msh`?"));
+}
+
 TEST(OtherFiles, AreNamedAsTheirCopiesAreCalled)
 {
   Node root = parse_toml("[mesh]\nfile = \"a/../b.msh\"\n[[body]]\nbox = []\n[[body]]\npoints = \"c.csv\"\n");

@@ -101,6 +101,15 @@ TEST(FrameFiles, OneFlippedBitAnywhereIsFoundOrChangesNothingThatIsRead)
   EXPECT_GT(n_found, 100);
 }
 
+TEST(FrameFiles, OfAFolderThatCannotBeReadAreNoEmptyList)
+{
+  const ScratchFolder folder;
+  EXPECT_THAT(list_frames(folder.path(), point_frames), IsEmpty());
+  std::ofstream(folder.path() + "/frames") << "no folder";
+  EXPECT_THAT(refusal<FileError>([&] { list_frames(folder.path(), point_frames); }),
+      AllOf(StartsWith("cannot read "), HasSubstr("/frames: ")));
+}
+
 TEST(FrameFiles, FromANumberOnAreRemoved)
 {
   const ScratchFolder folder;

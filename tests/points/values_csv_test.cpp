@@ -48,7 +48,13 @@ TEST(ValuesCsv, NameTheLinesOfTheirFaults)
           EndsWith("It has the columns x, y, value: m, m, and the unit of the key in SI.")));
   EXPECT_THAT(message_for("x;y;value\n"), HasSubstr("the values are separated by semicolons"));
   EXPECT_THAT(message_for("x,y,su\n"), HasSubstr("no column `value`"));
-  EXPECT_THAT(message_for("0,1,0,2,8,5\n"), HasSubstr("unknown column"));
+  EXPECT_THAT(message_for("0,1,8.5\n"),
+      AllOf(HasSubstr("has 1 fault:"),
+          HasSubstr("su.csv:1: the first row holds numbers; above it stand the names of the columns: x,y,value\n")));
+  using namespace std::string_literals;
+  EXPECT_THAT(message_for("\xFF\xFEx\0,\0y\0"s),
+      AllOf(HasSubstr("has 1 fault:"), HasSubstr("more likely in UTF-16: save it as CSV in UTF-8\n")));
+  EXPECT_THAT(message_for("x,y,value\n0,5,1,5,8,5\n0,5,2,5,8,5\n"), HasSubstr("has 1 fault:"));
   EXPECT_THAT(message_for("x,y,value\n0,5,1,5,8,5\n"), HasSubstr("numbers have a decimal point, no comma"));
 }
 

@@ -5,6 +5,7 @@ import pathlib
 import tempfile
 import unittest
 import unittest.mock
+import unittest.mock
 
 import support
 import synthetic
@@ -251,6 +252,37 @@ class MissingThings(unittest.TestCase):
             with h5py.File(pathlib.Path(folder) / "mesh.vtkhdf", "w") as file:
                 file.create_group("VTKHDF")
             self.assertIn("mesh.vtkhdf lacks a part of the format", self.message(lambda: run.mesh))
+
+    def test_a_history_that_was_cut_is_refused(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = synthetic.write_run(pathlib.Path(scratch) / "run", times=np.array([0.0, 4.0]))
+            self.assertEqual(terp.open(folder).history_of("B")["time"][-1], 4.0)
+            path = folder / "history.csv"
+            lines = path.read_text().splitlines(keepends=True)
+            path.write_text("".join(lines[:-30]))
+            self.assertRegex(self.message(lambda: terp.open(folder).history),
+                             r"history.csv was cut: the rows of point A end at t = 3.94 s, the run at 4 s; copy the")
+
+    def test_tables_that_were_altered_are_refused(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = synthetic.write_run(pathlib.Path(scratch) / "run", times=np.array([0.0, 4.0]))
+            text = (folder / "history.csv").read_bytes()
+            with h5py.File(folder / "checkpoint_000006600.h5", "w") as file:
+                file.attrs["time"] = 4.0
+                # FNV-1a of these bytes, one after the other
+                value = 0xCBF29CE484222325
+                for byte in text:
+                    value = ((value ^ byte) * 0x100000001B3) % 2**64
+                file["tables"] = np.frombuffer(f"history.csv = {value:016x}\n".encode(), np.uint8)
+            self.assertEqual(len(terp.open(folder).history_points), 10)
+            (folder / "history.csv").write_bytes(text.replace(b"-20000", b"-20001", 1))
+            self.assertIn("history.csv is not what the run wrote: rows up to t = 4 s were altered",
+                          self.message(lambda: terp.open(folder).history))
+
+    def test_frames_that_may_not_be_read_are_named(self):
+        run = terp.open(support.synthetic_run())
+        with unittest.mock.patch("os.listdir", side_effect=PermissionError(13, "Permission denied")):
+            self.assertRegex(self.message(lambda: len(run)), r"frames cannot be read: Permission denied$")
 
     def test_an_unknown_field_gets_the_closest_name(self):
         run = terp.open(support.synthetic_run())

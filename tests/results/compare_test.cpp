@@ -37,7 +37,7 @@ struct CompareTest : testing::Test {
 TEST_F(CompareTest, HasARowForFrontCrestEventsPointsAuditAndCost)
 {
   EXPECT_THAT(row("front at the end").values, ElementsAre(Optional(13.39), Optional(13.06)));
-  EXPECT_THAT(row("crest at the end").values, ElementsAre(std::nullopt, Optional(4.0)));
+  EXPECT_THAT(row("x of the crest at the end").values, ElementsAre(std::nullopt, Optional(4.0)));
   EXPECT_THAT(row("first slide begins").values, ElementsAre(Optional(0.18), Optional(0.25)));
   EXPECT_THAT(row("first slide stops").values, ElementsAre(Optional(2.0), std::nullopt));
   EXPECT_THAT(row("second slide begins").values, ElementsAre(Optional(2.36), std::nullopt));
@@ -92,7 +92,7 @@ TEST_F(CompareTest, PrintsColumnsWithADashForWhatIsNotDefined)
 {
   const std::string table = comparison_table(comparison);
   EXPECT_THAT(table, HasSubstr("mixed       gp\n"));
-  EXPECT_THAT(table, ContainsRegex("crest at the end \\[m\\] +- +4.00\n"));
+  EXPECT_THAT(table, ContainsRegex("x of the crest at the end \\[m\\] +- +4.00\n"));
   EXPECT_THAT(table, ContainsRegex("points whose eps_eq_p ever fell +2 +0\n"));
 }
 

@@ -85,6 +85,9 @@ TEST(RunResults, WhoseTableWasAlteredBeforeItsNewestCheckpointIsRefused)
           "case again.");
   write_file_atomically(path, table + csv_lines(sample_history(0.26)));  // later rows: the run goes on
   EXPECT_EQ(file_error_of([&] { read_run(folder); }), "");
+  std::filesystem::remove(path);
+  EXPECT_EQ(file_error_of([&] { read_run(folder); }),
+      path + ": it is missing, and the run wrote it\n  Copy the folder again, or solve the case again.");
 }
 
 TEST(RunResults, DoesWithoutTables)
