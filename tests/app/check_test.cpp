@@ -78,7 +78,7 @@ TEST(Check, SaysHowMuchDiskTheRunNeedsToAFactorOfTwo)
     const ScratchFolder scratch;
     const std::string folder = scratch.path() + "/run";
     const std::vector<std::string> more{
-        "--set", field, "--set", "output.checkpoint.every=0.05", "--set", "mesh.cell=0.2", "-q"};
+        "--set", field, "--set", "output.checkpoint.every=0.05", "--set", "mesh.cell=0.2"};
     const Finished check = test::terp(column_command("check", more));
     ASSERT_EQ(check.status, 0) << check.err;
     EXPECT_THAT(check.out, ContainsRegex("  output         [0-9]+ frames of [0-9.]+ MB, 4 checkpoints of [0-9.]+ "

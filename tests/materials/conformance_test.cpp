@@ -119,16 +119,18 @@ TEST_P(EveryMaterial, NamesNoParametersButItsOwn)
 TEST_P(EveryMaterial, HasOneQuantityOfEachRoleAtMostInItsUnit)
 {
   int strains = 0, strengths = 0;
-  const auto look = [&](const auto& info) {
+  const auto look = [&](const auto& info, Role role_in_pascal) {
     strains += info.role == Role::plastic_strain;
     strengths += info.role == Role::strength;
     if (info.role == Role::none) return;
-    EXPECT_EQ(info.unit, info.role == Role::strength ? "Pa" : "-") << info.name;
+    EXPECT_EQ(info.unit, info.role == Role::strength || info.role == role_in_pascal ? "Pa" : "-") << info.name;
   };
-  for (const auto& info : type().state) look(info);
-  for (const auto& info : type().derived) look(info);
+  for (const auto& info : type().state) look(info, Role::strength);
+  for (const auto& info : type().derived) look(info, Role::carried_pressure);
   EXPECT_LE(strains, 1);
   EXPECT_LE(strengths, 1);
+  // A pressure that was carried is a field, and remembered by its logarithm.
+  EXPECT_EQ(find_role(type().state, Role::carried_pressure) < 0, find_role(type().derived, Role::carried_pressure) < 0);
 }
 
 TEST_P(EveryMaterial, KeepsItsStateWhenNothingDeforms)
