@@ -271,13 +271,19 @@ TEST(LibraryMaterial, WithMoreStateThanCellsTakeFromTheirNeighboursIsRefused)
   EXPECT_EQ(points_by_id(s.state)[0].values[0], 2.0);
 }
 
+/// A box that turns by 0.4 rad/s about (2, 1), with or without a rate that turns its stress.
+Case turning_box(const MaterialCase& soil, bool stress_turns)
+{
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {3.0, 1.5}, soil);
+  c.method.objective_rate = stress_turns ? ObjectiveRate::jaumann : ObjectiveRate::none;
+  c.bodies[0].velocity_at = [](Vec<2> x) -> Vec<2> { return {-0.4 * (x[1] - 1.0), 0.4 * (x[0] - 2.0)}; };
+  return c;
+}
+
 TEST(LibraryMaterial, IsToldOfTheRotationThatItsStressHasMade)
 {
   for (const bool turned : {true, false}) {
-    Case c = free_box("mpm_gp", {1.0, 0.5}, {3.0, 1.5}, wrong_umat(turns));
-    c.method.objective_rate = turned ? ObjectiveRate::jaumann : ObjectiveRate::none;
-    c.bodies[0].velocity_at = [](Vec<2> x) -> Vec<2> { return {-0.4 * (x[1] - 1.0), 0.4 * (x[0] - 2.0)}; };
-    Simulation s(c);
+    Simulation s(turning_box(wrong_umat(turns), turned));
     s.step(1);
     for (const Point& p : points_by_id(s.state))
       if (std::abs(p.x[0] - 2.0) < 0.5 && std::abs(p.x[1] - 1.0) < 0.25) {
@@ -398,11 +404,9 @@ TEST(NativeLaw, ThatCrashesIsToldOfWithAllThePointsThatItHad)
 TEST(NativeLaw, IsToldOfTheSpinAndWhetherItsStressWasTurned)
 {
   for (const bool turned : {true, false}) {
-    Case c = free_box("mpm_gp", {1.0, 0.5}, {3.0, 1.5},
-        of_library({.file = "wrong_native.so", .symbol = "spinning_law", .parameters = {{"", 1.0}, {"", 1.0}}}));
-    c.method.objective_rate = turned ? ObjectiveRate::jaumann : ObjectiveRate::none;
-    c.bodies[0].velocity_at = [](Vec<2> x) -> Vec<2> { return {-0.4 * (x[1] - 1.0), 0.4 * (x[0] - 2.0)}; };
-    Simulation s(c);
+    Simulation s(turning_box(
+        of_library({.file = "wrong_native.so", .symbol = "spinning_law", .parameters = {{"", 1.0}, {"", 1.0}}}),
+        turned));
     s.step(1);
     for (const Point& p : points_by_id(s.state))
       if (std::abs(p.x[0] - 2.0) < 0.5 && std::abs(p.x[1] - 1.0) < 0.25) {
