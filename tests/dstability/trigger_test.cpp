@@ -1,4 +1,6 @@
 // The river of a stage at another level, and the case that goes there.
+#include <fmt/format.h>
+
 #include "dstability/case_folder.hpp"
 #include "dstability/read_stix.hpp"
 #include "dstability/sections.hpp"

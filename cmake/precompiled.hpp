@@ -1,4 +1,4 @@
-// What most of the program includes, read once where it is compiled for Windows.
+// What most of the program includes, read once where TERP_PRECOMPILE is on.
 #pragma once
 
 #include <fmt/format.h>
