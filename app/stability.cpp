@@ -52,13 +52,14 @@ void check_options(const BisectionOptions& o)
             *o.from, *o.to));
 }
 
-void warn_of_motion(const Case& c)
+void warn_of_motion(const Case& c, const std::string& folder)
 {
   if (!c.footings.empty())
-    fmt::print(stderr, "warning: terp stability leaves footings out: the soil carries its own weight alone\n");
+    fmt::print(
+        stderr, "warning: {}: terp stability leaves footings out: the soil carries its own weight alone\n", folder);
   for (const SideCondition& side : c.sides)
     if (is_driven(side))
-      fmt::print(stderr, "warning: the side `{}` stands still in terp stability\n", printable(side.side));
+      fmt::print(stderr, "warning: {}: the side `{}` stands still in terp stability\n", folder, printable(side.side));
 }
 
 /// The case on cells of a size [m]; 0: as it is.
@@ -118,10 +119,11 @@ StabilityResult search_stability(const RunOptions& run, StabilityOptions options
 int find_stability(const RunOptions& run, StabilityOptions options, const std::vector<double>& cells)
 {
   check_options(options.search);
-  const CaseFile given = read_case(run.path, run.changes);
+  CaseFile given = read_case(run.path, run.changes);
   const std::string folder = run.output.empty() ? default_run_folder(run.path) : run.output;
+  given.run = folder;
   fmt::print(stderr, "{}", render_warnings(given));
-  warn_of_motion(given.values);
+  warn_of_motion(given.values, folder);
   options.threads = threads_of(run);
   listen_for_stop();
   const std::vector<double> todo = cells.empty() ? std::vector<double>{0.0} : descending_sizes(cells);

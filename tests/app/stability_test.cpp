@@ -28,6 +28,15 @@ TEST(Stability, LeavesItsResultsTheMechanismAndAPicture)
     EXPECT_TRUE(std::filesystem::exists(folder + file)) << file;
 }
 
+TEST(Stability, NamesTheRunInItsWarnings)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/cut";
+  const Finished f = test::terp({"stability", source_path("cases/verification/strip_footing/case.toml"), "--from",
+      "0.9", "--to", "1", "--tolerance", "0.2", "--set", "time.end=0.01", "-q", "-o", folder, "-j", "1"});
+  EXPECT_THAT(f.err, HasSubstr("warning: " + folder + ": terp stability leaves footings out"));
+}
+
 TEST(Stability, TakesDifferentSizesOfCells)
 {
   const Finished f = test::terp({"stability", cut, "--cells", "1,1"});

@@ -278,16 +278,18 @@ describe("the page", () => {
     await page.context().close();
   });
 
-  it("of a wide section gives the views the whole width", async () => {
-    const width = async (height: number) => {
+  it("of a wide section gives the views the whole width, and two fifths of the window's height", async () => {
+    const room = async (height: number) => {
       const low = ({ runs: [run] }: ReportMeta) => Object.assign(run!, { outline: null, positions: { ...run!.positions, y: { ...run!.positions.y, lo: 0, hi: height } } });
       const { page } = await open(browser, examplePage(20, 1, low));
       const views = (await page.locator(".stage").boundingBox())!;
       await page.context().close();
-      return views.width;
+      return views;
     };
-    expect(await width(5)).toBeLessThan(1000); // of 1366: the story stands beside
-    expect(await width(0.8)).toBeGreaterThan(1200);
+    expect((await room(5)).width).toBeLessThan(1000); // of 1366: the story stands beside
+    const wide = await room(0.8);
+    expect(wide.width).toBeGreaterThan(1200);
+    expect(wide.height).toBeGreaterThan(0.38 * 768);
   });
 
   it("of three runs can hide one", async () => {
