@@ -7,7 +7,7 @@ RUNS    ?= runs
 FIGURES ?= figures
 TERP     = $(BUILD)/terp
 CASES    = cases/column_collapse
-VERSION  = $(shell sed -n 's/^project(terp VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)
+VERSION  = $(shell sed -n 's|^project.terp VERSION \([0-9.]*\) .*|\1|p' CMakeLists.txt)
 WINDOWS  = $(abspath $(BUILD))/windows
 ZIP      = $(BUILD)/terp_$(VERSION)_windows_x86_64.zip
 PYTHON   = PYTHONPATH=python /usr/bin/python3
