@@ -138,13 +138,15 @@ int run_study(const Study& study, const std::string& folder, const StudyCommand&
   if (command.force) place.clear();
   Realisations rows = take_store(study, folder);
   write_copies(study, place);
-  if (solve(study, place, part, command, launched, rows) == StudyEnd::stopped) {
+  const StudyEnd end = solve(study, place, part, command, launched, rows);
+  if (end == StudyEnd::stopped) {
     fmt::print(stderr, "stopped; what is solved is kept in {}. Go on with the same command\n", folder);
     return failed;
   }
   if (part.n_all > 1) {
     if (!command.quiet)
-      fmt::print("part {} of {} is done; all of them: terp study report {}\n", part.number, part.n_all, folder);
+      fmt::print("part {} of {} {}; all of them: terp study report {}\n", part.number, part.n_all,
+          end == StudyEnd::out_of_time ? "has had its stop.time, and the same command goes on" : "is done", folder);
     return solved;
   }
   write_results(study, place, rows, now_in_utc());
@@ -152,7 +154,7 @@ int run_study(const Study& study, const std::string& folder, const StudyCommand&
     fmt::print("{}", study_text(study, rows));
     fmt::print("page in {}, table in {}\n", path_in(folder, study_report), study_results);
   }
-  if (!std::ranges::all_of(rows, [](const auto& row) { return row.second.failed(); })) return solved;
+  if (rows.empty() || !std::ranges::all_of(rows, [](const auto& row) { return row.second.failed(); })) return solved;
   fmt::print(stderr, "error: all {} realisations failed, the first one: {}\n", rows.size(), rows.begin()->second.fault);
   return stopped_itself;
 }

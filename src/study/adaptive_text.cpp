@@ -74,7 +74,8 @@ std::vector<std::string> remarks_on_adaptive(
 {
   std::vector<std::string> remarks = remarks_on_realisations(study, e);
   const auto& r = found.result;
-  const std::int64_t n_known = study.settings.adaptive.of_flood ? e.counts.judged : e.counts.solved;
+  const std::int64_t n_known =
+      study.settings.adaptive.of_flood ? e.counts.judged : e.counts.solved + e.counts.slid_as_drawn;
   if (const std::int64_t n = e.counts.n() - n_known; n > 0)
     remarks.push_back(fmt::format("Of {} realisations it is not known: each counts as the event.", n));
   if (!found.fault.empty()) {

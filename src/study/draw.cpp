@@ -211,7 +211,7 @@ std::string input_text(const Study& study, std::size_t number, Real value)
     const Node& item = sweep[number].values[static_cast<std::size_t>(value)];
     return item.kind == NodeKind::text ? item.text : toml_value(item);
   }
-  return fmt::format("{:.6g}", value);
+  return number < sweep.size() ? fmt::format("{}", value) : fmt::format("{:.6g}", value);
 }
 
 }  // namespace terp

@@ -152,8 +152,10 @@ std::optional<Real> Sample::weighted_worth() const
   const std::int64_t below = all_.slid_judged, above = audited_.slid_judged, audited = audited_.n() - audited_.failed;
   if (below + above == 0 || (audited == 0 && n_skipped_ > 0)) return std::nullopt;
   const Real weight = audited > 0 ? static_cast<Real>(audited_.n() + n_skipped_) / static_cast<Real>(audited) : 0.0;
+  const std::int64_t known = all_.n() - all_.failed;
+  const Real weight_below = known > 0 ? static_cast<Real>(all_.n()) / static_cast<Real>(known) : 1.0;
   const auto sum = [&](std::int64_t falls, std::int64_t stands) {
-    return static_cast<Real>(falls) + weight * static_cast<Real>(stands);
+    return weight_below * static_cast<Real>(falls) + weight * static_cast<Real>(stands);
   };
   return sum(all_.flooded_after_slide, audited_.flooded_after_slide) / sum(below, above);
 }

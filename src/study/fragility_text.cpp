@@ -83,12 +83,19 @@ void add_left_out(const FragilityCurve& curve, std::vector<std::string>& remarks
         slides, curve.levels.size(), curve.judges_flood ? fmt::format(", {} for F", floods) : ""));
 }
 
+/// The formula is the load, here or as a coordinate, and nothing made of it, as a rise or a freeboard would be.
+bool has_load_itself(const Node& value)
+{
+  return (value.kind == NodeKind::text && value.text == "h") || std::ranges::any_of(value.items, has_load_itself);
+}
+
 }  // namespace
 
 bool is_water_level(const FragilityLoad& load)
 {
   const auto is_of_water = [](const auto& change) {
-    return change.first.starts_with("water.") || change.first == "flood.water_level";
+    return (change.first.starts_with("water.") || change.first == "flood.water_level") &&
+           has_load_itself(change.second);
   };
   return load.unit == "m" && std::ranges::any_of(load.set, is_of_water);
 }

@@ -262,9 +262,15 @@ void set_shares_mesh(Study& study)
 
 Index count_realisations(const StudySettings& s)
 {
-  if (info_of(s.estimator).adaptive) return std::min(most_realisations, 10 * s.stop.number + 1000);
-  if (s.fragility) return (s.stop.number + s.multilevel.pairs) * static_cast<Index>(s.fragility->levels.size());
-  if (s.estimator != Estimator::sweep) return s.stop.number + s.multilevel.pairs;
+  const std::int64_t number = s.stop.number;
+  if (info_of(s.estimator).adaptive)
+    return static_cast<Index>(std::min<std::int64_t>(most_realisations, 10 * number + 1000));
+  const auto refused_above_most = [](std::int64_t n) {
+    return static_cast<Index>(std::min<std::int64_t>(n, most_realisations + 1));
+  };
+  if (s.fragility)
+    return refused_above_most((number + s.multilevel.pairs) * static_cast<std::int64_t>(s.fragility->levels.size()));
+  if (s.estimator != Estimator::sweep) return refused_above_most(number + s.multilevel.pairs);
   std::size_t n = s.form == SweepForm::table ? s.sweep.front().values.size() : 1;
   if (s.form == SweepForm::grid)
     for (const SweepKey& sweep : s.sweep) n = std::min<std::size_t>(n * sweep.values.size(), most_realisations + 1);

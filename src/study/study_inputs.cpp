@@ -13,12 +13,12 @@ namespace {
 
 using Nodes = std::vector<Node*>;
 
-/// mesh.file, body[].points, and `csv` of any field.
+/// mesh.file, body[].points, `csv` of any field, and `library` of a law.
 bool names_a_file(const std::string& key)
 {
   const auto parts = split_path(key);
   if (parts.empty()) return false;
-  return parts.back() == "csv" || (parts.front() == "mesh" && parts.back() == "file") ||
+  return parts.back() == "csv" || parts.back() == "library" || (parts.front() == "mesh" && parts.back() == "file") ||
          (parts.front() == "body" && parts.back() == "points");
 }
 

@@ -192,8 +192,14 @@ TEST(Fragility, IsSaidInTextTableAndPageAndForDStability)
   EXPECT_EQ(json["Calculations"][0]["Label"], "weight 0.8, 2 of 8");
   EXPECT_FALSE(is_water_level(*study.settings.fragility)) << "it is a weight";
   EXPECT_THAT(text, Not(HasSubstr("D-Stability")));
-  FragilityLoad river{.unit = "m", .set = {{"water.phreatic_line", {}}}};
+  Node level;
+  level.kind = NodeKind::text;
+  level.text = "h";
+  FragilityLoad river{.unit = "m", .set = {{"water.phreatic_line", level}}};
   EXPECT_TRUE(is_water_level(river));
+  river.set[0].second.text = "5 - h";
+  EXPECT_FALSE(is_water_level(river)) << "it is a freeboard";
+  river.set[0].second.text = "h";
   river.unit = "kPa";
   EXPECT_FALSE(is_water_level(river));
   EXPECT_TRUE(json["Stochasts"].empty());

@@ -129,6 +129,15 @@ TEST(StudyFile, WhatIsDrawnTwiceOrNotAtAllIsTold)
   EXPECT_EQ(doubts[0].what, "the case has a random field at `material.clay.su_peak` that this study does not draw");
 }
 
+TEST(StudyFile, MoreRealisationsThanFitAreRefused)
+{
+  const ScratchFolder folder;
+  std::string text = column_study;
+  text = changed(text, "number = 12", "number = 1000000000");
+  EXPECT_THAT(refusal<CaseError>([&] { prepare_study(read_study(write_study(folder.path(), text))); }),
+      HasSubstr("At most 10000000."));
+}
+
 TEST(StudyFile, RowsOfATableAreChecked)
 {
   const ScratchFolder folder;
