@@ -26,7 +26,7 @@ std::vector<KeyInfo> surface_load_keys()
           .field = [](Case& c, std::size_t i) { return &c.loads[i].pressure; },
           .unit = "Pa",
           .range = not_negative,
-          .usual = {1.0, 1e7},
+          .usual = {500.0, 1e6},
           .required = true,
           .in_stage = true,
           .meaning = "vertical force per horizontal width, down positive; loads on the same ground add",

@@ -2,6 +2,7 @@
 
 #include "simulation/flood_warnings.hpp"
 
+#include "simulation/free_water.hpp"
 #include "simulation/ground_section.hpp"
 
 #include <algorithm>
@@ -31,6 +32,29 @@ Problem no_level(const Model& model)
       "flood.water_level", true};
 }
 
+/// A stage lowers the river, and none raises it.
+std::optional<Problem> find_low_flood(const Model& model)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const bool of_case = whole.flood.water_level == model.flood_level.value;
+  if (of_case || model.flood_level.at_both_ends || changes_with_time(whole)) return std::nullopt;
+  const bool on_right = model.flood_level.river == Facing::right;
+  if (free_water_at_ends(whole, model, 0)[on_right ? 1 : 0].level < model.flood_level.value) return std::nullopt;
+  const auto level_at_river = [&](std::size_t number) {  // beyond its ends a line keeps its level
+    const auto& line = situation_of(whole.water, number).phreatic_line;
+    return line.empty() ? model.flood_level.value : on_right ? line.back()[1] : line.front()[1];
+  };
+  const auto asked_for = situations_asked_for(whole, whole.stages.size());
+  if (std::ranges::all_of(asked_for, [&](std::size_t k) { return level_at_river(k) >= model.flood_level.value; }))
+    return std::nullopt;
+  return Problem{"flood", "no stage has higher water at the river than the start, and one has lower water",
+      fmt::format(
+          "The verdict is for the {:.4g} m of the start. Where a stage is the flood, look at its water, and at\n"
+          "the river's end of its phreatic line.",
+          model.flood_level.value),
+      "flood.water_level", true};
+}
+
 }  // namespace
 
 std::vector<Problem> find_flood_warnings(const Model& model, const State& state)
@@ -45,6 +69,7 @@ std::vector<Problem> find_flood_warnings(const Model& model, const State& state)
   std::ranges::copy_if(ground.heights, std::back_inserter(heights), [](Real h) { return std::isfinite(h); });
   if (heights.empty()) return {};
   std::vector<Problem> warnings;
+  if (auto low = find_low_flood(model)) warnings.push_back(std::move(*low));
   const auto warn = [&](const char* key, std::string what, std::string detail) {
     warnings.push_back({std::string("flood.") + key, std::move(what), std::move(detail), std::string("flood.") + key});
   };

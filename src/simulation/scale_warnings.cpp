@@ -110,11 +110,11 @@ class MaterialScales {
     Range usual = stiffness_over_weight;
     if (shear > 0.0 && !has_strength()) usual.high = greatest_without_strength;
     if (weight() == 0.0 || usual.contains(stiffness / weight())) return;
-    const bool soft = stiffness < weight();
-    warn(stiffness_name(),
-        fmt::format("`{}` is {} its own weight", values_.name, soft ? "too soft for" : "very stiff beside"),
+    const Real ratio = stiffness / weight();
+    const char* what = ratio < 1.0 ? "too soft for" : ratio < usual.low ? "very soft beside" : "very stiff beside";
+    warn(stiffness_name(), fmt::format("`{}` is {} its own weight", values_.name, what),
         fmt::format("{} = {} Pa is {} times {}. Usual: 10 to {} times.", shear > 0.0 ? "G" : "K", number(stiffness),
-            number(stiffness / weight()), weight_text(), shear > 0.0 ? "1e4" : "1e5"));
+            number(ratio), weight_text(), shear > 0.0 ? "1e4" : "1e5"));
   }
 
   /// G against the strength that friction gives at mid-height.

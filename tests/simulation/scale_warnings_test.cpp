@@ -62,9 +62,16 @@ TEST(ScaleWarnings, AnElasticStiffnessInTheWrongUnitStandsOutBesideTheWeight)
   EXPECT_THAT(warnings_of(c), IsEmpty());
   c.materials[0].parameters[0] = 1e9;  // rock
   EXPECT_THAT(warnings_of(c), IsEmpty());
-  c.materials[0].parameters[0] = 2e9;
-  EXPECT_THAT(warnings_of(c), ElementsAre(told("material.\"clay\".shear_modulus",
-                                  "`clay` is very stiff beside its own weight", HasSubstr("Usual: 10 to 1e4 times."))));
+  const auto answer = [&](Real modulus) {
+    c.materials[0].parameters[0] = modulus;
+    return warnings_of(c);
+  };
+  const auto says = [](const char* words) {
+    return ElementsAre(told("material.\"clay\".shear_modulus", words, HasSubstr("Usual: 10 to 1e4 times.")));
+  };
+  EXPECT_THAT(answer(2e9), says("`clay` is very stiff beside its own weight"));
+  EXPECT_THAT(answer(1.5 * 1900.0 * 9.81 * 2.0), says("`clay` is very soft beside its own weight"));
+  EXPECT_THAT(answer(0.5 * 1900.0 * 9.81 * 2.0), says("`clay` is too soft for its own weight"));
 }
 
 TEST(ScaleWarnings, SandWithHardlyAnyCohesionIsUsual)

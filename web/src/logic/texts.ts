@@ -286,8 +286,8 @@ export const TEXTS = {
     "Aan het einde beweegt de grond nog, met {percent} van de grootste kinetische energie."],
   story_softened: ["{percent} of the soil has lost more than half of what softening takes from its strength.",
     "{percent} van de grond heeft meer dan de helft verloren van wat ontsterking van zijn sterkte neemt."],
-  story_no_softening: ["No soil of this case softens: each keeps its strength however far it is sheared.",
-    "Geen grond van deze invoer ontsterkt: elke grond houdt zijn sterkte, hoe ver hij ook afschuift."],
+  story_no_softening: ["No soil of this case softens by a law of Terp: such soil keeps its strength at any strain.",
+    "Geen grond van deze invoer ontsterkt volgens een wet van Terp: zulke grond houdt altijd zijn sterkte."],
   story_strength: ["Strength of {soils}: {parameter} follows from sigma'_v in the water {water}.",
     "Sterkte van {soils}: {parameter} volgt uit sigma'_v bij de waterspanningen {water}."],
   story_strength_daily: ["Strength of {soils}: {parameter} follows from sigma'_v in the water {water}, and from " +

@@ -76,7 +76,7 @@ describe("the story", () => {
   });
 
   it("says that no soil of the case softens", () => {
-    const sentence = "No soil of this case softens: each keeps its strength however far it is sheared.";
+    const sentence = "No soil of this case softens by a law of Terp: such soil keeps its strength at any strain.";
     expect(tellStory(sampleRun({}, { softened_strain: null }))).toContain(sentence);
     expect(tellStory(sampleRun({}, { softened_strain: 0.06 }))).not.toContain(sentence);
   });
