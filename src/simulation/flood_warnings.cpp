@@ -39,14 +39,13 @@ std::optional<Problem> find_low_flood(const Model& model)
   const bool of_case = whole.flood.water_level == model.flood_level.value;
   if (of_case || model.flood_level.at_both_ends || changes_with_time(whole)) return std::nullopt;
   const bool on_right = model.flood_level.river == Facing::right;
-  if (free_water_at_ends(whole, model, 0)[on_right ? 1 : 0].level < model.flood_level.value) return std::nullopt;
   const auto level_at_river = [&](std::size_t number) {  // beyond its ends a line keeps its level
     const auto& line = situation_of(whole.water, number).phreatic_line;
-    return line.empty() ? model.flood_level.value : on_right ? line.back()[1] : line.front()[1];
+    return line.empty() ? FreeWater::none : on_right ? line.back()[1] : line.front()[1];
   };
   const auto asked_for = situations_asked_for(whole, whole.stages.size());
-  if (std::ranges::all_of(asked_for, [&](std::size_t k) { return level_at_river(k) >= model.flood_level.value; }))
-    return std::nullopt;
+  const auto is_low = [&](std::size_t number) { return level_at_river(number) < model.flood_level.value; };
+  if (is_low(0) || std::ranges::none_of(asked_for, is_low)) return std::nullopt;
   return Problem{"flood", "no stage has higher water at the river than the start, and one has lower water",
       fmt::format(
           "The verdict is for the {:.4g} m of the start. Where a stage is the flood, look at its water, and at\n"

@@ -316,13 +316,21 @@ TEST(Flood, WaterThatStandsEquallyHighAtBothEndsIsDoubted)
     return find_flood_warnings(s.model, s.state);
   };
   EXPECT_THAT(warnings(), IsEmpty());
-  for (Vec<2>& at : c.water.situations[0].phreatic_line) at[1] -= 2.0;
-  EXPECT_THAT(warnings(), ElementsAre(testing::Field(&Problem::what,
-                              "no stage has higher water at the river than the start, and one has lower water")));
   c.water.situations[0].phreatic_line = {{0.0, 4.0}, {18.0, 4.0}};  // the line stops in the dike
   EXPECT_THAT(warnings(), ElementsAre(told("flood.river", "the water stands equally high at both ends of the section",
                               "It is 4 m there, and the ground between reaches 5 m: nothing has to be kept dry.\n"
                               "Beyond its ends a phreatic line keeps its level; let it fall to that of the land.")));
+}
+
+TEST(Flood, AFloodBelowTheWaterOfTheStartIsDoubted)
+{
+  Case c = dike_in_water();
+  c.water.situations[0].time = c.time.end;
+  c.water.start.phreatic_line = {{0.0, 4.5}, {12.0, 4.5}, {30.0, 1.0}};
+  const Drawn s(c);
+  EXPECT_THAT(find_flood_warnings(s.model, s.state),
+      ElementsAre(testing::Field(
+          &Problem::what, "no stage has higher water at the river than the start, and one has lower water")));
 }
 
 TEST(Flood, ABermThatSlidIsDamageThoughTheCrestStands)
