@@ -131,7 +131,7 @@ int report_study(const Study& study, const std::string& folder, bool writes)
   fmt::print("{}", study_text(study, stored.rows));
   if (stored.n_broken > 0)
     fmt::print(
-        "  note: {} of the lines in the store cut or altered; their realisations are made again\n", stored.n_broken);
+        "  note: in the store {} lines were cut or altered; their realisations are made again\n", stored.n_broken);
   if (!writes) return solved;
   const StudyPlace place(folder, "report");
   write_copies(study, place);

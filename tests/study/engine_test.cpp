@@ -219,6 +219,30 @@ values = [6e3, { csv = "su.csv" }]
   EXPECT_NE(open_study(path).study_digits, before);
 }
 
+TEST(Engine, AnotherLibraryOfTheSameNameIsAnotherStudy)
+{
+  const ScratchFolder folder;
+  write_file_atomically(folder.path() + "/law.so", "first build");
+  const std::string path =
+      write_study(folder.path(), column_study + "[set]\n\"material.clay.library\" = \"law.so\"\n");
+  const auto identity = [&] { return identity_text(read_study(path)); };
+  const std::string before = identity();
+  write_file_atomically(folder.path() + "/law.so", "second build");
+  EXPECT_NE(identity(), before);
+}
+
+TEST(Engine, NumbersOfASweepAreInTheTableInFull)
+{
+  const Place place(R"(case = "column.toml"
+[estimator]
+kind = "sweep"
+[[sweep]]
+key = "material.clay.shear_modulus"
+values = [1000001, 1000002]
+)");
+  EXPECT_THAT(study_csv(place.study, place.run("swept")), AllOf(HasSubstr(",\"1000001\","), HasSubstr(",\"1000002\",")));
+}
+
 TEST(Engine, ACopyFollowsTheStudyAsLongAsItIsTheSame)
 {
   const Place place(column_study);

@@ -92,6 +92,16 @@ TEST(TwoStage, TheEstimateIsAProbabilityWhateverTheAuditFinds)
   EXPECT_DOUBLE_EQ(*many.flood_after_slide().probability(), 1.0);
 }
 
+TEST(TwoStage, WhatTheSlopeIsWorthCountsKnownSlidesForThoseThatFailed)
+{
+  const StudySettings s = settings_of(two_stage_study);
+  Sample sample = sample_of(s, {.falls = 3, .falls_failed = 2, .audited = 2, .audited_slid = 1, .skipped = 0});
+  EXPECT_DOUBLE_EQ(*sample.flood_after_slide().probability(), 1.0) << "the one slide that is known flooded";
+  sample.take({.screening = Screening::falls, .slid = true, .flooded = false, .judges_flood = true});
+  EXPECT_DOUBLE_EQ(*sample.flood_after_slide().probability(), 1.0 / 3.0)
+      << "a dry slide below the factor stands for two, as half of what falls failed; the flood above it for itself";
+}
+
 TEST(TwoStage, RunsWhatFallsAndTheAuditAndSaysWhatItSaves)
 {
   const ScratchFolder folder;
