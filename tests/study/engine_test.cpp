@@ -223,8 +223,7 @@ TEST(Engine, AnotherLibraryOfTheSameNameIsAnotherStudy)
 {
   const ScratchFolder folder;
   write_file_atomically(folder.path() + "/law.so", "first build");
-  const std::string path =
-      write_study(folder.path(), column_study + "[set]\n\"material.clay.library\" = \"law.so\"\n");
+  const std::string path = write_study(folder.path(), column_study + "[set]\n\"material.clay.library\" = \"law.so\"\n");
   const auto identity = [&] { return identity_text(read_study(path)); };
   const std::string before = identity();
   write_file_atomically(folder.path() + "/law.so", "second build");
@@ -240,7 +239,8 @@ kind = "sweep"
 key = "material.clay.shear_modulus"
 values = [1000001, 1000002]
 )");
-  EXPECT_THAT(study_csv(place.study, place.run("swept")), AllOf(HasSubstr(",\"1000001\","), HasSubstr(",\"1000002\",")));
+  EXPECT_THAT(
+      study_csv(place.study, place.run("swept")), AllOf(HasSubstr(",\"1000001\","), HasSubstr(",\"1000002\",")));
 }
 
 TEST(Engine, ACopyFollowsTheStudyAsLongAsItIsTheSame)
