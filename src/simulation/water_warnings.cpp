@@ -4,6 +4,7 @@
 
 #include "events/section.hpp"
 #include "mesh/mesh_error.hpp"
+#include "simulation/free_water.hpp"
 #include "simulation/ground_section.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/overburden.hpp"
@@ -150,6 +151,49 @@ void find_drowned_soil(const Model& model, std::vector<Problem>& warnings)
   }
 }
 
+/// The numbers of the situations that the case asks for after the start, each once.
+std::vector<std::size_t> later_situations(const Case& whole)
+{
+  std::vector<std::size_t> numbers;
+  for (const std::size_t number : situations_asked_for(whole, whole.stages.size()))
+    if (number > 0 && std::ranges::find(numbers, number) == numbers.end()) numbers.push_back(number);
+  return numbers;
+}
+
+std::string phreatic_key(std::size_t number) { return fmt::format("water.situation[{}].phreatic_line", number - 1); }
+
+/// The river changes its side: the end of the section that is high at the start gets lower, or held free water then,
+/// and the other end rises above it. A river that falls below the polder, or rises from below it, does neither.
+void find_swapped_river(const Model& model, const State& state, std::vector<Problem>& warnings)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const Overburden overburden(model);
+  const auto& first = whole.water.start.phreatic_line;
+  if (first.empty() || !overburden.is_known()) return;
+  const auto ends = ends_of_soil(state);
+  const std::array<const char*, 2> names{"left", "right"};
+  const auto level = [&](const std::vector<Vec<2>>& line, std::size_t end) { return elevation_at(line, ends[end]); };
+  const std::size_t high = level(first, 0) > level(first, 1) ? 0 : 1, other = 1 - high;
+  const auto is_free = [&](std::size_t end) {
+    return level(first, end) > overburden.ground(ends[end]).value_or(INFINITY);
+  };
+  for (const std::size_t number : later_situations(whole)) {
+    const WaterSituation& of = situation_of(whole.water, number);
+    if (of.phreatic_line.empty()) continue;
+    const Real before = level(first, high), after = level(of.phreatic_line, high), land = level(first, other),
+               river = level(of.phreatic_line, other);
+    const bool falls = after < before || (is_free(high) && !is_free(other));
+    if (!(before > land && river > after && river > land && falls)) continue;
+    warnings.push_back({phreatic_key(number),
+        fmt::format("the river changes its side: in the water{} it stands on the {}",
+            of.name.empty() ? "" : fmt::format(" `{}`", of.name), names[other]),
+        fmt::format("At the start the water stands at {:.4g} m on the {} and at {:.4g} m on the {}; here at {:.4g} m "
+                    "and {:.4g} m.\nTurn the line about, if the river is on the {}.",
+            before, names[high], land, names[other], after, river, names[high]),
+        "water.phreatic_line", false, {"water"}});
+  }
+}
+
 /// Whether a stage or a strength asks for the situation of a name.
 bool is_asked_for(const Case& whole, const std::string& name)
 {
@@ -193,6 +237,7 @@ void find_odd_water(const Model& model, const State& state, std::vector<Problem>
   find_idle_water(model, warnings);
   find_short_lines(model, state, warnings);
   find_drowned_soil(model, warnings);
+  find_swapped_river(model, state, warnings);
   std::vector<Index> nodes;
   for (const Index cell : state.points.occupied())
     nodes.insert(nodes.end(), model.mesh->cells[cell].begin(), model.mesh->cells[cell].end());

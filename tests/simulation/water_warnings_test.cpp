@@ -78,4 +78,33 @@ TEST(WaterWarnings, WaterAboveAllOfTheSoilIsTold)
           "water that flows over the ground is not simulated. Elevations are in m, in the frame of the mesh.")));
 }
 
+/// Warnings of two waters over the soil of wet(), whose ground is at y = 1 m.
+std::vector<Problem> from_to(const Line& start, const Line& later)
+{
+  Case c = wet(start);
+  c.water.situations = {{.name = "flood", .time = 0.0, .phreatic_line = later}};
+  return warnings_of(c);
+}
+
+TEST(WaterWarnings, ARiverThatChangesItsSideIsTold)
+{
+  EXPECT_THAT(from_to({{0.0, 0.8}, {4.0, 0.4}}, {{0.0, 0.4}, {4.0, 1.2}}),
+      ElementsAre(told("water.situation[0].phreatic_line",
+          "the river changes its side: in the water `flood` it stands on the right",
+          AllOf(HasSubstr("At the start the water stands at 0.7975 m on the left and at 0.4025 m on the right; here at "
+                          "0.405 m and 1.195 m."),
+              HasSubstr("Turn the line about, if the river is on the left.")))));
+  EXPECT_THAT(from_to({{0.0, 0.4}, {4.0, 0.8}}, {{0.0, 1.2}, {4.0, 0.4}}),
+      ElementsAre(told(_, HasSubstr("stands on the left"))));
+  EXPECT_THAT(from_to({{0.0, 1.1}, {4.0, 0.4}}, {{0.0, 1.1}, {2.0, 0.9}, {4.0, 1.2}}), SizeIs(1))
+      << "free water at the start says where the river is";
+}
+
+TEST(WaterWarnings, ARiverThatKeepsItsSideIsNotDoubted)
+{
+  EXPECT_THAT(from_to({{0.0, 0.8}, {4.0, 0.4}}, {{0.0, 1.2}, {4.0, 0.5}}), IsEmpty());
+  EXPECT_THAT(from_to({{0.0, 1.2}, {4.0, 0.4}}, {{0.0, 0.2}, {4.0, 0.4}}), IsEmpty()) << "drawdown below the polder";
+  EXPECT_THAT(from_to({{0.0, 0.4}, {4.0, 0.6}}, {{0.0, 1.2}, {4.0, 0.7}}), IsEmpty()) << "a rise from low tide";
+}
+
 }  // namespace
