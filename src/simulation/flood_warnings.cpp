@@ -4,6 +4,7 @@
 
 #include "simulation/free_water.hpp"
 #include "simulation/ground_section.hpp"
+#include "water/water_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
