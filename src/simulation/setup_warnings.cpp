@@ -3,6 +3,7 @@
 #include "mesh/mesh_error.hpp"
 #include "simulation/flood_warnings.hpp"
 #include "simulation/footings.hpp"
+#include "simulation/library_warnings.hpp"
 #include "simulation/reference_width.hpp"
 #include "simulation/settle_fields.hpp"
 #include "simulation/setup_history.hpp"
@@ -89,6 +90,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_odd_water(model, state, warnings);
   find_odd_scales(model, state, warnings);
   find_odd_softening_lengths(model, state, warnings);
+  find_odd_libraries(model, state, warnings);
   find_wide_cells(model, state, warnings);
   find_short_averaging(model, warnings);
   find_uncovered_soil(model, state, warnings);

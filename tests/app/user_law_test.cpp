@@ -37,6 +37,44 @@ TEST_F(UserLawProgram, SaysWhatTheLawCosts)
   EXPECT_THAT(check.out, HasSubstr("one thread at a time (thread_safe = false)"));
 }
 
+TEST_F(UserLawProgram, ComparesTheStiffnessOfTheLawWithTheCase)
+{
+  const std::string file = case_with(0, 0.0);
+  const auto said = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"check", file, "-q"};
+    words.insert(words.end(), more.begin(), more.end());
+    return test::terp(words);
+  };
+  EXPECT_THAT(said({}).err, Not(HasSubstr("the law of the library")));
+  const Finished soft = said({"--set", "material.clay.shear_modulus=3e6"});
+  EXPECT_EQ(soft.status, 0);
+  EXPECT_THAT(soft.err, AllOf(HasSubstr("the law of the library is softer than the case says"),
+                            HasSubstr("give shear_modulus = 2e+06 and poisson_ratio = 0.3.")));
+  const Finished stiff = said({"--set", "material.clay.shear_modulus=1e6"});
+  EXPECT_EQ(stiff.status, 0);
+  EXPECT_THAT(stiff.err, AllOf(HasSubstr("is stiffer than the case says"),
+                             HasSubstr("G = 2e+06 Pa; shear_modulus and poisson_ratio say 3.5e+06 Pa and 1e+06 Pa."),
+                             HasSubstr("is too long by a factor of 1.41")));
+  const Finished unstable = said({"--set", "material.clay.shear_modulus=2e3"});
+  EXPECT_EQ(unstable.status, 2);
+  EXPECT_THAT(unstable.err, HasSubstr("=2e3: the law of the library is too stiff for the time step"));
+  EXPECT_EQ(test::terp({"run", file, "-q", "-o", path("run"), "--set", "material.clay.shear_modulus=2e3"}).status, 2);
+}
+
+TEST_F(UserLawProgram, IsWarnedOfAShearStrainTakenAsTensorial)
+{
+  const std::string file = case_with(21, 0.0);
+  for (const std::vector<std::string>& words :
+      {std::vector<std::string>{"check", file, "-q"}, {"run", file, "-q", "-o", path("run")}}) {
+    const Finished told = test::terp(words);
+    EXPECT_EQ(told.status, 0) << told.err;
+    EXPECT_THAT(
+        told.err, AllOf(HasSubstr("the law of the library is stiffer in one direction of shearing than in another"),
+                      HasSubstr("G is 4e+06 Pa of the shear strain 12 (xy), 2e+06 Pa of the strains 11 and 22"),
+                      HasSubstr("a UMAT and an ESM are given engineering shear")));
+  }
+}
+
 TEST_F(UserLawProgram, ResumesInAFolderThatWasMovedWithTheSameBits)
 {
   const std::string file = case_with(0, 0.0);

@@ -7,7 +7,7 @@
 
 enum { elastic, nan_stress, nan_state, bad_memory, divides, aborts, leaves, never_small, small_parts, overflows,
        counts, turns, changes_rounding, tenths, nan_answer, beyond_state, beyond_props, reads_props, has_strength,
-       has_size, crashes_in_c };
+       has_size, crashes_in_c, tensorial_shear };
 
 static volatile int zero = 0;
 static int calls = 0;
@@ -32,7 +32,7 @@ void umat_(double* stress, double* statev, double* ddsdde, double* sse, double* 
   const double volume = dstran[0] + dstran[1] + dstran[2];
   const int kind = (int)props[2];
   for (int k = 0; k < 3; ++k) stress[k] += lame * volume + 2 * shear * dstran[k];
-  stress[3] += shear * dstran[3];
+  stress[3] += (kind == tensorial_shear ? 2 : 1) * shear * dstran[3]; /* the strain is engineering: once is right */
   props[0] = -1.0; /* a law may use PROPS as it likes */
   if (*nstatv > 0) statev[0] += 1.0;
   if (*nstatv == 5) { /* what it was given, for a test to look at */
