@@ -47,6 +47,14 @@ void find_uncovered_water(const Model& model, std::span<const Index> nodes, std:
   }
 }
 
+/// Its table in the case file.
+std::string path_of(std::size_t situation)
+{
+  return situation == 0 ? "water" : fmt::format("water.situation[{}]", situation - 1);
+}
+
+std::string in_situation(const WaterSituation& of) { return of.name.empty() ? "" : fmt::format(" of `{}`", of.name); }
+
 /// A line of water over x, by its key and its name in a message.
 struct NamedLine {
   std::string key, name;
@@ -63,8 +71,7 @@ std::vector<NamedLine> lines_of(const WaterCase& water)
   };
   for (std::size_t k = 0; k <= water.situations.size(); ++k) {
     const WaterSituation& of = situation_of(water, k);
-    const std::string path = k == 0 ? "water" : fmt::format("water.situation[{}]", k - 1);
-    const std::string in = of.name.empty() ? "" : fmt::format(" of `{}`", of.name);
+    const std::string path = path_of(k), in = in_situation(of);
     add({path + ".phreatic_line", "the phreatic line" + in, of.phreatic_line});
     for (const HeadLine& line : of.head_lines)
       add({fmt::format("{}.head_lines.\"{}\"", path, line.name), fmt::format("the head line `{}`{}", line.name, in),
@@ -148,6 +155,49 @@ void find_drowned_soil(const Model& model, std::vector<Problem>& warnings)
             "frame of the mesh.",
             elevation_at(of.phreatic_line, x_top) - top, x_top, top),
         "water.phreatic_line", false, {"water"}});
+  }
+}
+
+/// Where a head lies deepest below a line in the soil.
+struct Shortfall {
+  Real depth = 0.0;  ///< [m]
+  Real x = 0.0, head = 0.0, line = 0.0;
+};
+
+/// Heads that do not reach the reference line at which they act: the water of that layer would hang below its roof.
+void find_low_heads(const Model& model, const State& state, std::vector<Problem>& warnings)
+{
+  constexpr Real little = 0.01;  // of a line drawn by hand [m]
+  const auto [low, high] = ends_of_soil(state);
+  const WaterCase& water = model.description.water;
+  for (std::size_t k = 0; k <= water.situations.size(); ++k) {
+    const WaterSituation& of = situation_of(water, k);
+    for (const HeadLine& head : of.head_lines) {
+      Shortfall most;
+      for (const ReferenceLine& line : of.reference_lines) {
+        if (line.head != head.name && line.head_bottom != head.name) continue;
+        std::vector<Real> places{low, high};  // both lines are straight between the places of either
+        for (const auto* other : {&line.places, &head.places})
+          for (const Vec<2>& at : *other) places.push_back(std::clamp(at[0], low, high));
+        for (const Real x : places) {
+          const Real h = elevation_at(head.places, x), y = elevation_at(line.places, x);
+          if (y - h > most.depth) most = {y - h, x, h, y};
+        }
+      }
+      const auto& first = water.start.head_lines;  // a situation has those of the start that it does not give itself
+      const bool told = k > 0 && std::ranges::any_of(first, [&](const HeadLine& other) {
+        return other.name == head.name && other.places == head.places;
+      });
+      if (!(most.depth > little) || told) continue;
+      warnings.push_back({fmt::format("{}.head_lines.\"{}\"", path_of(k), head.name),
+          fmt::format("the head `{}`{} lies below the line at which it acts", head.name, in_situation(of)),
+          fmt::format(
+              "At x = {:.4g} m it is {:.4g} m, {:.3g} m below the reference line at {:.4g} m: the pore pressure "
+              "there is zero.\nA head is the elevation in m to which the water of the layer rises, in the "
+              "frame of the mesh.",
+              most.x, most.head, most.depth, most.line),
+          "water.head_lines", false, {"water"}});
+    }
   }
 }
 
@@ -238,6 +288,7 @@ void find_odd_water(const Model& model, const State& state, std::vector<Problem>
   find_short_lines(model, state, warnings);
   find_drowned_soil(model, warnings);
   find_swapped_river(model, state, warnings);
+  find_low_heads(model, state, warnings);
   std::vector<Index> nodes;
   for (const Index cell : state.points.occupied())
     nodes.insert(nodes.end(), model.mesh->cells[cell].begin(), model.mesh->cells[cell].end());

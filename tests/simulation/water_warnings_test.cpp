@@ -107,4 +107,23 @@ TEST(WaterWarnings, ARiverThatKeepsItsSideIsNotDoubted)
   EXPECT_THAT(from_to({{0.0, 0.4}, {4.0, 0.6}}, {{0.0, 1.2}, {4.0, 0.7}}), IsEmpty()) << "a rise from low tide";
 }
 
+TEST(WaterWarnings, AHeadBelowTheLineAtWhichItActsIsTold)
+{
+  const auto with_head = [](const Line& head) {
+    Case c = wet({{0.0, 0.8}});
+    c.water.start.reference_lines = {{.places = {{0.0, 0.5}}, .head = "aquifer", .head_bottom = "aquifer"}};
+    c.water.start.head_lines = {{"aquifer", {{0.0, 0.7}}}};
+    c.water.situations = {{.name = "flood", .time = 0.0, .phreatic_line = {{0.0, 0.9}}}};
+    c.water.situations[0].reference_lines = c.water.start.reference_lines;
+    c.water.situations[0].head_lines = {{"aquifer", head}};
+    return warnings_of(c);
+  };
+  EXPECT_THAT(with_head({{0.0, 0.8}, {4.0, 0.505}}), IsEmpty());
+  EXPECT_THAT(with_head({{0.0, 0.8}, {4.0, -10.0}}),
+      Contains(told("water.situation[0].head_lines.\"aquifer\"",
+          "the head `aquifer` of `flood` lies below the line at which it acts",
+          HasSubstr("m below the reference line at 0.5 m: the pore pressure there is "
+                    "zero."))));
+}
+
 }  // namespace
