@@ -202,7 +202,26 @@ void print_strength_beside(const Model& model, const State& state)
   }
 }
 
-/// What laws from libraries cost, which Terp cannot know.
+/// Numbers as they are handed to a law: by name, or by their place.
+std::string numbers_text(const std::vector<NamedNumber>& numbers)
+{
+  std::string text;
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    text += fmt::format("{}{} = {:g}", k == 0 ? ": " : ", ",
+        numbers[k].name.empty() ? fmt::format("({})", k + 1) : numbers[k].name, numbers[k].value);
+  return text;
+}
+
+void print_given(const MaterialCase& material)
+{
+  const LibraryCase& library = material.library;
+  fmt::print("  {} is given  {}{}\n", printable(material.name), count(std::ssize(library.parameters), "parameter"),
+      printable(numbers_text(library.parameters)));
+  fmt::print("  {} remembers {}{}\n", printable(material.name), count(std::ssize(library.state), "state variable"),
+      printable(numbers_text(library.state)));
+}
+
+/// What laws from libraries are given and what they cost, which Terp cannot know.
 void print_laws(const Model& model, const State& state)
 {
   for (Index m = 0; m < std::ssize(model.materials); ++m) {
@@ -215,6 +234,7 @@ void print_laws(const Model& model, const State& state)
       if (first == nullptr || block.n > first->n) first = &block;
     });
     if (material.from_library == nullptr || first == nullptr) continue;
+    print_given(material);
     const Real cell_size = std::sqrt(model.mesh->geometry(first->cell).volume);
     SoilMaterial trial = model.materials[m];  // a law that fails stays failed: the step below has its own
     trial.law = trial.type->make(material.parameters);

@@ -103,6 +103,16 @@ void order_state(const Variables& known, std::vector<NamedNumber>& given)
   given = std::move(ordered);
 }
 
+/// Another interface whose function the library has, in words; empty: none.
+std::string other_interface(const SharedLibrary& library)
+{
+  for (const InterfaceInfo& info : law_interfaces())
+    for (const std::string_view symbol : info.usual_symbols)
+      if (library.find(std::string(symbol)) != nullptr)
+        return fmt::format("It has {}, that of interface = \"{}\". Give this interface.\n", symbol, info.name);
+  return {};
+}
+
 }  // namespace
 
 FoundLibrary find_library(const std::string& folder, const LibraryCase& library)
@@ -125,9 +135,10 @@ FoundLibrary find_library(const std::string& folder, const LibraryCase& library)
     }
   refuse(library.symbol.empty() ? "library" : "symbol",
       fmt::format("the library has no function {}", fmt::join(symbols, " or ")),
-      fmt::format("`nm -D {}` lists what it offers. Name the function with `symbol`; gfortran writes names in small "
-                  "letters with _ at the end.",
-          library.file));
+      (library.symbol.empty() ? other_interface(*found.library) : "") +
+          fmt::format("`nm -D {}` lists what it offers. Name the function with `symbol`; gfortran writes names in "
+                      "small letters with _ at the end.",
+              library.file));
 }
 
 std::optional<LawVariables> describe_library(const FoundLibrary& found, LibraryCase& library)

@@ -37,6 +37,21 @@ TEST_F(UserLawProgram, SaysWhatTheLawCosts)
   EXPECT_THAT(check.out, HasSubstr("one thread at a time (thread_safe = false)"));
 }
 
+TEST_F(UserLawProgram, SaysWhatTheLawIsGiven)
+{
+  const Finished check = test::terp({"check", case_with(0, 0.5)});
+  EXPECT_THAT(check.out,
+      HasSubstr("  clay is given  6 parameters: (1) = 2e+06, (2) = 0.3, (3) = 0, (4) = 0.5, (5) = -1, (6) = 0\n"));
+  EXPECT_THAT(check.out, HasSubstr("  clay remembers 1 state variable: calls = 3\n"));
+}
+
+TEST_F(UserLawProgram, NamesTheInterfaceThatTheLibraryHas)
+{
+  const Finished check = test::terp({"check", case_with(0, 0.0), "--set", "material.clay.interface=\"native\""});
+  EXPECT_EQ(check.status, 2);
+  EXPECT_THAT(check.err, HasSubstr("It has umat_, that of interface = \"umat\". Give this interface."));
+}
+
 TEST_F(UserLawProgram, ComparesTheStiffnessOfTheLawWithTheCase)
 {
   const std::string file = case_with(0, 0.0);
