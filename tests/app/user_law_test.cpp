@@ -52,6 +52,16 @@ TEST_F(UserLawProgram, NamesTheInterfaceThatTheLibraryHas)
   EXPECT_THAT(check.err, HasSubstr("It has umat_, that of interface = \"umat\". Give this interface."));
 }
 
+TEST_F(UserLawProgram, ShearsTheOneCellOfTheExample)
+{
+  if (!is_built("tresca.so")) GTEST_SKIP() << "built without gfortran";
+  std::filesystem::copy(law_folder() + "/tresca.so", path("tresca.so"));
+  std::filesystem::copy(test::source_path("cases/user_law/one_cell.toml"), path("one_cell.toml"));
+  const Finished run = test::terp({"run", path("one_cell.toml"), "-q", "-o", path("run")});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+}
+
 TEST_F(UserLawProgram, ComparesTheStiffnessOfTheLawWithTheCase)
 {
   const std::string file = case_with(0, 0.0);
