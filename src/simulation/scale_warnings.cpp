@@ -3,8 +3,10 @@
 // within a factor of 1000, the usual mistake of a unit (kPa, MPa, mm). What a parameter is (stiffness, strength, angle)
 // follows from the law's own table, so that a new law is checked without an entry here.
 
+#include "simulation/overburden.hpp"
 #include "simulation/setup_points.hpp"
 #include "simulation/setup_warnings.hpp"
+#include "water/water_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +58,8 @@ bool is_strength(const ParameterInfo& info)
 {
   return info.unit == "Pa" && info.reduction == Reduction::divide && !info.fallback && info.fallback_of.empty();
 }
+
+std::string kilopascal(Real stress) { return fmt::format("{:.4g}", 1e-3 * stress); }
 
 std::string number(Real value) { return fmt::format("{:.3g}", value); }
 
@@ -288,6 +292,51 @@ void find_no_motion(const Model& model, Problems& warnings)
       "All soil stays at rest. Usual: gravity = [0.0, -9.81] in [forces].", "forces.gravity"});
 }
 
+/// What SHANSEP says of a material, over its points.
+struct PastLoad {
+  std::size_t material = 0;
+  Index n = 0;
+  Real daily = 0.0, beyond = 0.0;  ///< sums of sigma'_v,daily, and of sigma'_p above it [Pa]
+};
+
+/// Soil whose yield stress would need a former load, on top of today's, larger than the largest that any soil with such
+/// a strength bears in this section. Yield stress and today's stress, point by point, would doubt the shallow peat of a
+/// polder, which bears next to nothing.
+void find_large_yield_stress(const Model& model, const State& state, Problems& warnings)
+{
+  if (!model.ground || !model.ground->is_known()) return;
+  std::vector<PastLoad> soils(model.materials.size());
+  Real largest = 0.0;  // sigma'_v,daily [Pa]
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto m = static_cast<std::size_t>(block.material);
+    const Vec<2> x{block.row(PointRows<2>::x)[lane], block.row(PointRows<2>::x + 1)[lane]};
+    for (const ParameterField& field : model.description.materials[m].fields) {
+      if (!field.needs.yield_stress) continue;
+      const WaterCase& water = model.ground->water();
+      const WaterSituation& of = situation_of(water, situation_number(water, field.needs.daily_water));
+      const Real daily = model.ground->effective(x, of, std::isnan(of.time) ? 0.0 : of.time);
+      largest = std::max(largest, daily);
+      PastLoad& soil = soils[m];
+      soil.material = m, soil.n += 1, soil.daily += daily;
+      soil.beyond += field.needs.yield_stress({x, model.ground.get()}) - daily;
+      break;
+    }
+  });
+  for (const PastLoad& soil : soils) {
+    const Real n = static_cast<Real>(soil.n), beyond = soil.beyond / n;
+    if (soil.n == 0 || !(beyond > largest)) continue;
+    const MaterialCase& values = model.description.materials[soil.material];
+    warnings.push_back({fmt::format("material.\"{}\"", values.name),
+        fmt::format("the yield stress of `{}` is far above what it bears", values.name),
+        fmt::format(
+            "sigma'_p is on average {} kPa above sigma'_v of daily water, which is {} kPa. That is a former load "
+            "larger\nthan the {} kPa that soil with such a strength bears at most in this section. A POP of 15 "
+            "kPa is \"15 kPa\" or 15e3.",
+            kilopascal(beyond), kilopascal(soil.daily / n), kilopascal(largest)),
+        std::string(values.model), false, {fmt::format("material.\"{}\"", values.name)}});
+  }
+}
+
 }  // namespace
 
 void find_odd_scales(const Model& model, const State& state, Problems& warnings)
@@ -296,6 +345,7 @@ void find_odd_scales(const Model& model, const State& state, Problems& warnings)
   for (std::size_t k = 0; k < model.materials.size(); ++k)
     if (is_used(model, model.materials[k].name))
       MaterialScales(model.materials[k], model.description.materials[k], soil, warnings).check();
+  find_large_yield_stress(model, state, warnings);
   check_speeds(model, soil, warnings);
   find_no_motion(model, warnings);
 }

@@ -1,5 +1,6 @@
 // Quantities off by a unit are compared with each other; soil as it is usually is not warned of.
 #include "simulation/setup_warnings.hpp"
+#include "simulation/soil_fields.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
 #include "support/simulations.hpp"
@@ -25,6 +26,36 @@ TEST(ScaleWarnings, AreSilentOverUsualSoil)
   for (const Real su : {1e4, 1e5})
     for (const Real ratio : {20.0, 2000.0})
       EXPECT_THAT(with_clay({.shear_modulus = ratio * su, .su_peak = su, .su_residual = su}), IsEmpty()) << su;
+}
+
+/// The column with the strength of SHANSEP; its soil bears up to 37 kPa.
+std::vector<Problem> with_pop(Real pop)
+{
+  const auto number = [](Real value) -> FieldValue { return [=](const PlaceInSoil&) { return value; }; };
+  const Shansep soil{.S = number(0.23),
+      .m = number(0.9),
+      .pop = number(pop),
+      .ocr = {},
+      .yield_stress = {},
+      .minimum = number(2e3),
+      .water = "",
+      .daily = ""};
+  Case c = column("mpm_gp");
+  c.forces.gravity = {0.0, -9.81};
+  c.materials[0].fields = {{2, by_shansep(soil)}};
+  FieldNeeds& needs = c.materials[0].fields[0].needs;
+  needs.outlines = needs.stress = true;
+  needs.yield_stress = yield_stress_of(soil);
+  return warnings_of(c);
+}
+
+TEST(ScaleWarnings, AYieldStressBeyondWhatTheSectionBearsIsDoubted)
+{
+  EXPECT_THAT(with_pop(15e3), IsEmpty());
+  EXPECT_THAT(with_pop(30e3), IsEmpty());
+  EXPECT_THAT(
+      with_pop(60e3), ElementsAre(told("material.\"clay\"", "the yield stress of `clay` is far above what it bears",
+                          HasSubstr("sigma'_p is on average 60 kPa above sigma'_v of daily water"))));
 }
 
 TEST(ScaleWarnings, AStrengthOffByAThousandDoesNotFitTheStiffness)
