@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 
 #include <cfenv>
+#include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 
@@ -10,6 +11,8 @@ namespace terp {
 
 SharedLibrary::SharedLibrary(const std::string& path)
 {
+  // What code of gfortran writes to the terminal appears at once, also where the program ends within it.
+  setenv("GFORTRAN_UNBUFFERED_PRECONNECTED", "y", 0);
   std::fenv_t environment;  // a library linked with -ffast-math has small numbers flushed to zero
   std::fegetenv(&environment);
   handle_ = dlopen(std::filesystem::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 
 #include <cfenv>
+#include <cstdlib>
 #include <filesystem>
 #include <windows.h>
 
@@ -10,6 +11,7 @@ namespace terp {
 
 SharedLibrary::SharedLibrary(const std::string& path)
 {
+  _putenv("GFORTRAN_UNBUFFERED_PRECONNECTED=y");  // as in shared_library_posix.cpp
   std::fenv_t environment;
   std::fegetenv(&environment);
   handle_ = LoadLibraryW(std::filesystem::absolute(std::filesystem::path(path)).c_str());

@@ -20,8 +20,18 @@ using Variables = std::vector<LawVariables::Variable>;
   throw InputError(Problem{key, what, detail, "library"});
 }
 
+/// Of Abaqus, in cases/user_law/abaqus.f90.
+constexpr std::string_view utility_routines[] = {
+    "rotsig_", "sinv_", "sprinc_", "sprind_", "xit_", "stdb_abqerr_", "getoutdir_", "getjobname_"};
+
 std::string advice_on_opening(const std::string& why)
 {
+  for (const std::string_view routine : utility_routines)
+    if (why.ends_with(fmt::format("undefined symbol: {}", routine)))
+      return fmt::format(
+          "`{}` is a utility routine of Abaqus. Build the library with abaqus.f90, which lies beside the "
+          "example (docs/user_laws.md):\ngfortran -O2 -fPIC -shared LAW.f abaqus.f90 -o LAW.so",
+          routine.substr(0, routine.size() - 1));
   if (why.find("undefined symbol") != std::string::npos)
     return "The library calls a function that it does not contain: give the linker the file or library that has it "
            "(docs/user_laws.md).";

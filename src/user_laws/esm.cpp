@@ -1,5 +1,6 @@
 // ESM, the external soil model of Anura3D, in plane strain: NTENS 4, components 11 22 33 12, engineering shear, tension
-// positive. One call for each point. It has no way to ask for a smaller step, and is not told of rotations.
+// positive; with room for six, as in umat.cpp. One call for each point. It has no way to ask for a smaller step, and is
+// not told of rotations.
 //
 // Laws set their state variables when IStep and TimeStep are 1, which Anura3D has in its very first step. Here a point
 // has it in the first call for its soil, which a row of its own remembers.
@@ -16,7 +17,7 @@ using Esm = void (*)(int* npt, int* noel, int* idset, double* stress, double* eu
     double* dstran, int* nstatev, double* statev, int* naddvar, double* additionalvar, char* cmname, int* nprops,
     double* props, int* numberofphases, int* ntens, std::size_t length_of_cmname);
 
-constexpr int n_tens = 4, n_additional = 12;
+constexpr int n_tens = 4, most_tens = 6, n_additional = 12;
 constexpr std::size_t name_length = 80;
 constexpr Real not_known = std::numeric_limits<Real>::quiet_NaN();
 
@@ -45,7 +46,7 @@ class EsmCalls final : public LawCalls {
  private:
   void call(LawPoints& points, const FencedArrays& arrays, int p) const
   {
-    double stress[n_tens], dstran[n_tens], unloading = 0.0, multiplier = 0.0;
+    double stress[most_tens] = {}, dstran[most_tens] = {}, unloading = 0.0, multiplier = 0.0;
     double *state = arrays.state(), *props = arrays.parameters();
     for (int k = 0; k < n_tens; ++k) stress[k] = points.sigma[k][p];
     for (int k = 0; k < n_tens; ++k) dstran[k] = (k < 3 ? 1.0 : 2.0) * points.d_eps[k][p];

@@ -1,5 +1,6 @@
 // UMAT of Abaqus/Standard in plane strain: NTENS 4, NDI 3, NSHR 1, components 11 22 33 12, engineering shear, tension
-// positive. One call for each point. Where the law answers with PNEWDT < 1 the increment is taken in parts.
+// positive. Its arrays have room for six components, 13 and 23 zero: many laws count to six, whatever NTENS is. One
+// call for each point. Where the law answers with PNEWDT < 1 the increment is taken in parts.
 //
 // DROT is what Terp turned the stress by before the call: with method.objective_rate = "none" the unit tensor. DFGRD0
 // and STRAN are kept for laws that ask for them, and are not a number for others. DDSDDE is not used.
@@ -23,7 +24,7 @@ using Umat = void (*)(double* stress, double* statev, double* ddsdde, double* ss
     double* dfgrd0, double* dfgrd1, int* noel, int* npt, int* layer, int* kspt, int* jstep, int* kinc,
     std::size_t length_of_cmname);
 
-constexpr int n_tens = 4;
+constexpr int n_tens = 4, most_tens = 6;
 constexpr std::size_t name_length = 80;
 constexpr Real not_given = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real least_cut = 0.1;  // of a part by one answer
@@ -125,7 +126,7 @@ class UmatCalls final : public LawCalls {
   {
     const int p = points.at;
     Real done = 0.0, part = 1.0;
-    double stress[n_tens];
+    double stress[most_tens] = {};
     double *state = arrays.state(), *before = points.scratch.data();
     for (int k = 0; k < n_tens; ++k) stress[k] = points.sigma[k][p];
     for (std::size_t k = 0; k < n_state_; ++k) state[k] = points.state[k][p];
@@ -135,6 +136,7 @@ class UmatCalls final : public LawCalls {
       if (is_last) part = 1.0 - done;
       double start[n_tens];
       std::copy_n(stress, n_tens, start);
+      std::fill(stress + n_tens, stress + most_tens, 0.0);
       std::copy_n(state, n_state_, before);
       const Real answer = call(points, arrays, point, done, part, stress);
       if (points.failed) return;
@@ -172,9 +174,9 @@ class UmatCalls final : public LawCalls {
       double* stress) const
   {
     const int p = points.at;
-    double ddsdde[n_tens * n_tens] = {}, ddsddt[n_tens] = {}, drplde[n_tens] = {};
+    double ddsdde[most_tens * most_tens] = {}, ddsddt[most_tens] = {}, drplde[most_tens] = {};
     double sse = 0.0, spd = 0.0, scd = 0.0, rpl = 0.0, drpldt = 0.0, temp = 0.0, dtemp = 0.0, pnewdt = 1.0;
-    double predef[1] = {}, dpred[1] = {}, stran[n_tens], dstran[n_tens];
+    double predef[1] = {}, dpred[1] = {}, stran[most_tens] = {}, dstran[most_tens] = {};
     const double start = points.time + done * points.dt;
     double time[2] = {start, start}, dtime = part * points.dt, celent = points.cell_size[p];
     double coords[3] = {points.x[0][p], points.x[1][p], 0.0};

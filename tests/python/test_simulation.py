@@ -1,5 +1,6 @@
 """A run in memory, driven from Python: the same bits as the program, views, threads, errors."""
 
+import ast
 import concurrent.futures
 import os
 import pathlib
@@ -132,13 +133,24 @@ class SimulationInMemory(unittest.TestCase):
             run = terp.Simulation(self.case.changed({"material.clay.eta": eta}), mesh_of=self.solved)
             run.run()
             return run.field("eps_eq_p")
-        etas = [20, 30, 40, 50]
-        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+        etas = range(20, 60, 2)
+        with concurrent.futures.ThreadPoolExecutor(len(etas)) as pool:
             at_once = list(pool.map(solve, etas))
         for eta, field in zip(etas, at_once):
             np.testing.assert_array_equal(field, solve(eta))
         with self.assertRaisesRegex(terp.CaseError, r"another mesh: mesh.cell \(\[0.25, 0.25\], now \[0.2, 0.2\]\)"):
             terp.Simulation(self.case.changed({"mesh.cell": 0.2}), mesh_of=self.solved)
+
+    def test_the_stubs_have_every_name(self):
+        def named(entries):
+            entries = [e for e in entries if not isinstance(e, (ast.Import, ast.Expr))]
+            return {e.target.id if isinstance(e, ast.AnnAssign) else e.name for e in entries}
+        module = ast.parse((pathlib.Path(terp.__file__).parent / "_core.pyi").read_text())
+        stubs = {"": named(module.body)}
+        stubs |= {c.name: named(c.body) for c in module.body if isinstance(c, ast.ClassDef)}
+        for name, known in stubs.items():
+            there = getattr(_core, name) if name else _core
+            self.assertEqual({n for n in dir(there) if not n.startswith("_")}, known - {"__init__"}, name)
 
     def test_two_threads_cannot_drive_one(self):
         run = terp.Simulation(self.case.changed({"mesh.cell": 0.1}))

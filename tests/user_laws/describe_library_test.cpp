@@ -24,6 +24,14 @@ TEST(Library, ThatIsNoLibraryIsRefused)
       ElementsAre(told("library", "the library cannot be opened", HasSubstr("This is no shared library"))));
 }
 
+TEST(Library, ThatLacksAUtilityRoutineOfAbaqusIsToldWhereItIs)
+{
+  EXPECT_THAT(problems_with({.file = "calls_sinv.so", .interface = LawInterface::umat}),
+      ElementsAre(told("library", "the library cannot be opened",
+          HasSubstr("undefined symbol: sinv_\n`sinv` is a utility routine of Abaqus. Build the library with "
+                    "abaqus.f90"))));
+}
+
 TEST(Library, WithoutTheFunctionIsRefused)
 {
   EXPECT_THAT(problems_with({.file = "wrong_umat.so", .symbol = "umat_clay"}),

@@ -3,7 +3,7 @@
 #include "base/errors.hpp"
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"
-#include "support/laws.hpp"
+#include "support/law_cases.hpp"
 #include "support/process.hpp"
 #include "support/simulations.hpp"
 #include "support/stages.hpp"
@@ -14,67 +14,6 @@
 #include <cfenv>
 
 namespace {
-
-/// PROPS(3) of wrong_umat.c, in its order.
-enum Kind {
-  elastic_law,
-  nan_stress,
-  nan_state,
-  bad_memory,
-  divides,
-  aborts,
-  leaves,
-  never_small,
-  small_parts,
-  overflows,
-  counts,
-  turns,
-  changes_rounding,
-  tenths,
-  nan_answer,
-  beyond_state,
-  beyond_props,
-  reads_props,
-  has_strength,
-  has_size,
-  crashes_in_c
-};
-
-constexpr Real shear = 3.0e6, poisson = 0.3;
-
-MaterialCase of_library(LibraryCase library)
-{
-  MaterialCase material = elastic(shear, poisson, 1900.0);
-  material.model = "library";
-  material.library = std::move(library);
-  material.from_library = load_user_law("soft clay", law_folder(), material.parameters, material.library);
-  return material;
-}
-
-/// A law of wrong_umat.c that goes wrong from a time [s] on, right of x [m].
-MaterialCase wrong_umat(Kind kind, Real time = 0.0, Real x = -100.0, std::size_t n_state = 1, Real limit = 0.0)
-{
-  LibraryCase library{.file = "wrong_umat.so", .interface = LawInterface::umat};
-  for (const Real value : {shear, poisson, Real(kind), time, x, limit}) library.parameters.push_back({"", value});
-  for (std::size_t k = 0; k < n_state; ++k) library.state.push_back({"state_" + std::to_string(k + 1), 0.0});
-  return of_library(library);
-}
-
-/// Soil that falls and hits the ground.
-Case moving_box(const std::string& scheme, const MaterialCase& material)
-{
-  Case c = free_box(scheme, {0.5, 0.0}, {3.5, 1.0}, material);
-  c.bodies[0].velocity = {0.0, -1.0};
-  c.sides = {side("bottom", SideKind::fixed)};
-  return c;
-}
-
-/// What stops the run.
-std::string fault_of(const std::string& scheme, const MaterialCase& material)
-{
-  Simulation s(moving_box(scheme, material), 2);
-  return refusal<RunError>([&] { s.step(20); });
-}
 
 TEST(LibraryMaterial, ThatReturnsNoNumberStopsTheRunAndSaysWhichPoint)
 {
@@ -271,15 +210,6 @@ TEST(LibraryMaterial, WithMoreStateThanCellsTakeFromTheirNeighboursIsRefused)
   EXPECT_EQ(points_by_id(s.state)[0].values[0], 2.0);
 }
 
-/// A box that turns by 0.4 rad/s about (2, 1), with or without a rate that turns its stress.
-Case turning_box(const MaterialCase& soil, bool stress_turns)
-{
-  Case c = free_box("mpm_gp", {1.0, 0.5}, {3.0, 1.5}, soil);
-  c.method.objective_rate = stress_turns ? ObjectiveRate::jaumann : ObjectiveRate::none;
-  c.bodies[0].velocity_at = [](Vec<2> x) -> Vec<2> { return {-0.4 * (x[1] - 1.0), 0.4 * (x[0] - 2.0)}; };
-  return c;
-}
-
 TEST(LibraryMaterial, IsToldOfTheRotationThatItsStressHasMade)
 {
   for (const bool turned : {true, false}) {
@@ -388,7 +318,7 @@ TEST(LawCost, IsThatOfAStepFromTheStateOfTheCase)
     EXPECT_GT(cost.seconds, 0.0);
     return cost.fault;
   };
-  EXPECT_EQ(fault(has_strength, 10.0 * shear * 2e-6), "") << "the strains of its calls do not add up";
+  EXPECT_EQ(fault(breaks_at_stress, 10.0 * shear * 2e-6), "") << "the strains of its calls do not add up";
   EXPECT_EQ(fault(has_size, 0.25), "");
   EXPECT_THAT(fault(has_size, 1.0), HasSubstr("not a number"));
 }

@@ -7,7 +7,7 @@
 
 enum { elastic, nan_stress, nan_state, bad_memory, divides, aborts, leaves, never_small, small_parts, overflows,
        counts, turns, changes_rounding, tenths, nan_answer, beyond_state, beyond_props, reads_props, has_strength,
-       has_size, crashes_in_c, tensorial_shear };
+       has_size, crashes_in_c, tensorial_shear, counts_to_six };
 
 static volatile int zero = 0;
 static int calls = 0;
@@ -25,7 +25,7 @@ void umat_(double* stress, double* statev, double* ddsdde, double* sse, double* 
     int* nstatv, double* props, int* nprops, double* coords, double* drot, double* pnewdt, double* celent,
     double* dfgrd0, double* dfgrd1, int* noel, int* npt, int* layer, int* kspt, int* jstep, int* kinc, size_t length)
 {
-  (void)ddsdde, (void)sse, (void)spd, (void)scd, (void)rpl, (void)ddsddt, (void)drplde, (void)drpldt, (void)stran;
+  (void)sse, (void)spd, (void)scd, (void)rpl, (void)ddsddt, (void)drplde, (void)drpldt, (void)stran;
   (void)temp, (void)dtemp, (void)predef, (void)dpred, (void)cmname, (void)ndi, (void)nshr, (void)ntens;
   (void)dfgrd0, (void)layer, (void)kspt, (void)jstep, (void)kinc, (void)length, (void)noel, (void)npt;
   const double shear = props[0], lame = 2 * props[0] * props[1] / (1 - 2 * props[1]);
@@ -75,15 +75,32 @@ void umat_(double* stress, double* statev, double* ddsdde, double* sse, double* 
     case has_size:
       if (*celent != props[5]) stress[0] = NAN;
       break;
+    case counts_to_six: /* whatever NTENS is, as many laws do */
+      for (int k = 0; k < 36; ++k) ddsdde[k] = 1e9;
+      for (int k = 4; k < 6; ++k) {
+        if (stress[k] != 0 || dstran[k] != 0) stress[0] = NAN;
+        stress[k] = 1e9;
+      }
+      if (props[5] > 0 && *dtime > props[5]) *pnewdt = 0.1;
+      break;
     case crashes_in_c: puts((const char*)(size_t)(8 * zero + 8)); break;
     default: break;
   }
 }
 
-/* An external soil model that takes STATEV for longer than it is. */
+/* An external soil model that takes STATEV for longer than it is; without STATEV an elastic one that counts to six. */
 void esm_(int* npt, int* noel, int* idset, double* stress, double* eunloading, double* plasticmultiplier,
-    double* dstran, int* nstatev, double* statev)
+    double* dstran, int* nstatev, double* statev, int* naddvar, double* additionalvar, char* cmname, int* nprops,
+    double* props)
 {
-  (void)npt, (void)noel, (void)idset, (void)stress, (void)eunloading, (void)plasticmultiplier, (void)dstran;
-  statev[*nstatev] = 1.0;
+  (void)npt, (void)noel, (void)idset, (void)eunloading, (void)plasticmultiplier, (void)naddvar, (void)additionalvar;
+  (void)cmname, (void)nprops;
+  if (*nstatev > 0) {
+    statev[*nstatev] = 1.0;
+    return;
+  }
+  const double lame = 2 * props[0] * props[1] / (1 - 2 * props[1]), volume = dstran[0] + dstran[1] + dstran[2];
+  for (int k = 0; k < 6; ++k) stress[k] += k < 3 ? lame * volume + 2 * props[0] * dstran[k] : props[0] * dstran[k];
+  if (stress[4] != 0 || stress[5] != 0) stress[0] = NAN;
+  stress[5] = 1e9;
 }
