@@ -9,6 +9,7 @@
 #include "output/section_svg.hpp"
 #include "progress.hpp"
 #include "simulation/ground_section.hpp"
+#include "simulation/loads.hpp"
 #include "simulation/output_costs.hpp"
 #include "simulation/setup_warnings.hpp"
 #include "simulation/side_shape.hpp"
@@ -116,11 +117,13 @@ void print_stages(const Model& model, double all_s)
 
 void print_loads(const Model& model, const State& state)
 {
-  for (const Load& load : model.loads) {
+  for (std::size_t k = 0; k < model.loads.size(); ++k) {
+    const Load& load = model.loads[k];
     Index n = 0;
     for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) { n += block.row(load.row)[lane] > 0.0; });
-    fmt::print("  load {:<10}{:.4g} kPa on x = {:g} to {:g} m, {:.4g} kN per m{}\n", printable(load.name),
-        load.pressure / 1e3, load.from, load.to, load.pressure * (load.to - load.from) / 1e3,
+    fmt::print("  load {:<10}{} on x = {:g} to {:g} m, {:.4g} kN per m{}\n", printable(load.name),
+        printable(describe_pressures(model.whole ? *model.whole : model.description, k)), load.from, load.to,
+        load.pressure * (load.to - load.from) / 1e3,
         n > 0 ? fmt::format(", on {} points", n) : fmt::format(", from t = {:g} s on", load.start));
   }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
+#include "points/body_outline.hpp"
 #include "output/svg.hpp"
 
 #include <algorithm>

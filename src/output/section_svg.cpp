@@ -4,14 +4,14 @@
 #include "output/section_svg.hpp"
 
 #include "boundary/conditions.hpp"
-#include "output/section_canvas.hpp"
+#include "output/section_water.hpp"
 #include "output/soil_colours.hpp"
 #include "output/svg.hpp"
+#include "simulation/loads.hpp"
 #include "simulation/overburden.hpp"
 #include "simulation/slip_planes.hpp"
 #include "simulation/setup_points.hpp"
 #include "simulation/side_shape.hpp"
-#include "water/water_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,15 +26,14 @@ constexpr Index most_cells = 40000, most_points = 20000;
 
 constexpr Real weight_of_a_mass = 9.81e-3;  // [kN/kg], as kN/m3 of a case file is read
 constexpr const char *placed_colour = "#1b7f4b", *removed_colour = "#a11d2e";
-constexpr const char *load_colour = "#b4371e", *later_colour = "#2f7ed8", *level_colour = "#0b3d6e";
+constexpr const char* load_colour = "#b4371e";
 constexpr const char *shade_colour = "#c2185b", *line_colour = "#7a0c3a";
 constexpr const char* plane_colours[] = {"#14532d", "#1d4ed8", "#9a3412", "#6d28d9"};  // of other methods, in turn
 
-class SectionDrawing : SectionCanvas {
+class SectionDrawing : SectionWater {
  public:
   SectionDrawing(const Model& model, const State& state, const SectionOverlay& overlay)
-      : SectionCanvas(*model.mesh),
-        model_(model),
+      : SectionWater(model),
         state_(state),
         overlay_(overlay),
         is_result_(!overlay.subtitle.empty()),
@@ -46,8 +45,8 @@ class SectionDrawing : SectionCanvas {
   {
     cells();
     bodies();
-    water();
-    if (!is_result_) later_water();
+    first_water();
+    if (!is_result_) heads_and_later_water();
     shades();
     if (!is_result_) mesh_lines();
     sides();
@@ -146,68 +145,6 @@ class SectionDrawing : SectionCanvas {
     text(px(mean[0]), py(mean[1]) + 4.0, body.name + in("placed", body.placed) + in("removed", body.removed), "middle",
         fmt::format(
             "font-size=\"12\" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"", colour));
-  }
-
-  /// All of the section below the phreatic line of the start.
-  std::string below_water() const
-  {
-    std::vector<Vec<2>> corners{{high_[0], low_[1]}, {low_[0], low_[1]}};
-    const std::vector<Vec<2>>& line = model_.description.water.start.phreatic_line;
-    corners.push_back({low_[0], elevation_at(line, low_[0])});
-    for (const Vec<2>& x : line)
-      if (x[0] > low_[0] && x[0] < high_[0]) corners.push_back(x);
-    corners.push_back({high_[0], elevation_at(line, high_[0])});
-    return ring(corners);
-  }
-
-  /// The phreatic lines of the other situations with their names, and the level that the ground is judged against.
-  void later_water()
-  {
-    const WaterCase& water = model_.description.water;
-    for (const WaterSituation& of : water.situations) {
-      if (of.phreatic_line.empty() || of.phreatic_line == first_water(water).phreatic_line) continue;
-      std::string path = fmt::format("M{:.2f} {:.2f}", px(low_[0]), py(elevation_at(of.phreatic_line, low_[0])));
-      for (const Vec<2>& x : of.phreatic_line)
-        if (x[0] > low_[0] && x[0] < high_[0]) path += fmt::format("L{:.2f} {:.2f}", px(x[0]), py(x[1]));
-      const Real end = elevation_at(of.phreatic_line, high_[0]), begin = elevation_at(of.phreatic_line, low_[0]);
-      put("<path d=\"{}L{:.2f} {:.2f}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" stroke-dasharray=\"3 3\"/>",
-          path, px(high_[0]), py(end), later_colour);
-      text(px(low_[0]) + 6.0, py(begin) - 5.0, of.name.empty() ? fmt::format("t = {:g} s", of.time) : of.name, "start",
-          fmt::format("font-size=\"12\" fill=\"{}\"", later_colour));
-    }
-    if (!model_.flood_level.is_known()) return;
-    const Real y = py(model_.flood_level.value);
-    put("<path d=\"M{:.2f} {:.2f}H{:.2f}\" stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"12 3 2 3\"/>",
-        px(low_[0]), y, px(high_[0]), level_colour);
-    text(px(high_[0]) - 4.0, y - 5.0, fmt::format("level of [flood] {:.4g} m", model_.flood_level.value), "end",
-        fmt::format("font-size=\"12\" fill=\"{}\"", level_colour));
-  }
-
-  /// The phreatic line at t = 0, and free water down to the ground.
-  void water()
-  {
-    const WaterSituation& water = first_water(model_.description.water);
-    if (water.phreatic_line.empty()) return;
-    constexpr int n = 400;  // samples over the width of the mesh
-    const Overburden overburden(model_);
-    std::string free, line;
-    for (int k = 0; k <= n; ++k) {
-      const Real x = low_[0] + (high_[0] - low_[0]) * k / n, y = elevation_at(water.phreatic_line, x);
-      line += fmt::format("{}{:.2f} {:.2f}", k == 0 ? "M" : "L", px(x), py(y));
-      if (const Real ground = std::max(overburden.ground(x).value_or(low_[1]), low_[1]); y > ground)
-        free += fmt::format("M{0:.2f} {1:.2f}V{2:.2f}", px(x), py(y), py(ground));
-    }
-    put("<path d=\"{}\" stroke=\"#5b9bd5\" stroke-opacity=\"0.35\" stroke-width=\"{:.2f}\"/>", free,
-        scale_ * (high_[0] - low_[0]) / n + 0.2);
-    put("<path d=\"{}\" fill=\"none\" stroke=\"#1f5fa8\" stroke-width=\"2\" stroke-dasharray=\"8 4\"/>", line);
-    for (const ReferenceLine& reference : water.reference_lines) {
-      std::string path;
-      for (int k = 0; k <= n; ++k) {
-        const Real x = low_[0] + (high_[0] - low_[0]) * k / n;
-        path += fmt::format("{}{:.2f} {:.2f}", k == 0 ? "M" : "L", px(x), py(elevation_at(reference.places, x)));
-      }
-      put("<path d=\"{}\" fill=\"none\" stroke=\"#1f5fa8\" stroke-width=\"1.2\" stroke-dasharray=\"2 4\"/>", path);
-    }
   }
 
   /// Bodies from files of points have no outline: each point is a disc of its volume.
@@ -325,7 +262,8 @@ class SectionDrawing : SectionCanvas {
   {
     constexpr Real height = 26.0, apart = 16.0;  // [px]
     const Overburden overburden(model_);
-    for (const LoadCase& load : model_.description.loads) {
+    for (std::size_t l = 0; l < model_.description.loads.size(); ++l) {
+      const LoadCase& load = model_.description.loads[l];
       const Real a = px(load.from), b = px(load.to);
       const int n = std::max(1, static_cast<int>((b - a) / apart));
       Real ground = low_[1];
@@ -336,7 +274,8 @@ class SectionDrawing : SectionCanvas {
       for (int k = 0; k <= n; ++k)
         path += fmt::format("M{0:.2f} {1:.2f}v{2:.2f}m-3 -6l3 6l3 -6", a + (b - a) * k / n, foot - height, height);
       put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"/>", path, load_colour);
-      text(0.5 * (a + b), foot - height - 6.0, fmt::format("{}, {:.4g} kPa", load.name, load.pressure / 1e3), "middle",
+      text(0.5 * (a + b), foot - height - 6.0,
+          load.name + ", " + describe_pressures(model_.whole ? *model_.whole : model_.description, l), "middle",
           fmt::format("font-size=\"12\" fill=\"{}\"", load_colour));
     }
   }
@@ -440,19 +379,7 @@ class SectionDrawing : SectionCanvas {
           fmt::format("{}: {}, {:.4g} kg/m³ = {:.4g} kN/m³", soil.name, soil.type->name, soil.density,
               soil.density * weight_of_a_mass));
     }
-    const WaterSituation& water = first_water(model_.description.water);
-    if (!water.phreatic_line.empty())
-      entry("<path d=\"M0 0H24\" stroke=\"#1f5fa8\" stroke-width=\"2\" stroke-dasharray=\"8 4\"/>",
-          overlay_.line.empty() ? "phreatic line at the start" : "phreatic line");
-    if (!water.reference_lines.empty())
-      entry("<path d=\"M0 0H24\" stroke=\"#1f5fa8\" stroke-width=\"1.2\" stroke-dasharray=\"2 4\"/>", "reference line");
-    const auto is_another = [&](const WaterSituation& of) {
-      return !of.phreatic_line.empty() && of.phreatic_line != water.phreatic_line;
-    };
-    if (!is_result_ && std::ranges::any_of(model_.description.water.situations, is_another))
-      entry(fmt::format(
-                "<path d=\"M0 0H24\" stroke=\"{}\" stroke-width=\"1.6\" stroke-dasharray=\"3 3\"/>", later_colour),
-          "phreatic line of another situation");
+    water_legend(!is_result_, entry);
     if (!overlay_.line.empty())
       entry(fmt::format("<path d=\"M0 0H24\" stroke=\"{}\" stroke-width=\"2.4\"/>", line_colour), overlay_.of_line);
     std::size_t k = 0;
@@ -478,7 +405,6 @@ class SectionDrawing : SectionCanvas {
     legend_height_ = y - legend_top_;
   }
 
-  const Model& model_;
   const State& state_;
   const SectionOverlay& overlay_;
   const bool is_result_;                         // the overlay is of one

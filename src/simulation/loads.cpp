@@ -82,6 +82,18 @@ std::vector<Load> make_loads(const Case& description, const Case& before)
   return loads;
 }
 
+std::string describe_pressures(const Case& whole, std::size_t load)
+{
+  Real pressure = whole.stages.empty() ? whole.loads[load].pressure : whole.stages[0].changed->loads[load].pressure;
+  std::string text = fmt::format("{:.4g} kPa", pressure / 1e3);
+  for (const StageCase& stage : whole.stages) {
+    const Real now = stage.changed->loads[load].pressure;
+    if (now != pressure) text += fmt::format(", {:.4g} kPa in `{}`", now / 1e3, stage.name);
+    pressure = now;
+  }
+  return text;
+}
+
 void add_rows_of_loads(std::vector<Load>& loads, RowTable& rows)
 {
   for (std::size_t k = 0; k < loads.size(); ++k)

@@ -15,6 +15,10 @@ namespace terp {
 /// The loads of a stage of a case, with what they were before.
 std::vector<Load> make_loads(const Case& description, const Case& before);
 
+/// Pressure of a load by its number, at the start and in the stages that give it another one: "0 kPa, 13 kPa in
+/// `flood`".
+std::string describe_pressures(const Case& whole, std::size_t load);
+
 /// Gives each load its row of the points.
 void add_rows_of_loads(std::vector<Load>& loads, RowTable& rows);
 

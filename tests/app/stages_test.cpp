@@ -91,7 +91,7 @@ TEST(StagesOfARun, AreListedByCheck)
   EXPECT_THAT(f.out, HasSubstr("  stage settle   t = 0 to at most 10 s, solved in at most "));
   EXPECT_THAT(f.out, HasSubstr("  stage load     t = 10 to 10.5 s, solved in "));
   EXPECT_THAT(f.out, HasSubstr(": load.q.pressure = 5000.0\n"));
-  EXPECT_THAT(f.out, HasSubstr("  load q         0 kPa on x = 1 to 3 m, 0 kN per m, on "));
+  EXPECT_THAT(f.out, HasSubstr("  load q         0 kPa, 5 kPa in `load` on x = 1 to 3 m, 0 kN per m, on "));
 }
 
 TEST(StagesOfARun, GoOnWithinAnyStageWithTheSameBits)

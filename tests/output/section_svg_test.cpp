@@ -2,6 +2,7 @@
 #include "output/section_svg.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
+#include "support/stages.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -38,6 +39,16 @@ TEST(SectionSvg, DrawsLoadsAndTheWaterToCome)
   for (const char* part : {">traffic, 13 kPa</text>", ">high</text>", "phreatic line of another situation",
            ">level of [flood] 1.8 m</text>"})
     EXPECT_THAT(svg, HasSubstr(part));
+}
+
+// An import puts traffic on in a stage: at t = 0 it is 0 kPa.
+TEST(SectionSvg, DrawsALoadWithThePressuresOfTheStages)
+{
+  Case c = column("mpm_gp");
+  c.loads = {{.name = "traffic", .from = 1.0, .to = 3.0, .pressure = 0.0}};
+  c = staged(c, {{stage("daily", 1.0), {}}, {stage("flood", 1.0), [](Case& now) { now.loads[0].pressure = 13e3; }},
+                    {stage("after", 1.0), [](Case& now) { now.loads[0].pressure = 13e3; }}});
+  EXPECT_THAT(drawing_of(c), HasSubstr(">traffic, 0 kPa, 13 kPa in `flood`</text>"));
 }
 
 TEST(SectionSvg, DrawsTheSlipPlanesOfOtherMethods)

@@ -1,0 +1,123 @@
+#include "output/section_water.hpp"
+
+#include "simulation/overburden.hpp"
+#include "water/water_pressure.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr const char *first_colour = "#1f5fa8", *later_colour = "#2f7ed8", *level_colour = "#0b3d6e";
+constexpr const char *head_colour = "#0e7c86", *head_dashes = "10 3 2 3";
+
+bool has_head(const WaterSituation& of, const HeadLine& line)
+{
+  return std::ranges::any_of(
+      of.head_lines, [&](const HeadLine& other) { return other.name == line.name && other.places == line.places; });
+}
+
+std::string sample(const char* colour, Real width, const char* dashes)
+{
+  return fmt::format(
+      "<path d=\"M0 0H24\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\"/>", colour, width, dashes);
+}
+
+std::string name_of(const WaterSituation& of) { return of.name.empty() ? fmt::format("t = {:g} s", of.time) : of.name; }
+
+}  // namespace
+
+/// A line of water from end to end of the mesh.
+std::string SectionWater::over_section(const std::vector<Vec<2>>& line) const
+{
+  std::string path = fmt::format("M{:.2f} {:.2f}", px(low_[0]), py(elevation_at(line, low_[0])));
+  for (const Vec<2>& x : line)
+    if (x[0] > low_[0] && x[0] < high_[0]) path += fmt::format("L{:.2f} {:.2f}", px(x[0]), py(x[1]));
+  return path + fmt::format("L{:.2f} {:.2f}", px(high_[0]), py(elevation_at(line, high_[0])));
+}
+
+std::string SectionWater::below_water() const
+{
+  return over_section(model_.description.water.start.phreatic_line) +
+         fmt::format("V{:.2f}H{:.2f}Z", py(low_[1]), px(low_[0]));
+}
+
+void SectionWater::first_water()
+{
+  const WaterSituation& water = terp::first_water(model_.description.water);
+  if (water.phreatic_line.empty()) return;
+  constexpr int n = 400;  // samples over the width of the mesh
+  const Overburden overburden(model_);
+  std::string free;
+  for (int k = 0; k <= n; ++k) {
+    const Real x = low_[0] + (high_[0] - low_[0]) * k / n, y = elevation_at(water.phreatic_line, x);
+    if (const Real ground = std::max(overburden.ground(x).value_or(low_[1]), low_[1]); y > ground)
+      free += fmt::format("M{0:.2f} {1:.2f}V{2:.2f}", px(x), py(y), py(ground));
+  }
+  put("<path d=\"{}\" stroke=\"#5b9bd5\" stroke-opacity=\"0.35\" stroke-width=\"{:.2f}\"/>", free,
+      scale_ * (high_[0] - low_[0]) / n + 0.2);
+  put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-dasharray=\"8 4\"/>",
+      over_section(water.phreatic_line), first_colour);
+  for (const ReferenceLine& reference : water.reference_lines)
+    put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"2 4\"/>",
+        over_section(reference.places), first_colour);
+}
+
+/// Each head with its name: those at t = 0 named at the right end, those of another situation at the left.
+void SectionWater::heads(const WaterSituation& of, bool is_first)
+{
+  constexpr Real least = 72.0;  // below the title [px]
+  for (const HeadLine& line : of.head_lines) {
+    if (!is_first && has_head(terp::first_water(model_.description.water), line)) continue;
+    put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\"/>",
+        over_section(line.places), head_colour, is_first ? 1.8 : 1.2, head_dashes);
+    const Real x = is_first ? high_[0] : low_[0];
+    const std::string words = "head `" + line.name + (is_first ? "`" : "`, " + name_of(of));
+    text(px(x) + (is_first ? -4.0 : 6.0), std::max(py(elevation_at(line.places, x)) - 5.0, least), words,
+        is_first ? "end" : "start",
+        fmt::format(
+            "font-size=\"12\" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"", head_colour));
+  }
+}
+
+void SectionWater::heads_and_later_water()
+{
+  const WaterCase& water = model_.description.water;
+  heads(terp::first_water(water), true);
+  for (const WaterSituation& of : water.situations) {
+    heads(of, false);
+    if (of.phreatic_line.empty() || of.phreatic_line == terp::first_water(water).phreatic_line) continue;
+    put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" stroke-dasharray=\"3 3\"/>",
+        over_section(of.phreatic_line), later_colour);
+    text(px(low_[0]) + 6.0, py(elevation_at(of.phreatic_line, low_[0])) - 5.0, name_of(of), "start",
+        fmt::format("font-size=\"12\" fill=\"{}\"", later_colour));
+  }
+  if (!model_.flood_level.is_known()) return;
+  const Real y = py(model_.flood_level.value);
+  put("<path d=\"M{:.2f} {:.2f}H{:.2f}\" stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"12 3 2 3\"/>",
+      px(low_[0]), y, px(high_[0]), level_colour);
+  text(px(high_[0]) - 4.0, y - 5.0, fmt::format("level of [flood] {:.4g} m", model_.flood_level.value), "end",
+      fmt::format("font-size=\"12\" fill=\"{}\"", level_colour));
+}
+
+void SectionWater::water_legend(
+    bool heads_and_later, const std::function<void(const std::string&, const std::string&)>& entry) const
+{
+  const WaterCase& all = model_.description.water;
+  const WaterSituation& water = terp::first_water(all);
+  if (!water.phreatic_line.empty())
+    entry(sample(first_colour, 2.0, "8 4"), heads_and_later ? "phreatic line at the start" : "phreatic line");
+  if (!water.reference_lines.empty()) entry(sample(first_colour, 1.2, "2 4"), "reference line");
+  if (!heads_and_later) return;
+  const auto has_heads = [](const WaterSituation& of) { return !of.head_lines.empty(); };
+  if (has_heads(water) || std::ranges::any_of(all.situations, has_heads))
+    entry(sample(head_colour, 1.8, head_dashes), "head of a layer");
+  const auto is_another = [&](const WaterSituation& of) {
+    return !of.phreatic_line.empty() && of.phreatic_line != water.phreatic_line;
+  };
+  if (std::ranges::any_of(all.situations, is_another))
+    entry(sample(later_colour, 1.6, "3 3"), "phreatic line of another situation");
+}
+
+}  // namespace terp

@@ -1,0 +1,34 @@
+// The water of a case on the drawing of its section: phreatic lines, free water, heads, reference lines.
+// Not for: bodies, sides, legend of the soils (section_svg.cpp).
+#pragma once
+
+#include "output/section_canvas.hpp"
+#include "simulation/model.hpp"
+
+#include <functional>
+
+namespace terp {
+
+class SectionWater : protected SectionCanvas {
+ public:
+  explicit SectionWater(const Model& model) : SectionCanvas(*model.mesh), model_(model) {}
+
+ protected:
+  /// Draws the phreatic line at t = 0, free water down to the ground, and reference lines.
+  void first_water();
+  /// Draws the heads of the layers at t = 0, the lines of the other situations, and the level of [flood].
+  void heads_and_later_water();
+  /// All of the section below the phreatic line of the start, as a path.
+  std::string below_water() const;
+  /// Calls entry(sample, words) for each kind of line that is drawn; heads_and_later: these too.
+  void water_legend(
+      bool heads_and_later, const std::function<void(const std::string&, const std::string&)>& entry) const;
+
+  const Model& model_;
+
+ private:
+  std::string over_section(const std::vector<Vec<2>>& line) const;
+  void heads(const WaterSituation& of, bool is_first);
+};
+
+}  // namespace terp

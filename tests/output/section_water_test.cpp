@@ -1,0 +1,57 @@
+// The water on the drawing of a section, by what it names.
+#include "output/section_svg.hpp"
+#include "simulation/setup.hpp"
+#include "support/cases.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+std::string drawing_of(const Case& c, const SectionOverlay& overlay = {})
+{
+  Model model = build_model(c, 1);
+  const State state = build_state(model);
+  return draw_section(model, state, overlay);
+}
+
+std::size_t count_of(const std::string& text, const std::string& part)
+{
+  std::size_t n = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++n;
+  return n;
+}
+
+/// Water at 1 m over an aquifer whose head a flood raises; the head of a second layer stays.
+Case two_layers()
+{
+  Case c = column("mpm_gp");
+  WaterSituation& first = c.water.start;
+  first.phreatic_line = {{0.0, 1.0}};
+  first.head_lines = {{"sand", {{0.0, 1.2}}}, {"gravel", {{0.0, 1.5}}}};
+  first.reference_lines = {{{{0.0, 0.5}}, "sand", "sand"}, {{{0.0, 0.25}}, "gravel", "gravel"}};
+  c.water.situations = {first};
+  c.water.situations[0].name = "flood";
+  c.water.situations[0].head_lines[0].places = {{0.0, 1.9}, {8.0, 1.4}};
+  return c;
+}
+
+TEST(SectionWater, NamesTheHeadsOfTheStartAndThoseThatAFloodChanges)
+{
+  const std::string svg = drawing_of(two_layers());
+  EXPECT_EQ(count_of(svg, ">head `sand`</text>"), 1u);
+  EXPECT_EQ(count_of(svg, ">head `gravel`</text>"), 1u);
+  EXPECT_EQ(count_of(svg, ">head `sand`, flood</text>"), 1u);
+  EXPECT_EQ(count_of(svg, ">head `gravel`, flood</text>"), 0u) << "it is that of the start";
+  EXPECT_EQ(count_of(svg, "stroke-dasharray=\"10 3 2 3\""), 4u) << "three lines, and the sample of the legend";
+  EXPECT_THAT(svg, AllOf(HasSubstr("head of a layer"), HasSubstr(">reference line</text>")));
+}
+
+TEST(SectionWater, ShowsWithAResultOnlyWhatHoldsThen)
+{
+  SectionOverlay overlay;
+  overlay.subtitle = "at failure";
+  const std::string svg = drawing_of(two_layers(), overlay);
+  EXPECT_THAT(svg, Not(HasSubstr("head")));
+  EXPECT_THAT(svg, HasSubstr(">phreatic line</text>"));
+}
+
+}  // namespace
