@@ -19,16 +19,12 @@ NodalWater::NodalWater(const Model& model)
       knots_(knots_of(model.description.water)),
       gravity_(-model.gravity[1])
 {
-  const Overburden overburden(model);
-  const bool has_weight = overburden.is_known() && std::min(model.gravity[1], model.gravity_before[1]) < 0.0;
-  for (Vec<2> x : mesh_->nodes) {
-    // A vertical line along the right end of a body crosses no side: just left of it, it does.
-    if (!overburden.ground(x[0])) x[0] -= round_off * mesh_->smallest_altitude;
-    const Real ground = overburden.ground(x[0]).value_or(-infinity);
-    ground_.push_back(ground);
-    const bool below = has_weight && x[1] <= ground + round_off * mesh_->smallest_altitude;
-    mass_above_.push_back(below ? overburden.mass_above(x) : infinity);
-  }
+  const bool has_weight = std::min(model.gravity[1], model.gravity_before[1]) < 0.0;
+  sections_[0] = section_of(Overburden(model), has_weight);
+  const auto changes = [now = model.stage.number + 1](
+                           const BodyCase& body) { return body.placed == now || body.removed == now; };
+  if (std::ranges::any_of(model.description.bodies, changes))
+    sections_[1] = section_of(Overburden::before_stage(model), has_weight);
   for (std::size_t k = 0; k <= water_.situations.size(); ++k) fields_.push_back(field_of(situation_of(water_, k), 0.0));
   for (const Load& load : model.loads) {
     stretches_.push_back({load.from, load.to});
@@ -36,10 +32,24 @@ NodalWater::NodalWater(const Model& model)
   }
 }
 
-Real NodalWater::weight_above(std::size_t node, Real gravity, std::span<const Real> loads) const
+NodalWater::Section NodalWater::section_of(const Overburden& overburden, bool has_weight) const
 {
-  if (mass_above_[node] == infinity) return infinity;
-  Real weight = gravity * mass_above_[node];
+  Section section;
+  for (Vec<2> x : mesh_->nodes) {
+    // A vertical line along the right end of a body crosses no side: just left of it, it does.
+    if (!overburden.ground(x[0])) x[0] -= round_off * mesh_->smallest_altitude;
+    const Real ground = overburden.ground(x[0]).value_or(-infinity);
+    section.ground.push_back(ground);
+    const bool below = has_weight && overburden.is_known() && x[1] <= ground + round_off * mesh_->smallest_altitude;
+    section.mass_above.push_back(below ? overburden.mass_above(x) : infinity);
+  }
+  return section;
+}
+
+Real NodalWater::weight_above(const Section& section, std::size_t node, Real gravity, std::span<const Real> loads) const
+{
+  if (section.mass_above[node] == infinity) return infinity;
+  Real weight = gravity * section.mass_above[node];
   const Real x = mesh_->nodes[node][0];
   for (std::size_t k = 0; k < loads.size(); ++k)
     if (x >= stretches_[k].from && x <= stretches_[k].to) weight += loads[k];
@@ -52,14 +62,16 @@ NodalWater::Field NodalWater::field_of(const WaterSituation& situation, Real tim
   for (std::size_t i = 0; i < mesh_->nodes.size(); ++i) {
     const Vec<2>& x = mesh_->nodes[i];
     field.at_node.push_back(unlimited_pressure(water_, situation, x, time));
-    field.at_ground.push_back(mass_above_[i] == infinity
-                                  ? 0.0
-                                  : unlimited_pressure(water_, situation, {x[0], std::max(ground_[i], x[1])}, time));
+    for (std::size_t k = 0; k < sections_.size() && !sections_[k].ground.empty(); ++k) {
+      const Vec<2> surface{x[0], std::max(sections_[k].ground[i], x[1])};
+      const bool has_limit = sections_[k].mass_above[i] != infinity;
+      field.at_ground[k].push_back(has_limit ? unlimited_pressure(water_, situation, surface, time) : 0.0);
+    }
   }
   return field;
 }
 
-void NodalWater::set(const WaterMoment& moment, std::span<const Real> loads, PorePressure& pore) const
+void NodalWater::set(const WaterMoment& moment, std::span<const Real> loads, Real bodies, PorePressure& pore) const
 {
   const auto now = [&](std::size_t number) {
     const WaterSituation& of = situation_of(water_, number);
@@ -72,10 +84,19 @@ void NodalWater::set(const WaterMoment& moment, std::span<const Real> loads, Por
   pore.pressure.resize(n);
   pore.suction.resize(water_.suction > 0.0 ? n : 0);
   const auto between = [share = moment.way.share](Real a, Real b) { return a + share * (b - a); };
+  const auto limit = [&](std::size_t k, std::size_t i) {
+    const Real free_water = std::max(between(from.at_ground[k][i], to.at_ground[k][i]), 0.0);
+    return weight_above(sections_[k], i, moment.gravity, loads) + free_water;
+  };
+  const bool changes = !sections_[1].ground.empty() && bodies < 1.0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Real pressure = between(from.at_node[i], to.at_node[i]);
-    const Real free_water = std::max(between(from.at_ground[i], to.at_ground[i]), 0.0);
-    pore.pressure[i] = std::clamp(pressure, 0.0, weight_above(i, moment.gravity, loads) + free_water);
+    const Real pressure = between(from.at_node[i], to.at_node[i]), free = std::max(pressure, 0.0);
+    Real most = limit(0, i);
+    // The total stress runs from that of one section to that of the other, as bodies that come or go carry their weight
+    // under water by and by (decision 0051). Above the ground the water has no limit.
+    if (const Real before = changes ? limit(1, i) : most; changes)
+      most = std::lerp(before == infinity ? free : before, most == infinity ? free : most, bodies);
+    pore.pressure[i] = std::clamp(pressure, 0.0, most);
     if (!pore.suction.empty()) pore.suction[i] = std::clamp(-pressure, 0.0, water_.suction);
   }
 }
@@ -87,8 +108,8 @@ CappedWater NodalWater::find_capped(std::span<const Index> nodes) const
   std::vector<bool> is_cut(mesh_->nodes.size(), false);
   for (std::size_t k = 0; k < fields_.size(); ++k)
     for (const Index i : nodes) {
-      const Real free_water = std::max(fields_[k].at_ground[i], 0.0),
-                 most = weight_above(i, gravity_, first_loads_) + free_water;
+      const Real free_water = std::max(fields_[k].at_ground[0][i], 0.0),
+                 most = weight_above(sections_[0], i, gravity_, first_loads_) + free_water;
       const Real cut = fields_[k].at_node[i] - most;
       if (!(cut > negligible)) continue;
       is_cut[i] = true;
@@ -111,12 +132,13 @@ WaterWay water_way(const Model& model, Real time, Real share_of_stage)
   return model.water ? model.water->way_at(time) : WaterWay{};
 }
 
-WaterMoment water_moment(const Model& model, const WaterWay& way, Real time, Real gravity)
+WaterMoment water_moment(const Model& model, const WaterWay& way, Real time, Real gravity, Real bodies)
 {
   const auto changes = [&](std::size_t number) {
     return situation_of(model.description.water, number).formula_changes;
   };
-  return {way, changes(way.from) || changes(way.to) ? time : 0.0, gravity};
+  const bool comes_or_goes = model.held_row >= 0 && bodies < 1.0;
+  return {way, comes_or_goes || changes(way.from) || changes(way.to) ? time : 0.0, gravity};
 }
 
 PorePressure water_at(const Model& model, Real time)
@@ -124,8 +146,9 @@ PorePressure water_at(const Model& model, Real time)
   std::vector<Real> loads;
   for (const Load& load : model.loads) loads.push_back(model.pressure_of(load, time));
   PorePressure pore;
-  const WaterWay way = water_way(model, time, model.ramp.share_at(time));
-  model.water->set(water_moment(model, way, time, -model.gravity_at(time)[1]), loads, pore);
+  const Real share = model.ramp.share_at(time);
+  const WaterWay way = water_way(model, time, share);
+  model.water->set(water_moment(model, way, time, -model.gravity_at(time)[1], share), loads, share, pore);
   return pore;
 }
 

@@ -7,6 +7,9 @@
 #include "simulation/workspace.hpp"
 #include "water/water_pressure.hpp"
 
+#include <array>
+#include <span>
+
 namespace terp {
 
 /// Where the water had to be cut to the weight above it.
@@ -22,8 +25,9 @@ class NodalWater {
   /// Of a model whose mesh, materials, gravity, loads and ramp are set.
   explicit NodalWater(const Model& model);
 
-  /// Sets the pressures of a moment, cut to the weight that then lies above. loads: pressure of each [Pa].
-  void set(const WaterMoment& moment, std::span<const Real> loads, PorePressure& pore) const;
+  /// Sets the pressures of a moment, cut to the weight that then lies above. loads: pressure of each [Pa]; bodies:
+  /// share of the weight that those have which the stage places, and those lack which it digs away.
+  void set(const WaterMoment& moment, std::span<const Real> loads, Real bodies, PorePressure& pore) const;
 
   /// By the times of the situations.
   WaterWay way_at(Real time) const { return terp::way_at(knots_, time); }
@@ -37,7 +41,8 @@ class NodalWater {
  private:
   /// Unlimited pressures of a situation [Pa], shape [n_nodes].
   struct Field {
-    std::vector<Real> at_node, at_ground;  // at_ground: at the surface of the soil above the node
+    std::vector<Real> at_node;
+    std::array<std::vector<Real>, 2> at_ground;  // at the surface of the soil above the node, of both sections
   };
 
   /// The part of the surface that a load stands on.
@@ -45,16 +50,23 @@ class NodalWater {
     Real from, to;  // [m]
   };
 
+  /// What lies above each node, shape [n_nodes].
+  struct Section {
+    std::vector<Real> ground;      // elevation above or below the node [m]; -infinity: no soil
+    std::vector<Real> mass_above;  // per area [kg/m^2]; infinite at nodes above the ground: no limit
+  };
+
+  Section section_of(const Overburden& overburden, bool has_weight) const;
   Field field_of(const WaterSituation& situation, Real time) const;
   /// Weight per area of soil and loads above a node [Pa]; infinite above the ground: no limit.
-  Real weight_above(std::size_t node, Real gravity, std::span<const Real> loads) const;
+  Real weight_above(const Section& section, std::size_t node, Real gravity, std::span<const Real> loads) const;
 
   const WaterCase water_;
   SharedMesh mesh_;
   std::vector<WaterKnot> knots_;
-  std::vector<Real> ground_;      // elevation above or below each node [m]; -infinity: no soil
-  std::vector<Real> mass_above_;  // per area [kg/m^2]; infinite at nodes above the ground: no limit
-  std::vector<Field> fields_;     // by number of the situation, at t = 0
+  std::array<Section, 2> sections_;  // with the bodies that the stage places, without those that it digs away; and the
+                                     // other way round, empty where no body comes or goes
+  std::vector<Field> fields_;        // by number of the situation, at t = 0
   std::vector<Stretch> stretches_;
   std::vector<Real> first_loads_;  // pressures at t = 0 [Pa]
   Real gravity_;                   // in full, downwards [m/s^2]
@@ -63,8 +75,8 @@ class NodalWater {
 /// Way of the water of a model: of its stage, where one has said, or of the times of the situations [s].
 WaterWay water_way(const Model& model, Real time, Real share_of_stage);
 
-/// The moment of a time [s]. gravity: downwards [m/s^2].
-WaterMoment water_moment(const Model& model, const WaterWay& way, Real time, Real gravity);
+/// The moment of a time [s]. gravity: downwards [m/s^2]; bodies: share of the weight of those that come or go.
+WaterMoment water_moment(const Model& model, const WaterWay& way, Real time, Real gravity, Real bodies);
 
 /// Water of a model that has water, at a time of its stage [s].
 PorePressure water_at(const Model& model, Real time);

@@ -16,7 +16,20 @@ struct Crossing {
 
 }  // namespace
 
-Overburden::Overburden(const Model& model, Real gravity) : water_(model.description.water), gravity_(gravity)
+Overburden::Overburden(const Model& model, Real gravity)
+    : Overburden(model, gravity, [](const BodyCase& body) { return body.is_there; })
+{
+}
+
+Overburden Overburden::before_stage(const Model& model)
+{
+  const StageNumber now = model.stage.number + 1;
+  return Overburden(model, -model.gravity[1],
+      [now](const BodyCase& body) { return body.removed == now || (body.is_there && body.placed != now); });
+}
+
+Overburden::Overburden(const Model& model, Real gravity, const IsThere& is_there)
+    : water_(model.description.water), gravity_(gravity)
 {
   for (const Load& load : model.loads)
     if (load.is_permanent()) loads_.push_back({load.from, load.to, model.pressure_of(load, 0.0)});
@@ -24,7 +37,7 @@ Overburden::Overburden(const Model& model, Real gravity) : water_(model.descript
   std::size_t k = 0;
   for (const BodyCase& body : model.description.bodies) {
     const bool has_outline = body.points_file.empty();
-    if (!body.is_there) {
+    if (!is_there(body)) {
       k += has_outline;
       continue;
     }

@@ -7,6 +7,7 @@
 #include "points/body_outline.hpp"
 #include "simulation/model.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace terp {
@@ -18,6 +19,8 @@ class Overburden {
   explicit Overburden(const Model& model) : Overburden(model, -model.gravity[1]) {}
   /// The same with another gravity, downwards [m/s^2].
   Overburden(const Model& model, Real gravity);
+  /// Of the bodies that were there before the stage of the model placed some or dug some away.
+  static Overburden before_stage(const Model& model);
 
   /// False where a body came as a file of points, which has no outline: then its weight is not in the numbers below.
   bool is_known() const { return is_known_; }
@@ -40,6 +43,9 @@ class Overburden {
   Real effective(Vec<2> x, const WaterSituation& situation, Real time = 0.0) const;
 
  private:
+  using IsThere = std::function<bool(const BodyCase&)>;
+  Overburden(const Model& model, Real gravity, const IsThere& is_there);
+
   /// The outline of a body as loose sides, and its density below and above the phreatic line of the start.
   struct DrawnBody {
     std::vector<Side> sides;

@@ -53,10 +53,11 @@ void for_each_node(Workspace& work, F&& f)
 /// of these changes.
 void set_water(const Model& model, const State& state, Workspace& work)
 {
-  const WaterWay way = water_way(model, state.time, model.ramp.share_at(state.time + 0.5 * model.dt));
-  const WaterMoment moment = water_moment(model, way, state.time, -work.gravity[1]);
+  const Real share = model.ramp.share_at(state.time + 0.5 * model.dt);
+  const WaterWay way = water_way(model, state.time, share);
+  const WaterMoment moment = water_moment(model, way, state.time, -work.gravity[1], share);
   if (moment == work.water_moment && work.load_pressure == work.water_loads) return;
-  model.water->set(moment, work.load_pressure, work.pore);
+  model.water->set(moment, work.load_pressure, share, work.pore);
   work.water_moment = moment;
   work.water_loads = work.load_pressure;
 }

@@ -4,6 +4,7 @@
 #include "base/errors.hpp"
 #include "simulation/frame.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/nodal_water.hpp"
 #include "simulation/other_run.hpp"
 #include "simulation/overburden.hpp"
 #include "simulation/setup.hpp"
@@ -71,6 +72,39 @@ TEST(PlacedBodies, GiveTheirWeightToTheGroundAndTakeItAwayAgain)
     EXPECT_LT(std::abs(row["numerical"]), 0.02 * energy_exchanged(s.state));
     EXPECT_EQ(s.state.n_ids(), n);
   }
+}
+
+// Water that stands 0.25 m over the ground, inside the fill; an aquifer that would lift the ground.
+TEST(PlacedBodies, HoldDownTheWaterByTheWeightThatTheyHaveSoFar)
+{
+  constexpr Real ramp = 1.0, of_water = 10e3;  // [s], [N/m^3]
+  Case c = settling();
+  c.materials.push_back(elastic(1e6, 0.3, of_fill));
+  c.materials[0].name = "ground", c.materials[1].name = "fill";
+  c.bodies[0].material = "ground";
+  c.water.unit_weight = of_water;
+  c.water.start.phreatic_line = {{0.0, 1.25}};
+  c.water.start.head_lines = {{"aquifer", {{0.0, 30.0}}}};
+  c.water.start.reference_lines = {{{{0.0, 0.6}}, "aquifer", "aquifer"}};
+  Simulation s(with_fill(c, body("fill", {0.0, 1.0}, {4.0, 1.5}), ramp));
+  const auto limit = [&](Real after) {  // of the present stage, at 0.5 m below the ground
+    const PorePressure pore = water_at(s.model, s.model.ramp.start + after);
+    for (Index i = 0; i < s.model.mesh->n_nodes(); ++i)
+      if (const Vec<2> x = s.model.mesh->nodes[i]; std::hypot(x[0] - 2.0, x[1] - 0.5) < 1e-9) return pore.pressure[i];
+    return std::nan("");
+  };
+  const Real without = of_ground * g * 0.5 + of_water * 0.25, with = of_ground * g * 0.5 + of_fill * g * 0.5;
+  EXPECT_NEAR(limit(0.0), without, 1e-9);
+  run_stages(s, 1);
+  s.step(1);
+  EXPECT_NEAR(limit(0.0), without, 1e-9);
+  EXPECT_NEAR(limit(0.25 * ramp), 0.75 * without + 0.25 * with, 1e-9);
+  EXPECT_NEAR(limit(ramp), with, 1e-9);
+  run_stages(s, 2);
+  s.step(1);
+  EXPECT_NEAR(limit(0.0), with, 1e-9);
+  EXPECT_NEAR(limit(0.25 * ramp), 0.75 * with + 0.25 * without, 1e-9);
+  EXPECT_NEAR(limit(ramp), without, 1e-9);
 }
 
 // Without the force that holds its weight the body would begin to fall with g.
