@@ -91,6 +91,13 @@ std::string name_of_case(const std::string& case_path)
   return folder.empty() ? name : folder;
 }
 
+/// A warning of what nothing uses: beside an error it mostly follows from it.
+bool is_of_no_use(const Problem& warning)
+{
+  return warning.what.find("has no effect") != std::string::npos || warning.what.starts_with("no body uses") ||
+         warning.what.starts_with("no reference line uses");
+}
+
 }  // namespace
 
 std::string default_run_folder(const std::string& case_path)
@@ -120,6 +127,7 @@ CaseFile read_case_text(const std::string& text, const std::string& path, const 
   check_case(file.source.root, file.values, findings);
   file.notes = findings.notes;
   if (findings.problems.empty()) read_stages(file.source, file.values, findings.warnings);
+  if (!findings.problems.empty()) std::erase_if(findings.warnings, is_of_no_use);
   file.warnings = findings.warnings;  // shown with errors too: a wrong unit is often what an error comes from
   if (!findings.problems.empty()) throw CaseError(render_warnings(file) + render(findings.problems, file));
   turn_counter_clockwise(file.values.mesh);  // not before: messages speak of the edges as the user counts them

@@ -39,6 +39,10 @@ void check_heads(const WaterSituation& situation, const std::string& path, const
   const Node* own_heads = given != nullptr ? find_item(*given, "head_lines") : nullptr;
   std::vector<std::string> names{std::string(phreatic_head)};
   for (const HeadLine& line : situation.head_lines) names.push_back(line.name);
+  const auto is_unknown_key = [&](const Problem& problem) {  // it may be the table of heads, misspelt
+    return problem.key.starts_with(path + '.') && problem.what.starts_with("unknown key");
+  };
+  if (std::ranges::any_of(findings.problems, is_unknown_key)) return;
   const auto& lines = situation.reference_lines;
   for (std::size_t k = 0; own_lines && k < lines.size(); ++k) {
     const std::string here = fmt::format("{}.reference_lines[{}]", path, k);

@@ -266,6 +266,8 @@ std::optional<Problem> set_one(
       return Problem{where, fmt::format("there is no entry `{}`", part), describe_holder(*node, path, part), ""};
     path = index_of(part) && node->kind == NodeKind::list ? fmt::format("{}[{}]", path, *index_of(part))
                                                           : join_path(path, part);
+    if (next->key.line == 0 && next->value.line == 0)  // new: messages about it point at what sets it
+      next->key = value.key, next->value = value.value;
     node = next;
   }
   const std::string name = node->name;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace terp {
 namespace {
@@ -130,11 +131,17 @@ std::string note_on_default(const Problem& problem)
   return fmt::format("`{}` is not given; its default is {}.", problem.key, key->default_text);
 }
 
-std::string render_one(const std::string& word, const Problem& problem, const Document& document)
+/// same: problems that say the same of several places.
+std::string render_one(const std::string& word, std::span<const Problem> same, const Document& document)
 {
+  const Problem& problem = same.front();
   const Spot spot = find_spot(problem, document);
   std::string out = fmt::format("{}: {}: {}\n", word, location(document.path, spot), problem.what);
   if (spot.override_text.empty() && spot.place.line > 0) out += frame(document.text, spot.place);
+  std::string elsewhere;
+  for (const Problem& other : same.subspan(1))
+    elsewhere += (elsewhere.empty() ? "The same at " : ", ") + location(document.path, find_spot(other, document));
+  if (!elsewhere.empty()) out += indented(elsewhere);
   if (!problem.detail.empty()) out += indented(problem.detail);
   if (!spot.exact && !note_on_default(problem).empty()) out += indented(note_on_default(problem));
   if (!problem.topic.empty()) out += indented("More: terp explain " + problem.topic);
@@ -151,12 +158,31 @@ std::vector<Problem> in_file_order(std::vector<Problem> problems, const Document
   return problems;
 }
 
+/// Problems that say the same of several places of the file, together at the first of them.
+std::vector<std::vector<Problem>> grouped(const std::vector<Problem>& problems, const Document& document)
+{
+  std::vector<std::vector<Problem>> groups;
+  for (const Problem& problem : problems) {
+    const bool has_place = find_spot(problem, document).place.line > 0;
+    const auto is_same = [&](const std::vector<Problem>& group) {
+      const Problem& first = group.front();
+      return has_place && !problem.detail.empty() && first.what == problem.what && first.detail == problem.detail;
+    };
+    const auto group = std::ranges::find_if(groups, is_same);
+    if (group == groups.end())
+      groups.push_back({problem});
+    else
+      group->push_back(problem);
+  }
+  return groups;
+}
+
 std::string render_all(const std::string& word, const std::vector<Problem>& problems, const Document& document)
 {
   std::string out;
-  const auto ordered = in_file_order(problems, document);
-  for (std::size_t k = 0; k < std::min(ordered.size(), max_shown); ++k) out += render_one(word, ordered[k], document);
-  if (ordered.size() > max_shown) out += fmt::format("and {} more\n\n", ordered.size() - max_shown);
+  const auto groups = grouped(in_file_order(problems, document), document);
+  for (std::size_t k = 0; k < std::min(groups.size(), max_shown); ++k) out += render_one(word, groups[k], document);
+  if (groups.size() > max_shown) out += fmt::format("and {} more\n\n", groups.size() - max_shown);
   return out;
 }
 
@@ -164,8 +190,9 @@ std::string render_all(const std::string& word, const std::vector<Problem>& prob
 
 std::string render_errors(const std::vector<Problem>& problems, const Document& document)
 {
-  const char* const noun = problems.size() == 1 ? "error" : "errors";
-  return render_all("error", problems, document) + fmt::format("{} {}; nothing was run.\n", problems.size(), noun);
+  const std::size_t n = grouped(problems, document).size();
+  return render_all("error", problems, document) +
+         fmt::format("{} {}; nothing was run.\n", n, n == 1 ? "error" : "errors");
 }
 
 std::string render_warnings(const std::vector<Problem>& warnings, const Document& document, const std::string& run)

@@ -162,4 +162,15 @@ TEST(CaseFile, AnEmptyFileLacksTheRequiredSections)
   EXPECT_THAT(seen, HasSubstr("4 errors; nothing was run."));
 }
 
+// It follows from the error, and goes with it.
+TEST(CaseFile, BesideAnErrorNothingIsSaidOfWhatIsNotUsed)
+{
+  const std::string water = "[water]\nphreatic_line = [[0, 2]]\nhead_lines = { aquifr = [[0, 3]] }\n";
+  const std::string line = "reference_lines = [{ line = [[0, 1]], head = \"aquifer\" }]\n";
+  EXPECT_THAT(refusal<CaseError>([&] { read_case_text(small_case + water + line, "case.toml"); }),
+      AllOf(StartsWith("error: "), HasSubstr("there is no head line `aquifer`")));
+  const CaseFile without_error = read_case_text(small_case + water, "case.toml");
+  EXPECT_THAT(render_warnings(without_error), HasSubstr("no reference line uses the head line `aquifr`"));
+}
+
 }  // namespace

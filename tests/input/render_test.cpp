@@ -29,6 +29,18 @@ TEST(Render, PointsAtTheKeyWhenAsked)
       HasSubstr("case.toml:16:1: w\n\n   16 | eta = 50.0\n      | ^^^\n"));
 }
 
+// A name that is wrong in one place is missed in many.
+TEST(Render, SaysOnceWhatHoldsOfSeveralPlaces)
+{
+  const Problem first{"body[0].box", "there is no water `flood`", "Water of this case: start", ""};
+  Problem same = first, another = first;
+  same.key = "material.clay.eta", another.key = "mesh.cell", another.detail = "Another reason.";
+  const std::string text = render({same, first, another}, read_case_text(small_case, "case.toml"));
+  EXPECT_THAT(text, HasSubstr("error: case.toml:8:7: there is no water `flood`\n"));
+  EXPECT_THAT(text, HasSubstr("  The same at case.toml:16:7\n  Water of this case: start\n"));
+  EXPECT_THAT(text, HasSubstr("2 errors; nothing was run.\n"));
+}
+
 TEST(Render, FallsBackToTheNearestTableAbove)
 {
   EXPECT_THAT(
