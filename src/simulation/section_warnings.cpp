@@ -75,6 +75,12 @@ bool is_inside(const std::vector<Side>& sides, Vec<2> x)
   return inside;
 }
 
+/// "body `berm`", or without a name "body 3 (`clay`)": numbers alone say little of layers.
+std::string name_of(const BodyCase& body, std::size_t number)
+{
+  return body.name.empty() ? fmt::format("{} (`{}`)", called(body, number), body.material) : called(body, number);
+}
+
 class SectionCheck {
  public:
   explicit SectionCheck(const Model& model) : model_(model), cell_(typical_cell_size(*model.mesh))
@@ -84,7 +90,7 @@ class SectionCheck {
     for (std::size_t b = 0; b < model.description.bodies.size(); ++b) {
       if (!model.description.bodies[b].points_file.empty()) continue;
       number_.push_back(b);
-      obstacles_.push_back({called(model.description.bodies[b], b), outline_sides(*model.mesh, outlines[k++])});
+      obstacles_.push_back({name_of(model.description.bodies[b], b), outline_sides(*model.mesh, outlines[k++])});
     }
     n_bodies_ = obstacles_.size();
     for (const SideCondition& side : model.description.sides) {

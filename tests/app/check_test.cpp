@@ -28,7 +28,7 @@ TEST(Check, QuietItPrintsWarningsAlone)
   const Finished f = test::terp(column_command("check", {"-q", "--set", "body.0.box=[[0,0.5],[8,2]]"}));
   EXPECT_EQ(f.status, 0);
   EXPECT_EQ(f.out, "");
-  EXPECT_THAT(f.err, HasSubstr("body 0 hangs in the air"));
+  EXPECT_THAT(f.err, HasSubstr("body 0 (`clay`) hangs in the air"));
 }
 
 TEST(Check, SaysHowFarK0IsFromBalanceOnGroundThatIsNotLevel)

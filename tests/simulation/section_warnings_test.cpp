@@ -42,8 +42,8 @@ TEST(SectionWarnings, AreSilentOverBodiesThatTouchOrOverlap)
 TEST(SectionWarnings, AGapOfACentimetreBetweenLayersIsTold)
 {
   const auto warnings = warnings_of(two_layers(1.01));
-  EXPECT_THAT(
-      warnings, ElementsAre(told("body[0]", "a gap between body 0 and body 1", HasSubstr("It is 0.01 m wide at ("))));
+  EXPECT_THAT(warnings, ElementsAre(told("body[0]", "a gap between body 0 (`clay`) and body 1 (`clay`)",
+                            HasSubstr("It is 0.01 m wide at ("))));
   EXPECT_THAT(warnings[0].detail, HasSubstr("less than a cell of 0.5 m."));
 }
 
@@ -52,7 +52,7 @@ TEST(SectionWarnings, AGapAboveTheBottomIsTold)
   Case c = column("mpm_gp");
   c.bodies = {body("clay", {0.0, 0.02}, {8.0, 2.0})};
   const auto warnings = warnings_of(c);
-  EXPECT_THAT(warnings, ElementsAre(told(_, "a gap between body 0 and the side `bottom`")));
+  EXPECT_THAT(warnings, ElementsAre(told(_, "a gap between body 0 (`clay`) and the side `bottom`")));
 }
 
 TEST(SectionWarnings, OutlinesThatMeetUnderAnAngleHaveNoGap)
@@ -70,7 +70,7 @@ TEST(SectionWarnings, ABodyThatHangsInTheAirIsTold)
   Case c = column("mpm_gp");
   c.bodies.push_back(body("clay", {2.0, 2.4}, {3.0, 2.9}));
   const auto warnings = warnings_of(c);
-  EXPECT_THAT(warnings, ElementsAre(told("body[1]", "body 1 hangs in the air",
+  EXPECT_THAT(warnings, ElementsAre(told("body[1]", "body 1 (`clay`) hangs in the air",
                             "It touches no other body and no side that holds against gravity. It falls by 0.4 m. Draw "
                             "it down to what carries it.")));
   c.bodies[1].velocity = {0.0, -1.0};  // thrown on purpose
@@ -81,7 +81,7 @@ TEST(SectionWarnings, ARollerBesideABodyDoesNotHoldItUp)
 {
   Case c = column("mpm_gp");
   c.bodies = {body("clay", {0.0, 0.5}, {8.0, 2.0})};
-  EXPECT_THAT(warnings_of(c), ElementsAre(told("body[0]", "body 0 hangs in the air",
+  EXPECT_THAT(warnings_of(c), ElementsAre(told("body[0]", "body 0 (`clay`) hangs in the air",
                                   "It touches no other body and no side that holds against gravity (the side `left` "
                                   "does not: soil slides along it). It falls by 0.5 m. Draw it down to what carries "
                                   "it.")));
@@ -93,7 +93,7 @@ TEST(SectionWarnings, ARollerBesideABodyDoesNotHoldItUp)
 TEST(SectionWarnings, AGapOfAWholeCellUnderALayerIsTold)
 {
   EXPECT_THAT(warnings_of(two_layers(1.5)),
-      ElementsAre(told("body[1]", "body 1 hangs in the air", HasSubstr("It falls by 0.5 m."))));
+      ElementsAre(told("body[1]", "body 1 (`clay`) hangs in the air", HasSubstr("It falls by 0.5 m."))));
 }
 
 TEST(SectionWarnings, BodiesThatHangTogetherAreToldOnce)
@@ -101,7 +101,7 @@ TEST(SectionWarnings, BodiesThatHangTogetherAreToldOnce)
   Case c = column("mpm_gp");
   c.bodies.push_back(body("clay", {2.0, 2.3}, {3.0, 2.6}));
   c.bodies.push_back(body("clay", {2.0, 2.6}, {3.0, 2.9}));
-  EXPECT_THAT(warnings_of(c), ElementsAre(told("body[1]", "body 1 and body 2 hang in the air",
+  EXPECT_THAT(warnings_of(c), ElementsAre(told("body[1]", "body 1 (`clay`) and body 2 (`clay`) hang in the air",
                                   HasSubstr("They touch no side that holds against gravity. They fall by 0.3 m."))));
 }
 
@@ -111,8 +111,9 @@ TEST(SectionWarnings, AGapLikeAWedgeUnderABodyIsTold)
     Case c = two_layers(1.0);
     c.bodies[1] = c.bodies[0];
     c.bodies[1].polygon = {{0.0, 1.0}, {8.0, 1.0 + rise}, {8.0, 2.0}, {0.0, 2.0}};
-    EXPECT_THAT(warnings_of(c), ElementsAre(told("body[1]", "a gap like a wedge between body 1 and body 0",
-                                    HasSubstr("body 1 lies on body 0 with one end only"))))
+    EXPECT_THAT(
+        warnings_of(c), ElementsAre(told("body[1]", "a gap like a wedge between body 1 (`clay`) and body 0 (`clay`)",
+                            HasSubstr("body 1 (`clay`) lies on body 0 (`clay`) with one end only"))))
         << rise;
     c.bodies[1].polygon = {{0.0, 1.0}, {2.0, 1.0}, {8.0, 1.0 + rise}, {8.0, 2.0}, {0.0, 2.0}};  // it has a foot
     EXPECT_THAT(warnings_of(c), IsEmpty()) << rise;
