@@ -12,6 +12,7 @@
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
 #include "study_run.hpp"
+#include "system/stop.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -114,6 +115,7 @@ int check_study(const Study& study, int threads)
   if (s.stop.cov > 0.0) fmt::print("  stops          at a coefficient of variation of P of {:g}\n", s.stop.cov);
   if (s.stop.time > 0.0) fmt::print("  stops          after {}\n", readable_duration(s.stop.time));
   fmt::print("  I              {}\n", slide_words(s));
+  if (s.event.ends_run) fmt::print("  ends           a realisation with its events: I, and F where it is judged\n");
   fmt::print(
       "  mesh           {}\n", study.shares_mesh ? "one for all realisations" : "made anew for each realisation");
   print_costs(study, threads);
@@ -124,7 +126,10 @@ int check_study(const Study& study, int threads)
 
 int report_study(const Study& study, const std::string& folder, bool writes)
 {
+  std::error_code none;
+  std::optional<StudyPlace> place;
   if (writes) check_study_folder(study, folder);
+  if (writes && std::filesystem::is_directory(folder, none)) place.emplace(place_of_results(folder));
   const StoredStudy stored = read_store(study, folder);
   if (stored.n_files == 0)
     throw FileError(fmt::format("{}: there are no results of this study yet\n  Begin with: terp study run", folder));
@@ -133,9 +138,8 @@ int report_study(const Study& study, const std::string& folder, bool writes)
     fmt::print(
         "  note: in the store {} lines were cut or altered; their realisations are made again\n", stored.n_broken);
   if (!writes) return solved;
-  const StudyPlace place(folder, "report");
-  write_copies(study, place);
-  write_results(study, place, stored.rows, now_in_utc());
+  write_copies(study, *place);
+  write_results(study, *place, stored.rows, now_in_utc());
   fmt::print("page in {}, table in {}\n", path_in(folder, study_report), study_results);
   return solved;
 }
@@ -183,6 +187,11 @@ int keep(const Study& study, const std::string& folder, Index number, const Stud
   const int status = run_case(run);
   if (status != solved) return status;
   const bool is_known = there != rows.end() && there->second.solved();
+  if (is_known && study.settings.event.ends_run) {  // the run with its files goes on beyond its events
+    const Draw draw = draw_again(study, number, there->second.inputs);
+    if (auto once_more = realise(study, number, draw, stop_requested)) again = std::move(*once_more);
+    if (again.outcomes.empty()) return failed;
+  }
   if (const auto names =
           is_known ? differing_outcomes(there->second.outcomes, again.outcomes) : std::vector<std::string>();
       !names.empty())

@@ -149,7 +149,7 @@ int run_study(const Study& study, const std::string& folder, const StudyCommand&
           end == StudyEnd::out_of_time ? "has had its stop.time, and the same command goes on" : "is done", folder);
     return solved;
   }
-  write_results(study, place, rows, now_in_utc());
+  write_results(study, place_of_results(folder), rows, now_in_utc());
   if (!command.quiet) {
     fmt::print("{}", study_text(study, rows));
     fmt::print("page in {}, table in {}\n", path_in(folder, study_report), study_results);

@@ -12,14 +12,35 @@ namespace {
 
 using OfLevel = EventEstimate (Sample::*)(Real) const;
 
-/// int_a^b G(h) dh of a distribution function G.
-Real integral_of_probability(const Distribution& g, Real a, Real b)
+/// Loads between which a distribution function is smooth and changes little: its kinks, and quantiles of it.
+std::vector<Real> knots_of(const Distribution& g)
 {
-  constexpr int n_pieces = 16;  // a table of quantiles has kinks
+  std::vector<Real> knots;
+  for (const Vec<2>& row : g.table) knots.push_back(row[1]);
+  constexpr int n = 32;
+  for (int k = 1; k < n; ++k) knots.push_back(g.quantile(static_cast<Real>(k) / n));
+  for (const Real p : {1e-12, 1e-9, 1e-6, 1e-4, 1e-3, 1e-2}) {
+    knots.push_back(g.quantile(p));
+    knots.push_back(g.quantile(1.0 - p));
+  }
+  std::ranges::sort(knots);
+  return knots;
+}
+
+/// int_a^b G(h) dh of a distribution function G, which may rise within a small part of the way.
+Real integral_of_probability(const Distribution& g, const std::vector<Real>& knots, Real a, Real b)
+{
   Real sum = 0.0;
-  for (int k = 0; k < n_pieces; ++k)
-    sum += boost::math::quadrature::gauss<Real, 15>::integrate(
-        [&g](Real h) { return g.probability(h); }, a + (b - a) * k / n_pieces, a + (b - a) * (k + 1) / n_pieces);
+  const auto add = [&](Real low, Real high) {
+    sum += boost::math::quadrature::gauss<Real, 15>::integrate([&g](Real h) { return g.probability(h); }, low, high);
+  };
+  Real from = a;
+  for (const Real knot : knots)
+    if (knot > from && knot < b) {
+      add(from, knot);
+      from = knot;
+    }
+  add(from, b);
   return sum;
 }
 
@@ -100,10 +121,11 @@ Real reliability_index(Real p)
 std::vector<Real> level_weights(const std::vector<Real>& h, const Distribution& distribution)
 {
   std::vector<Real> weights(h.size(), 0.0);
+  const std::vector<Real> knots = knots_of(distribution);
   weights.front() += distribution.probability(h.front());
   weights.back() += 1.0 - distribution.probability(h.back());
   for (std::size_t k = 1; k < h.size(); ++k) {
-    const Real mean = integral_of_probability(distribution, h[k - 1], h[k]) / (h[k] - h[k - 1]);
+    const Real mean = integral_of_probability(distribution, knots, h[k - 1], h[k]) / (h[k] - h[k - 1]);
     weights[k] += distribution.probability(h[k]) - mean;
     weights[k - 1] += mean - distribution.probability(h[k - 1]);
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace terp {
 namespace {
@@ -15,18 +16,27 @@ struct Change {
   std::string key, path, value;
   bool takes_mean = false;  ///< a field about what the case has, numbers that are drawn included
   bool is_coarse = false;   ///< of two levels; such changes follow one another as those of `set` do
+
+  bool takes_as_mean(const std::string& other) const
+  {
+    return takes_mean && (other == key || other.starts_with(key + '.'));
+  }
 };
+
+/// KEY=VALUE of a table of the study file.
+Change change_of(const std::string& text, const char* table)
+{
+  const std::size_t end = text.find('=');
+  const std::string key = text.substr(0, end);
+  return {.key = key, .path = join_path(table, key), .value = text.substr(end + 1)};
+}
 
 std::vector<Change> changes_of(const StudySettings& s)
 {
   std::vector<Change> changes;
   const auto number = [&] { return fmt::format("{}", 1.0625 + static_cast<Real>(changes.size())); };
-  for (const std::string& change : s.multilevel.coarse) {
-    const std::size_t end = change.find('=');
-    const std::string key = change.substr(0, end);
-    changes.push_back(
-        {.key = key, .path = join_path("estimator.coarse", key), .value = change.substr(end + 1), .is_coarse = true});
-  }
+  for (const std::string& change : s.multilevel.coarse)
+    changes.push_back(change_of(change, "estimator.coarse")), changes.back().is_coarse = true;
   for (const SweepKey& sweep : s.sweep) changes.push_back({sweep.key, join_path(sweep.path, "key"), number()});
   if (s.fragility)
     for (const auto& [key, value] : s.fragility->set)
@@ -54,14 +64,33 @@ void sort_tables(Node& node)
   for (Node& item : node.items) sort_tables(item);
 }
 
-/// The case after one change and then another; empty where it does not take one of them.
-std::string case_after(const Node& root, const Change& first, const Change& second)
+/// The case after some changes, one after another; empty where it does not take one of them.
+std::string case_after(const Node& root, std::initializer_list<const Change*> changes)
 {
   Node node = root;
-  for (const Change* change : {&first, &second})
+  for (const Change* change : changes)
     if (apply_override(node, change->key + "=" + change->value)) return "";
   sort_tables(node);
   return write_toml(node);
+}
+
+/// What `set` says of a key and no realisation has, as each draws it.
+void refuse_lost_settings(const Study& study, const std::vector<Change>& changes, std::vector<Problem>& problems)
+{
+  const Node root = parse_toml(study.case_text);
+  for (const std::string& text : study.settings.set) {
+    const Change set = change_of(text, "set");
+    for (const Change& change : changes) {
+      if (change.is_coarse || change.takes_as_mean(set.key) || !may_overlap(set, change)) continue;
+      const std::string drawn = case_after(root, {&change});
+      if (drawn.empty() || case_after(root, {&set}) == case_after(root, {}) ||
+          case_after(root, {&set, &change}) != drawn)
+        continue;
+      problems.push_back({change.path,
+          fmt::format("`{}` of [set] is lost: `{}` is given in each realisation anew", set.key, change.key),
+          "Leave it out of [set], or do not draw it.", ""});
+    }
+  }
 }
 
 }  // namespace
@@ -69,13 +98,14 @@ std::string case_after(const Node& root, const Change& first, const Change& seco
 void refuse_overlaps(const Study& study, std::vector<Problem>& problems)
 {
   const std::vector<Change> changes = changes_of(study.settings);
+  refuse_lost_settings(study, changes, problems);
   for (std::size_t b = 1; b < changes.size(); ++b)
     for (std::size_t a = 0; a < b; ++a) {
       const Change &first = changes[a], &second = changes[b];
-      const bool is_part_of_mean = second.takes_mean && !first.takes_mean && first.key.starts_with(second.key + '.');
+      const bool is_part_of_mean = !first.takes_mean && second.takes_as_mean(first.key);
       if (is_part_of_mean || (first.is_coarse && second.is_coarse) || !may_overlap(first, second)) continue;
       const Node& root = study.base.source.root;
-      if (case_after(root, first, second) == case_after(root, second, first)) continue;
+      if (case_after(root, {&first, &second}) == case_after(root, {&second, &first})) continue;
       problems.push_back({second.path, fmt::format("`{}` and `{}` set the same value", first.key, second.key),
           "One of the two would be lost without a word. Leave one out.", ""});
     }

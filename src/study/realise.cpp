@@ -8,6 +8,7 @@
 #include "simulation/no_equilibrium.hpp"
 #include "simulation/node_motion.hpp"
 #include "simulation/setup_mesh.hpp"
+#include "simulation/stages.hpp"
 #include "stability/factor_of_safety.hpp"
 #include "study/points.hpp"
 #include "system/thread_time.hpp"
@@ -75,24 +76,25 @@ Real of_summary(const Summary& summary)
 
 const OutcomeInfo outcomes[] = {
     {{"slide_volume", "m^2", "volume that slid", "volume that moved farther than the displacement of the event"},
-        nullptr, moved_volume_of},
+        nullptr, moved_volume_of, true},
     {{"event_displacement", "m", "displacement of the event's volume", "as much soil as makes the event moved farther"},
-        nullptr, displacement_of_volume},
+        nullptr, displacement_of_volume, true},
     {{"residual_height", "m", "highest ground that remains", "at the end (docs/flood.md)"},
-        of_summary<&Summary::residual_height>},
+        of_summary<&Summary::residual_height>, nullptr, true},
     {{"freeboard", "m", "freeboard that remains", "of the highest ground over the water, at the end"},
-        of_flood<&FloodSummary::freeboard>},
+        of_flood<&FloodSummary::freeboard>, nullptr, true},
     {{"width_at_level", "m", "width at the water level", "of the ground, at the end"},
-        of_flood<&FloodSummary::width_at_level>},
+        of_flood<&FloodSummary::width_at_level>, nullptr, true},
     {{"slides", "-", "slides", "how often the crest retreated by much (docs/formats.md)"},
-        [](const Summary& s) { return static_cast<Real>(s.slides.size()); }},
+        [](const Summary& s) { return static_cast<Real>(s.slides.size()); }, nullptr, true},
     {{"first_slide_time", "s", "time of the first slide", "when the crest began to retreat"},
         of_summary<&Summary::first_slide_time>},
     {{"flood_time", "s", "time of the flood", "first time the ground no longer held the water"},
         [](const Summary& s) { return s.flood ? s.flood->first_time_below.value_or(none) : none; }},
     {{"still_moves", "-", "still moves", "1 where soil moves so fast at the end that I or F may change"}, nullptr,
-        still_moves},
-    {{"max_eps_eq_p", "-", "largest eps_eq_p", "at the end"}, [](const Summary& s) { return s.max_eps_eq_p; }},
+        still_moves, true},
+    {{"max_eps_eq_p", "-", "largest eps_eq_p", "at the end"}, [](const Summary& s) { return s.max_eps_eq_p; }, nullptr,
+        true},
     {{"end_time", "s", "time at the end", "of the run"}, nullptr,
         [](const Simulation& s, const Summary&, const EventRule&) { return s.state.time; }},
 };
@@ -145,6 +147,32 @@ Screening screen(const Study& study, const Case& c, Index number, const std::ato
   return is_audited(study, number) ? Screening::audited : Screening::skipped;
 }
 
+/// Of a run that ended with its events nothing is known of what comes after them.
+void forget_the_end(Realisation& r)
+{
+  for (std::size_t k = 0; k < std::size(outcomes); ++k)
+    if (outcomes[k].of_end) r.outcomes[k] = none;
+}
+
+bool both_happened(const Simulation& s, const EventRule& event)
+{
+  if (!s.model.stage.is_last()) return false;  // a later stage may count displacements anew
+  const Summary summary = summarise(s.model, s.state);
+  return (!summary.flood || summary.flood->first_time_below) && moved_volume_of(s, summary, event) >= event.volume;
+}
+
+/// To the end of the case, or where I and F have happened; known: the latter.
+Outcome run_to_event(Simulation& s, const EventRule& event, const std::atomic<bool>& stop, bool& known)
+{
+  constexpr Real every = 0.1;  // [s]
+  for (;;) {
+    const Outcome outcome = s.run(stop, s.state.time + every);
+    if (outcome != Outcome::finished || (s.model.stage.is_last() && has_ended(s.model, s.state))) return outcome;
+    known = both_happened(s, event);
+    if (known) return outcome;
+  }
+}
+
 /// False: stopped before its end.
 bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, Realisation& result)
 {
@@ -156,8 +184,12 @@ bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, 
       study.shares_mesh ? study.mesh_of(result.number) : std::make_shared<const Mesh<2>>(build_mesh(file.values));
   Simulation simulation(file.values, mesh, 1, all_followers());
   result.judges_flood = simulation.model.flood_level.is_known();
-  if (simulation.run(stop) != Outcome::finished) return false;
-  read_outcomes(simulation, study.settings.event, result);
+  const EventRule& event = study.settings.event;
+  bool ends_early = false;
+  const Outcome outcome = event.ends_run ? run_to_event(simulation, event, stop, ends_early) : simulation.run(stop);
+  if (outcome != Outcome::finished) return false;
+  read_outcomes(simulation, event, result);
+  if (ends_early) forget_the_end(result);
   return true;
 }
 

@@ -19,6 +19,7 @@ struct OutcomeInfo {
   QuantityInfo info;
   Real (*of_summary)(const Summary& summary);  ///< NaN: not defined. Null: it needs the points of the run
   Real (*of_run)(const Simulation& simulation, const Summary& summary, const EventRule& event) = nullptr;
+  bool of_end = false;  ///< not known of a run that ends with its events (EventRule::ends_run)
 };
 /// In the order of the store and of the table. A new one is an entry in realise.cpp.
 std::span<const OutcomeInfo> study_outcomes();
@@ -56,7 +57,7 @@ struct Realisation {
 /// itself are faults of the realisation.
 std::optional<Realisation> realise(const Study& study, Index number, const Draw& draw, const std::atomic<bool>& stop);
 
-/// The same of a run that was solved.
+/// What is kept of a run that was solved to its end.
 void read_outcomes(const Simulation& simulation, const EventRule& event, Realisation& realisation);
 
 }  // namespace terp

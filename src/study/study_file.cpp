@@ -171,7 +171,8 @@ void read_top(const Node& root, StudySettings& s, Findings& findings)
       "stop", {{"number", "-", {1.0, most}, false, &s.stop.number},
                   {"cov", "-", between(1e-3, 1.0), false, &s.stop.cov}, {"time", "s", positive, false, &s.stop.time}});
   section("events", {{"volume", "m^2", positive, false, &s.event.volume},
-                        {"displacement", "m", positive, false, &s.event.displacement}});
+                        {"displacement", "m", positive, false, &s.event.displacement},
+                        {"ends_run", "", any_number, false, &s.event.ends_run}});
 }
 
 /// Each key is drawn once, and correlations are between what is drawn, of one sort.

@@ -7,6 +7,7 @@
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
 #include "system/files.hpp"
+#include "system/terminal.hpp"
 
 #include <fmt/format.h>
 
@@ -126,6 +127,18 @@ void StudyPlace::clear() const
   }
   for (const fs::path& file : files) fs::remove(file);
   fs::remove_all(path_in(folder_, kept_runs));
+}
+
+StudyPlace place_of_results(const std::string& folder)
+{
+  constexpr int most_tries = 300;
+  constexpr double between = 0.1;  // [s]
+  for (int n = 1;; ++n) try {
+      return StudyPlace(folder, "report");
+    } catch (const FileError&) {
+      if (n == most_tries) throw;
+      wait_seconds(between);
+    }
 }
 
 void write_copies(const Study& study, const StudyPlace& place)

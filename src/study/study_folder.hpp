@@ -54,6 +54,10 @@ class StudyPlace {
   FolderLock lock_;
 };
 
+/// For those who write results: a report and the end of a run wait for each other, so that who reads the store later
+/// also writes later. Throws FileError after half a minute.
+StudyPlace place_of_results(const std::string& folder);
+
 /// Writes the copies of study and case, and of the files that they name; where the study was read from the copy there,
 /// they are.
 void write_copies(const Study& study, const StudyPlace& place);

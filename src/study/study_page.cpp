@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace terp {
 namespace {
@@ -109,36 +110,81 @@ LineChart convergence_chart(const Study& study, const Realisations& rows, bool o
   return chart;
 }
 
-/// Values as a line of steps over equal classes.
-LineChart histogram(const std::string& title, const std::string& label, std::vector<Real> values)
+bool is_unit(std::string_view unit) { return !unit.empty() && unit != "-"; }
+
+std::string with_unit(std::string_view label, std::string_view unit)
 {
-  LineChart chart{.title = title, .x_label = label, .y_label = "realisations"};
-  std::erase_if(values, [](Real value) { return !std::isfinite(value); });
-  if (values.size() < 2) return chart;
-  const auto [low, high] = std::ranges::minmax(values);
-  const auto n = static_cast<std::size_t>(
-      std::clamp(2.0 * std::cbrt(static_cast<Real>(values.size())), 5.0, 40.0));  // rule of Rice
-  const Real size = high > low ? (high - low) / static_cast<Real>(n) : 1.0;
-  std::vector<Real> counts(n, 0.0);
-  for (const Real value : values)
-    counts[std::min(n - 1, static_cast<std::size_t>(std::max((value - low) / size, 0.0)))] += 1.0;
-  ChartLine line{.name = "", .points = {{low, 0.0}}, .style = 0, .dashes = 0, .marks = false};
-  for (std::size_t k = 0; k < n; ++k) {
+  return is_unit(unit) ? fmt::format("{} [{}]", label, unit) : std::string(label);
+}
+
+/// An outcome of a part of the realisations; name: in the legend, empty: none.
+struct Group {
+  std::string name;
+  std::vector<Real> values;
+};
+
+/// Counts in equal classes as a line of steps.
+ChartLine steps_of(const Group& group, Real low, Real size, std::size_t n_classes)
+{
+  std::vector<Real> counts(n_classes, 0.0);
+  for (const Real value : group.values)
+    counts[std::min(n_classes - 1, static_cast<std::size_t>(std::max((value - low) / size, 0.0)))] += 1.0;
+  ChartLine line{.name = group.name, .points = {{low, 0.0}}, .style = 0, .dashes = 0, .marks = false};
+  for (std::size_t k = 0; k < n_classes; ++k) {
     line.points.push_back({low + static_cast<Real>(k) * size, counts[k]});
     line.points.push_back({low + static_cast<Real>(k + 1) * size, counts[k]});
   }
-  line.points.push_back({low + static_cast<Real>(n) * size, 0.0});
-  chart.lines.push_back(std::move(line));
+  line.points.push_back({low + static_cast<Real>(n_classes) * size, 0.0});
+  return line;
+}
+
+/// A line for each group, over the same classes.
+LineChart histogram(const std::string& title, const std::string& label, std::vector<Group> groups)
+{
+  LineChart chart{.title = title, .x_label = label, .y_label = "realisations"};
+  std::size_t most = 0;
+  Real low = std::numeric_limits<Real>::infinity(), high = -low;
+  for (Group& group : groups) {
+    std::erase_if(group.values, [](Real value) { return !std::isfinite(value); });
+    most = std::max(most, group.values.size());
+    for (const Real value : group.values) low = std::min(low, value), high = std::max(high, value);
+  }
+  if (most < 2) return chart;
+  const auto n =
+      static_cast<std::size_t>(std::clamp(2.0 * std::cbrt(static_cast<Real>(most)), 5.0, 40.0));  // rule of Rice
+  const Real size = high > low ? (high - low) / static_cast<Real>(n) : 1.0;
+  for (const Group& group : groups) {
+    ChartLine line = steps_of(group, low, size, n);
+    line.style = chart.lines.size(), line.dashes = static_cast<int>(chart.lines.size());
+    chart.lines.push_back(std::move(line));
+  }
   return chart;
 }
 
-/// Of two levels those of the fine one, of which P is.
-std::vector<Real> outcomes_of(const Study& study, const Realisations& rows, Index n, std::string_view name)
+/// By the levels of a load. Of two levels of cells those of the fine one, of which P is.
+std::vector<Group> outcomes_of(const Study& study, const Realisations& rows, Index n, std::string_view name)
 {
-  std::vector<Real> values;
+  std::vector<Group> groups(static_cast<std::size_t>(study.n_levels()));
+  if (const auto& load = study.settings.fragility)
+    for (std::size_t k = 0; k < groups.size(); ++k)
+      groups[k].name = fmt::format("{:g}{}", load->levels[k], is_unit(load->unit) ? " " + load->unit : "");
   for (Index k = 0; k < n; ++k)
-    if (rows.at(k).solved() && !study.is_coarse(k)) values.push_back(rows.at(k).outcomes[outcome_number(name)]);
-  return values;
+    if (rows.at(k).solved() && !study.is_coarse(k))
+      groups[study.level_of(k)].values.push_back(rows.at(k).outcomes[outcome_number(name)]);
+  return groups;
+}
+
+/// Names of inputs that fit a table: of keys what tells them apart.
+std::vector<std::string> input_labels(const Study& study)
+{
+  std::vector<std::string> labels = study.input_names();
+  const std::size_t first_field = labels.size() - study.settings.fields.size();
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    if (k >= first_field) labels[k] = study.settings.fields[k - first_field].key + ", field";
+    constexpr std::string_view common = "material.";
+    if (labels[k].starts_with(common)) labels[k].erase(0, common.size());
+  }
+  return labels;
 }
 
 std::string bar(const std::optional<Real>& rho)
@@ -158,11 +204,15 @@ std::string sensitivity_section(const Study& study, const StudyEstimates& e)
   std::string out = "<section><h2>What matters</h2>\n" +
                     head_of_table({"", fmt::format("with {}", info_of(study.settings.estimator).inputs_go_with),
                         "with the height that remains"});
-  for (const Sensitivity& s : e.sensitivities)
-    out += "<tr>" + html_cell("th", s.input) + bar(s.with_slide) + bar(s.with_height) + "</tr>\n";
+  const std::vector<std::string> labels = input_labels(study);
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    const Sensitivity& s = e.sensitivities[k];
+    out += "<tr>" + html_cell("th", labels[k]) + bar(s.with_slide) + bar(s.with_height) + "</tr>\n";
+  }
   return out + end_of_table +
          "<p class=\"muted\">Spearman's rank correlation: +1 or -1 where the input decides alone, near 0 where it does "
-         "not matter. Of n realisations, one below 2/sqrt(n) may be chance.</p></section>\n";
+         "not matter. Of n realisations, one below 2/sqrt(n) may be chance. Keys are written without "
+         "<code>material.</code>; of a field it is the mean over its trend.</p></section>\n";
 }
 
 std::string realisation_row(const Study& study, const Realisation& r)
@@ -187,7 +237,7 @@ std::string realisations_section(const Study& study, const Realisations& rows, I
   std::vector<std::string> titles = {""};
   for (const RowLabel& label : row_labels(study)) titles.emplace_back(label.name);
   titles.insert(titles.end(), {"I", "F"});
-  for (const std::string& name : study.input_names()) titles.push_back(name);
+  for (const std::string& label : input_labels(study)) titles.push_back(label);
   for (const char* title : {"slid [m^2]", "remains [m]", "slides at [s]", "floods at [s]", "why there is no result"})
     titles.emplace_back(title);
   std::string out = "<section><h2>Realisations</h2>\n" + head_of_table(titles);
@@ -197,11 +247,6 @@ std::string realisations_section(const Study& study, const Realisations& rows, I
              "<p class=\"muted\">{}<code>terp study run STUDY.toml --keep 17</code> solves realisation 17 once "
              "more, with the same bits, and with all that the report of a run shows.</p></section>\n",
              n > most_rows ? fmt::format("The first {} of {}; results.csv has all. ", most_rows, n) : "");
-}
-
-std::string with_unit(std::string_view label, std::string_view unit)
-{
-  return unit.empty() || unit == "-" ? std::string(label) : fmt::format("{} [{}]", label, unit);
 }
 
 /// An outcome over a key, a line for each combination of the other keys.
@@ -293,14 +338,14 @@ std::string page_of_study(const Study& study, const Realisations& rows, const st
 
 std::string page_of_samples(const Study& study, Index n, const std::string& written)
 {
-  const std::vector<std::string> names = study.input_names();
+  const std::vector<std::string> names = input_labels(study);
   std::vector<std::vector<Real>> columns(names.size());
   for (Index k = 0; k < n; ++k) {
     const Draw draw = draw_realisation(study, study.first_of_turn(k * study.n_levels()));
     for (std::size_t i = 0; i < names.size(); ++i) columns[i].push_back(draw.inputs[i]);
   }
   std::vector<LineChart> charts;
-  for (std::size_t i = 0; i < names.size(); ++i) charts.push_back(histogram(names[i], names[i], columns[i]));
+  for (std::size_t i = 0; i < names.size(); ++i) charts.push_back(histogram(names[i], names[i], {{"", columns[i]}}));
   std::string fields;
   constexpr Index n_pictures = 4;
   for (std::size_t k = 0; k < study.settings.fields.size(); ++k) {

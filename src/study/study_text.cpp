@@ -170,6 +170,11 @@ std::vector<std::string> remarks_on_realisations(const Study& study, const Study
   };
   if (!adaptive || !of_flood) add_moving(e.n_moving_without_slide, "slide", "P(I)");
   if (!adaptive || of_flood) add_moving(e.n_moving_without_flood, "flood", "P(F)");
+  if (e.n_ended_early > 0)
+    remarks.push_back(
+        fmt::format("{} realisations end with their events (`ends_run`): what remains of them at the end of the case "
+                    "is not known, and histograms leave them out.",
+            e.n_ended_early));
   const Case& base = study.base.values;
   if (base.at_strength != 1.0)
     remarks.push_back(

@@ -6,6 +6,7 @@
 #include "support/test.hpp"
 
 #include <csignal>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 namespace {
@@ -42,6 +43,26 @@ TEST(StudyCommand, ARealisationIsKeptWithTheSameResults)
   EXPECT_THAT(keep.out, HasSubstr("realisation 4 has the results of the store, to the bit\n"));
   EXPECT_THAT(text_of(folder.path() + "/runs/demo/kept/4/case.toml"), HasSubstr("realisation = 4"));
   EXPECT_THAT(test::terp({"study", "run", study, "--keep", "6"}, folder.path()).err, HasSubstr("numbered 0 to 5"));
+}
+
+TEST(StudyCommand, ARealisationThatEndedWithItsEventsIsKeptToTheEnd)
+{
+  const ScratchFolder folder;
+  const std::string text = changed(column_study, "displacement = 0.3", "displacement = 0.3\nends_run = true");
+  const std::string study = write_study(folder.path(), text);
+  EXPECT_THAT(test::terp({"study", "check", study}, folder.path()).out,
+      HasSubstr("  ends           a realisation with its events"));
+  ASSERT_EQ(test::terp({"study", "run", study, "-q"}, folder.path()).status, 0);
+  const Realisations rows = read_store(open_study(study), folder.path() + "/runs/demo").rows;
+  const auto ended = std::ranges::find_if(rows, [](const auto& row) {
+    return row.second.solved() && std::isnan(row.second.outcomes[outcome_number("slide_volume")]);
+  });
+  ASSERT_NE(ended, rows.end());
+  const std::string number = std::to_string(ended->first);
+  const Finished keep = test::terp({"study", "run", study, "--keep", number}, folder.path());
+  EXPECT_THAT(keep.out, HasSubstr("realisation " + number + " has the results of the store, to the bit\n"));
+  const auto json = nlohmann::json::parse(text_of(folder.path() + "/runs/demo/kept/" + number + "/summary.json"));
+  EXPECT_GT(json["steps"].get<Real>() * json["dt"].get<Real>(), 0.79) << "to the end of the case";
 }
 
 TEST(StudyCommand, ARealisationWithOtherResultsThanInTheStoreIsToldAndNotKept)

@@ -12,7 +12,11 @@
 #include "study/study_text.hpp"
 #include "support/test.hpp"
 
+#include <thread>
+
 namespace {
+
+Real outcome(const Realisation& r, const char* name) { return r.outcomes[outcome_number(name)]; }
 
 struct Place {
   ScratchFolder folder;
@@ -148,6 +152,33 @@ TEST(Engine, ARunThatEndsWhileSoilFallsSaysSo)
   EXPECT_GT(n_later, 0) << "P(I) of the early end is too low";
 }
 
+TEST(Engine, ARunThatEndsWithItsEventsLeavesThemAsTheyAreAndTheEndUnknown)
+{
+  const auto with_end = [](const std::string& text) {
+    return changed(text, "displacement = 0.3", "displacement = 0.3\nends_run = true");
+  };
+  const Place whole(column_study), ends(with_end(column_study));
+  const Realisations a = whole.run("whole"), b = ends.run("ends");
+  int n_ended = 0;
+  for (const auto& [number, r] : a) {
+    const Realisation& other = b.at(number);
+    EXPECT_EQ(r.slid, other.slid) << number;
+    EXPECT_EQ(r.fault, other.fault) << number;
+    if (!r.solved()) continue;
+    EXPECT_TRUE(r.slid || differing_outcomes(r.outcomes, other.outcomes).empty()) << number;
+    if (!std::isnan(outcome(other, "slide_volume"))) continue;
+    ++n_ended;
+    EXPECT_LT(outcome(other, "end_time"), outcome(r, "end_time")) << number;
+    EXPECT_TRUE(std::isnan(outcome(other, "residual_height")) && std::isnan(outcome(other, "still_moves")));
+  }
+  EXPECT_GT(n_ended, 1);
+  EXPECT_THAT(
+      study_text(ends.study, b), HasSubstr(fmt::format("{} realisations end with their events (`ends_run`)", n_ended)));
+  const std::string form = with_end(changed(column_study, "monte_carlo", "form"));
+  EXPECT_THAT(refusal<CaseError>([&] { read_study_text(form, "demo.toml"); }),
+      HasSubstr("`form` looks at how far a run is from the event at its end"));
+}
+
 TEST(Engine, AResultThatDiffersIsNamed)
 {
   std::vector<Real> kept(study_outcomes().size(), 0.1), now = kept;
@@ -279,6 +310,22 @@ TEST(Engine, FoldersOfTheUserAreLeftAlone)
   write_copies(place.study, StudyPlace(place.of("copied"), "report"));
   EXPECT_EQ(refused(place.of("copied")), "");
   EXPECT_EQ(refusal<FileError>([&] { check_study_folder(open_study(place.of("copied")), place.of("copied")); }), "");
+}
+
+TEST(Engine, AReportAndTheEndOfARunWriteOneAfterTheOther)
+{
+  const ScratchFolder folder;
+  std::optional<StudyPlace> report(place_of_results(folder.path()));
+  std::atomic<bool> written{false};
+  std::thread end([&] {
+    const StudyPlace place = place_of_results(folder.path());
+    written = true;
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(250));
+  EXPECT_FALSE(written) << "it would be replaced by what the report read before";
+  report.reset();
+  end.join();
+  EXPECT_TRUE(written);
 }
 
 TEST(Engine, AStoreIsClearedByWhoHoldsAllOfItAlone)

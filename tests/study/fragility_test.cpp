@@ -83,6 +83,17 @@ TEST(Fragility, WeightsIntegrateALineExactly)
   EXPECT_NEAR(mean, g.mean, 1e-9);
 }
 
+// With levels at 1 and 3 a load that lies between them gives the level 3 the weight (its mean - 1)/2.
+TEST(Fragility, WeightsOfALoadThatLiesBetweenTwoLevelsAreExact)
+{
+  const auto upper = [](const Distribution& load) { return level_weights({1.0, 3.0}, load)[1]; };
+  EXPECT_NEAR(upper({.kind = DistributionKind::normal, .mean = 1.71, .sd = 1e-3}), 0.355, 1e-10);
+  EXPECT_NEAR(upper({.kind = DistributionKind::uniform, .lowest = 1.70, .highest = 1.73}), 0.3575, 1e-10);
+  const std::vector<Vec<2>> table{{0.0, 1.2}, {0.3, 1.71}, {0.8, 1.713}, {1.0, 2.9}};
+  const Real mean = 0.3 * 1.455 + 0.5 * 1.7115 + 0.2 * 2.3065;
+  EXPECT_NEAR(upper({.kind = DistributionKind::quantiles, .table = table}), 0.5 * (mean - 1.0), 1e-10);
+}
+
 // P(F) = P(R < h) for a strength R and a load h that are both normal is Phi((m_h - m_R)/sqrt(s_h^2 + s_R^2)).
 TEST(Fragility, IntegralOfAKnownCurveIsTheKnownProbability)
 {
@@ -203,6 +214,19 @@ TEST(Fragility, IsSaidInTextTableAndPageAndForDStability)
   river.unit = "kPa";
   EXPECT_FALSE(is_water_level(river));
   EXPECT_TRUE(json["Stochasts"].empty());
+}
+
+TEST(Fragility, APageHasALineForWhatRemainsAtEachLevel)
+{
+  const Study study = study_of(curve_text);
+  Realisations rows = rows_of(study, {0, 2, 8}, {0, 1, 4});
+  for (auto& [number, r] : rows)
+    r.outcomes[outcome_number("residual_height")] = 2.0 - 0.5 * static_cast<Real>(study.level_of(number));
+  const std::string page = page_of_study(study, rows, "now");
+  const std::string of_heights =
+      page.substr(page.find("Highest ground that remains"), page.find("Volume that slid") - page.find("Highest"));
+  for (const char* level : {">0.4</text>", ">0.8</text>", ">1.6</text>"}) EXPECT_THAT(of_heights, HasSubstr(level));
+  EXPECT_THAT(page, AllOf(HasSubstr("<th>clay.su_peak</th>"), Not(HasSubstr("<th>material.clay"))));
 }
 
 TEST(Fragility, ARunSlidesMoreOftenUnderMoreWeight)

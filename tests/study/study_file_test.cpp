@@ -106,6 +106,21 @@ TEST(StudyFile, KeysThatUndoEachOtherAreRefusedWithBothNames)
       HasSubstr("`material.clay.su_peak` and `material.clay.su_peak.shansep.S` set the same value"));
 }
 
+TEST(StudyFile, ASettingThatEachDrawReplacesIsRefused)
+{
+  const auto message = [](const std::string& text, const char* set) {
+    return message_on(text, {"[estimator]", set, ""});
+  };
+  const char* own = "[set]\n\"material.clay.su_peak\" = 9e3\n[estimator]";
+  EXPECT_THAT(message(column_study, own), HasSubstr("`material.clay.su_peak` of [set] is lost"));
+  EXPECT_EQ(message(field_study, own), "") << "the field is about it";
+  EXPECT_THAT(message(column_study, "[set]\n\"material.*.su_peak\" = 9e3\n[estimator]"),
+      HasSubstr("`material.*.su_peak` of [set] is lost: `material.clay.su_peak` is given in each realisation anew"));
+  EXPECT_EQ(message(column_study, "[set]\n\"material.clay.eta\" = 9\n[estimator]"), "");
+  const std::string mean = changed(field_study, "cov = 0.3", "cov = 0.3\nmean = 9e3");
+  EXPECT_THAT(message(mean, own), HasSubstr("`material.clay.su_peak` of [set] is lost"));
+}
+
 TEST(StudyFile, WhatIsDrawnTwiceOrNotAtAllIsTold)
 {
   const std::string pair = "\n[[correlation]]\nbetween = [\"material.clay.su_peak\", \"material.clay.eta\"]\nvalue = ";
