@@ -4,7 +4,9 @@
 #include "simulation/ledger.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/summary.hpp"
+#include "user_laws/user_law.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace terp {
@@ -15,9 +17,22 @@ constexpr Real round_off = 1e-9;  // of a strength, relative [-]
 /// S_u in the middle between peak and least; 0 for soil that does not soften [Pa].
 Real half_softened(const SoilMaterial& material, const PointBlock<2>& block, Index lane)
 {
+  constexpr Real all = std::numeric_limits<Real>::infinity();
   const Real peak = strength_at(material, block, lane, 0.0);
-  const Real least = strength_at(material, block, lane, std::numeric_limits<Real>::infinity());
+  const LawRoles* const of_library = roles_of(*material.type);
+  const Real least = of_library != nullptr ? of_library->residual_strength : strength_at(material, block, lane, all);
   return peak - least > round_off * peak ? 0.5 * (peak + least) : 0.0;
+}
+
+/// False while there is soil of a library of which nobody said what softening leaves.
+bool is_known(const Model& model, const State& state)
+{
+  bool known = true;
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    const LawRoles* const of_library = roles_of(*model.materials[block.material].type);
+    known = known && (of_library == nullptr || !std::isnan(of_library->residual_strength));
+  });
+  return known;
 }
 
 /// Share of the volume whose S_u has lost more than half of the way from its peak to the least.
@@ -41,6 +56,7 @@ class SoftenedSoil : public Follower {
 
   void frame(const Model& model, const State& state) override
   {
+    if (!is_known(model, state)) return;
     time_.push_back(state.time);
     fraction_.push_back(softened_fraction(model, state));
   }

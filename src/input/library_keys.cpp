@@ -144,14 +144,89 @@ std::vector<KeyInfo> keys_of_law_itself()
               [](Case& c, std::size_t i) {
                 return numbers_field(c.materials[i].library.state,
                     {"the number of state variables, a list of their names, or a table { NAME = value at t = 0 }; at "
-                     "most 100",
+                     "most 100. A name may have a unit behind it: \"p_0 [kPa]\"",
                         true, true});
               },
           .meaning =
               "what each point remembers for the law: STATEV of a UMAT, zero at t = 0 unless a value is given. A "
-              "native library names its own. `eps_eq_p` counts as the equivalent plastic strain",
+              "native library names its own",
           .default_text = "none"},
   };
+}
+
+/// A key of which only the law of the material knows, once it was loaded.
+template <class T>
+OwnForm role_field(const MaterialCase& material, const char* form, T LawRoles::*role)
+{
+  const auto read = [](const Entry& entry, Findings& findings) {
+    T value{};
+    return store_value(entry, &value, findings);
+  };
+  const auto text = [&material, role] {
+    const LawRoles* roles = material.from_library != nullptr ? roles_of(*material.from_library) : nullptr;
+    return roles != nullptr ? fmt::format("{}", roles->*role) : std::string();
+  };
+  return {form, read, text};
+}
+
+constexpr std::string_view plastic_strain = "material.NAME.plastic_strain", strength = "material.NAME.strength",
+                           residual_strength = "material.NAME.residual_strength";
+
+std::vector<KeyInfo> keys_of_roles()
+{
+  return {
+      {.path = std::string(plastic_strain),
+          .field = [](Case& c, std::size_t i) { return role_field(c.materials[i], "text", &LawRoles::plastic_strain); },
+          .meaning = "name of the state variable that is the equivalent plastic strain: max_eps_eq_p, the audit of the "
+                     "history, where the soil shears",
+          .default_text = "eps_eq_p, if the law has a state variable of this name"},
+      {.path = std::string(strength),
+          .field = [](Case& c, std::size_t i) { return role_field(c.materials[i], "text", &LawRoles::strength); },
+          .meaning = "name of the state variable that is the strength that is left, in the unit of `stress_unit`: the "
+                     "field su, the audit of the history, named points. Its value at t = 0 is that of soil that has "
+                     "not softened",
+          .default_text = "not known"},
+      {.path = std::string(residual_strength),
+          .field =
+              [](Case& c, std::size_t i) {
+                return role_field(c.materials[i], "a number, at least 0", &LawRoles::residual_strength);
+              },
+          .unit = "Pa",
+          .range = not_negative,
+          .meaning = "what softening leaves of `strength`, for the share of the soil that has softened. The law is not "
+                     "given it",
+          .default_text = "not known: no share is reported"},
+  };
+}
+
+/// The value of such a key; `value` where the file does not give it.
+template <class T>
+T given(const Node& root, const std::string& material, std::string_view path, T value)
+{
+  const Node* node = find_node(root, join_path(material, last_part(std::string(path))));
+  if (node == nullptr) return value;
+  const std::vector<KeyInfo> keys = keys_of_roles();
+  Findings known;  // since the key was read
+  store_value({*node, material, *std::ranges::find(keys, path, &KeyInfo::path)}, &value, known);
+  return value;
+}
+
+LawRoles given_roles(const Node& root, const std::string& material)
+{
+  const LawRoles none;
+  return {.plastic_strain = given(root, material, plastic_strain, none.plastic_strain),
+      .strength = given(root, material, strength, none.strength),
+      .residual_strength = given(root, material, residual_strength, none.residual_strength)};
+}
+
+bool same_roles(const MaterialCase& a, const MaterialCase& b)
+{
+  const LawRoles *x = a.from_library != nullptr ? roles_of(*a.from_library) : nullptr,
+                 *y = b.from_library != nullptr ? roles_of(*b.from_library) : nullptr;
+  if (x == nullptr || y == nullptr) return true;
+  const bool same_residual = x->residual_strength == y->residual_strength ||
+                             (std::isnan(x->residual_strength) && std::isnan(y->residual_strength));
+  return x->plastic_strain == y->plastic_strain && x->strength == y->strength && same_residual;
 }
 
 std::vector<KeyInfo> keys_of_surroundings()
@@ -224,8 +299,8 @@ void load_library(const Node& root, const Case& values, MaterialCase& material, 
     problems.push_back({join_path(path, "porosity"), "only an ESM is told a porosity",
         "Remove `porosity`, or give it as one of the `parameters`.", "library", true});
   try {
-    material.from_library =
-        load_user_law(material.name, values.folder, material.parameters, material.library, takes_turns);
+    material.from_library = load_user_law(
+        material.name, values.folder, material.parameters, material.library, given_roles(root, path), takes_turns);
     check_names_of_state(material, problems);
   } catch (const InputError& error) {
     for (Problem problem : error.problems()) {
@@ -250,6 +325,7 @@ bool sets_state_in_first_call(const Case& values, const std::string& name)
 std::vector<KeyInfo> library_keys()
 {
   std::vector<KeyInfo> keys = keys_of_law_itself();
+  std::ranges::move(keys_of_roles(), std::back_inserter(keys));
   std::ranges::move(keys_of_surroundings(), std::back_inserter(keys));
   return keys;
 }
@@ -279,7 +355,7 @@ void check_libraries_of_stage(const Case& before, const Case& now, std::vector<P
     const bool same_porosity = a.porosity == b.porosity || (std::isnan(a.porosity) && std::isnan(b.porosity));
     if (a.file == b.file && a.interface == b.interface && a.symbol == b.symbol && a.kinematics == b.kinematics &&
         a.stress_unit == b.stress_unit && a.thread_safe == b.thread_safe && same_porosity &&
-        std::ranges::equal(a.state, b.state, same))
+        same_roles(before.materials[m], now.materials[m]) && std::ranges::equal(a.state, b.state, same))
       continue;
     problems.push_back({join_path("material", now.materials[m].name), "a stage cannot change where a law comes from",
         "Its `parameters` and moduli may change; all else that the law is given is that of the whole run.", "stage.set",

@@ -82,6 +82,8 @@ std::size_t number_of(const std::string& key, const char* what, const Variables&
           fmt::format("Those of the library, in its order: {}.", names_of(known)));
 }
 
+constexpr std::size_t longest_unit = 20;
+
 /// Parameters in the order of the library, all of them.
 void order_parameters(const Variables& known, std::vector<NamedNumber>& given)
 {
@@ -174,6 +176,49 @@ std::optional<LawVariables> describe_library(const FoundLibrary& found, LibraryC
     refuse("thread_safe", "the library says of itself that it is not thread safe", "Remove `thread_safe`.");
   library.thread_safe = said->thread_safe;
   return said;
+}
+
+std::vector<std::string> take_units(LibraryCase& library)
+{
+  std::vector<std::string> units;
+  for (NamedNumber& number : library.state) {
+    std::string& unit = units.emplace_back();
+    const auto begin = number.name.find(" [");
+    if (begin == std::string::npos || number.name.back() != ']') continue;
+    unit = number.name.substr(begin + 2, number.name.size() - begin - 3);
+    const auto is_allowed = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '['; };
+    if (unit.empty() || unit.size() > longest_unit || !std::ranges::all_of(unit, is_allowed))
+      refuse("state", fmt::format("`{}` has no unit that can be read", number.name),
+          fmt::format("A unit has 1 to {} letters: \"p_0 [kPa]\".", longest_unit));
+    number.name.resize(begin);
+    if (library.interface == LawInterface::native)
+      refuse("state", fmt::format("the library says itself what the unit of `{}` is", number.name),
+          "Give its name without a unit.");
+  }
+  return units;
+}
+
+void check_roles(const LibraryCase& library, const LawRoles& roles)
+{
+  Variables known;
+  for (const NamedNumber& number : library.state) known.push_back({number.name, "", "", number.value});
+  if (!roles.plastic_strain.empty()) number_of("plastic_strain", "state variable", known, roles.plastic_strain);
+  if (roles.strength.empty() && !std::isnan(roles.residual_strength))
+    refuse("residual_strength", "nothing says which state variable is the strength",
+        "Give its name as `strength`, or remove `residual_strength`.");
+  if (roles.strength.empty()) return;
+  const Real initial = known[number_of("strength", "state variable", known, roles.strength)].initial;
+  if (roles.strength == roles.plastic_strain)
+    refuse("strength", fmt::format("`{}` cannot be the strength and the plastic strain", roles.strength),
+        "Give the name of another state variable, or remove one of the two keys.");
+  if (!(initial > 0.0))
+    refuse("strength", fmt::format("the strength `{}` is {:g} at t = 0", roles.strength, initial),
+        fmt::format("Give the strength of soil that has not softened as its value at t = 0: state = {{ {} = VALUE }}.",
+            roles.strength));
+  if (roles.residual_strength > initial * library.stress_unit)
+    refuse("residual_strength", "the residual strength is above that at t = 0",
+        fmt::format("Got {:g} Pa; `{}` begins at {:g} Pa. Allowed: at most that.", roles.residual_strength,
+            roles.strength, initial * library.stress_unit));
 }
 
 }  // namespace terp

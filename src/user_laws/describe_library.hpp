@@ -3,6 +3,7 @@
 #pragma once
 
 #include "user_laws/interface.hpp"
+#include "user_laws/user_law.hpp"
 
 namespace terp {
 
@@ -15,6 +16,13 @@ struct FoundLibrary {
 
 /// Opens the library and finds its function. Throws InputError (user_law.hpp).
 FoundLibrary find_library(const std::string& folder, const LibraryCase& library);
+
+/// Units that the case gives to its state variables, in their order, as in "p_0 [kPa]"; the names are left without.
+/// Throws InputError.
+std::vector<std::string> take_units(LibraryCase& library);
+
+/// Refuses roles that state variables of these names and values at t = 0 cannot have. Throws InputError.
+void check_roles(const LibraryCase& library, const LawRoles& roles);
 
 /// Completes `library` with what the library says of its parameters and state: an order, names, initial values.
 /// Returns nothing where it cannot say anything. Throws InputError.

@@ -79,7 +79,12 @@ LibraryMaterial::LibraryMaterial(
 {
 }
 
-Real LibraryMaterial::derived(int, const LawRows&) const { return std::numeric_limits<Real>::quiet_NaN(); }
+/// The strength: no other field of a library is derived.
+Real LibraryMaterial::derived(int, const LawRows& rows) const
+{
+  return *rows.state(in_use_.strength_row) * in_use_.stress_unit;
+}
+
 Real LibraryMaterial::softened_strain() const { return std::numeric_limits<Real>::infinity(); }
 
 std::string LibraryMaterial::fault() const { return has_fault_ ? fault_ : std::string(); }

@@ -19,6 +19,7 @@ struct LibraryInUse {
   std::shared_ptr<const LawCalls> calls;
   std::shared_ptr<const OneAtATime> turns;  ///< of a library that is not thread safe; else nullptr
   std::size_t n_state = 0;                  ///< rows, those that are kept for the law included
+  std::size_t strength_row = 0;             ///< of the state variable that is the strength, if any is
   Real stress_unit = 1.0;                   ///< of the library [Pa]
   Real shear_modulus = 0.0;                 ///< of the case [Pa]
 };

@@ -13,6 +13,8 @@ namespace {
 /// Keeps the texts that the tables of a MaterialType point at.
 struct UserLaw final : MaterialType, std::enable_shared_from_this<UserLaw> {
   std::vector<StateInfo> own_state;
+  std::vector<DerivedInfo> own_derived;
+  LawRoles roles;
   std::vector<std::unique_ptr<std::string>> texts;
   LibraryInUse in_use;
 
@@ -25,17 +27,33 @@ struct UserLaw final : MaterialType, std::enable_shared_from_this<UserLaw> {
 
 constexpr std::string_view plastic_strain_name = "eps_eq_p";  ///< as in Terp's own laws
 
-void add_state(const LibraryCase& library, const std::optional<LawVariables>& said, UserLaw& law)
+std::string_view word_of(Real stress_unit) { return stress_unit == 1e6 ? "MPa" : stress_unit == 1e3 ? "kPa" : "Pa"; }
+
+/// What the library says of itself, or the units that the case gives, in the order of the state; "": none.
+struct SaidOfState {
+  std::optional<LawVariables> library;
+  std::vector<std::string> units;
+};
+
+std::string unit_of(const LibraryCase& library, const SaidOfState& said, const LawRoles& roles, std::size_t k)
 {
+  const std::string& unit = said.library ? said.library->state[k].unit : said.units[k];
+  if (!unit.empty()) return unit;
+  return std::string(library.state[k].name == roles.strength ? word_of(library.stress_unit) : "-");
+}
+
+void add_state(const LibraryCase& library, const SaidOfState& said, UserLaw& law)
+{
+  const std::string_view strain =
+      law.roles.plastic_strain.empty() ? plastic_strain_name : std::string_view(law.roles.plastic_strain);
   for (std::size_t k = 0; k < library.state.size(); ++k) {
     const NamedNumber& number = library.state[k];
-    const LawVariables::Variable known = said ? said->state[k] : LawVariables::Variable{};
+    const std::string meaning = said.library ? said.library->state[k].meaning : "";
     law.own_state.push_back({.name = law.keep(number.name),
-        .unit = law.keep(known.unit.empty() ? "-" : known.unit),
+        .unit = law.keep(unit_of(library, said, law.roles, k)),
         .averaging = Averaging::cell,
-        .meaning =
-            law.keep(known.meaning.empty() ? fmt::format("state variable {} of the library", k + 1) : known.meaning),
-        .role = number.name == plastic_strain_name ? Role::plastic_strain : Role::none,
+        .meaning = law.keep(meaning.empty() ? fmt::format("state variable {} of the library", k + 1) : meaning),
+        .role = number.name == strain ? Role::plastic_strain : Role::none,
         .initial = number.value});
   }
   const auto add_kept = [&](const char* name, Real initial) {
@@ -56,6 +74,23 @@ void add_state(const LibraryCase& library, const std::optional<LawVariables>& sa
   }
 }
 
+/// The field `su` of Terp's own laws.
+void add_strength(UserLaw& law)
+{
+  if (law.roles.strength.empty()) return;
+  law.own_derived.push_back({.name = "su",
+      .unit = "Pa",
+      .meaning = law.keep(fmt::format("current strength, the state variable {} of the library", law.roles.strength)),
+      .role = Role::strength});
+}
+
+/// Number of the state variable that is the strength, of a law that has one.
+std::size_t strength_row(const LibraryCase& library, const LawRoles& roles)
+{
+  return static_cast<std::size_t>(
+      std::ranges::find(library.state, roles.strength, &NamedNumber::name) - library.state.begin());
+}
+
 std::unique_ptr<Material> make_library_law(const MaterialType& type, std::span<const Real> values, std::span<const int>)
 {
   const auto& law = static_cast<const UserLaw&>(type);
@@ -65,25 +100,36 @@ std::unique_ptr<Material> make_library_law(const MaterialType& type, std::span<c
 }  // namespace
 
 std::shared_ptr<const MaterialType> load_user_law(const std::string& material, const std::string& folder,
-    std::span<const Real> moduli, LibraryCase& library, bool takes_turns)
+    std::span<const Real> moduli, LibraryCase& library, const LawRoles& roles, bool takes_turns)
 {
   const FoundLibrary found = find_library(folder, library);
+  const std::vector<std::string> units = take_units(library);
   const std::optional<LawVariables> said = describe_library(found, library);
+  check_roles(library, roles);
   if (takes_turns) library.thread_safe = false;
   const auto law = std::make_shared<UserLaw>();
   static_cast<MaterialType&>(*law) = *find_material("library");
   law->maker = &make_library_law;
-  add_state(library, said, *law);
+  law->roles = roles;
+  add_state(library, {said, units}, *law);
+  add_strength(*law);
   law->state = law->own_state;
+  law->derived = law->own_derived;
   law->in_use = {.material = material,
       .title = fmt::format("{} ({}, {})", library.file, info_of(library.interface).name, found.symbol),
       .library = found.library,
       .calls = info_of(library.interface).make(found.function, library, material),
       .turns = library.thread_safe ? nullptr : turns_of(found.path),
       .n_state = law->own_state.size(),
+      .strength_row = strength_row(library, roles),
       .stress_unit = library.stress_unit,
       .shear_modulus = moduli[0]};
   return law;
+}
+
+const LawRoles* roles_of(const MaterialType& type)
+{
+  return type.maker == &make_library_law ? &static_cast<const UserLaw&>(type).roles : nullptr;
 }
 
 }  // namespace terp

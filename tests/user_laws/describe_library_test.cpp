@@ -87,7 +87,7 @@ TEST(Library, IsCalledByOneThreadAtATimeIfTheCaseOrTheLibrarySaysSo)
   LibraryCase library{.file = "elastic.so", .parameters = {{"", 1e6}, {"", 0.3}}};
   load_user_law("clay", law_folder(), moduli, library);
   EXPECT_TRUE(library.thread_safe) << "it says so itself";
-  load_user_law("clay", law_folder(), moduli, library, true);
+  load_user_law("clay", law_folder(), moduli, library, {}, true);
   EXPECT_FALSE(library.thread_safe);
   library = {.file = "wrong_native.so", .parameters = {{"", 1e6}, {"", 0.3}}, .thread_safe = true};
   EXPECT_THAT(problems_with(library),
@@ -102,6 +102,74 @@ TEST(Library, BeginsWithTheStateOfTheCase)
   EXPECT_EQ(law->state[0].name, "shear_path");
   EXPECT_EQ(law->state[0].initial, 0.5);
   EXPECT_EQ(law->state[0].meaning, "sum of the shear strain increments");
+}
+
+/// A law that remembers a plastic strain and a strength, in kPa.
+LibraryCase softening_law()
+{
+  return {.file = "wrong_umat.so",
+      .interface = LawInterface::umat,
+      .state = {{"k", 0.0}, {"cu", 8.0}, {"p_0 [kN/m^2]", 50.0}},
+      .stress_unit = 1e3};
+}
+
+constexpr std::array<Real, 2> moduli{1e6, 0.3};
+
+TEST(Library, IsAskedForTheStrainAndTheStrengthThatTheCaseNames)
+{
+  LibraryCase library = softening_law();
+  const auto law = load_user_law("clay", law_folder(), moduli, library, {.plastic_strain = "k", .strength = "cu"});
+  EXPECT_EQ(find_role(law->state, Role::plastic_strain), 0);
+  ASSERT_EQ(law->derived.size(), 1u);
+  EXPECT_EQ(law->derived[0].name, "su");
+  EXPECT_EQ(law->derived[0].unit, "Pa");
+  EXPECT_EQ(law->derived[0].meaning, "current strength, the state variable cu of the library");
+  EXPECT_EQ(law->derived[0].role, Role::strength);
+  EXPECT_EQ(law->state[0].unit, "-");
+  EXPECT_EQ(law->state[1].unit, "kPa") << "that of the stresses";
+  EXPECT_EQ(law->state[2].name, "p_0");
+  EXPECT_EQ(law->state[2].unit, "kN/m^2");
+  std::vector<Real> state{0.1, 3.0, 50.0};
+  EXPECT_EQ(law->make(moduli)->derived(0, {.state = {.data = state.data()}, .parameters = {}}), 3e3);
+  EXPECT_TRUE(std::isnan(roles_of(*law)->residual_strength));
+  EXPECT_EQ(roles_of(*find_material("tresca_softening")), nullptr);
+}
+
+TEST(Library, OfWhichNothingIsSaidHasThePlasticStrainOfItsNameAlone)
+{
+  LibraryCase library = softening_law();
+  EXPECT_EQ(find_role(load_user_law("clay", law_folder(), moduli, library)->state, Role::plastic_strain), -1);
+  library.state[0].name = "eps_eq_p";
+  const auto law = load_user_law("clay", law_folder(), moduli, library);
+  EXPECT_EQ(find_role(law->state, Role::plastic_strain), 0);
+  EXPECT_TRUE(law->derived.empty());
+}
+
+TEST(Library, WhoseStrainAndStrengthCannotBeMeantIsRefused)
+{
+  const auto refused = [](
+                           const LawRoles& roles, const char* key, const char* what, const char* detail,
+                           std::function<void(LibraryCase&)> change = [](LibraryCase&) {}) {
+    LibraryCase library = softening_law();
+    change(library);
+    EXPECT_THAT(problems_of([&] { load_user_law("clay", law_folder(), moduli, library, roles); }),
+        ElementsAre(told(key, what, HasSubstr(detail))));
+  };
+  refused({.plastic_strain = "kk"}, "plastic_strain", "the library has no state variable `kk`",
+      "Those of the library, in its order: k, cu, p_0.");
+  refused({.strength = "c"}, "strength", "the library has no state variable `c`", "in its order: k, cu, p_0.");
+  refused({.plastic_strain = "k", .strength = "k"}, "strength", "`k` cannot be the strength and the plastic strain",
+      "Give the name of another state variable");
+  refused({.strength = "cu"}, "strength", "the strength `cu` is 0 at t = 0", "state = { cu = VALUE }",
+      [](LibraryCase& c) { c.state[1].value = 0.0; });
+  refused({.residual_strength = 2e3}, "residual_strength", "nothing says which state variable is the strength",
+      "Give its name as `strength`");
+  refused({.strength = "cu", .residual_strength = 9e3}, "residual_strength",
+      "the residual strength is above that at t = 0", "Got 9000 Pa; `cu` begins at 8000 Pa.");
+  refused({}, "state", "`p_0 []` has no unit that can be read", "A unit has 1 to 20 letters",
+      [](LibraryCase& c) { c.state[2].name = "p_0 []"; });
+  refused({}, "state", "`p 0` is no name of a state variable", "letters, digits and _",
+      [](LibraryCase& c) { c.state[2].name = "p 0 [kPa]"; });
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
 // Laws from libraries in runs: the Fortran example against Terp's own law, threads, schemes, resuming.
 #include "input/case_file.hpp"
+#include "simulation/follower.hpp"
+#include "simulation/run.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
+#include "support/cases.hpp"
 #include "support/laws.hpp"
 #include "support/simulations.hpp"
 #include "support/test.hpp"
+#include "user_laws/user_law.hpp"
 
 namespace {
 
@@ -100,6 +104,54 @@ TEST_P(UserLaw, GoesOnFromACheckpointWithTheSameBits)
 
 INSTANTIATE_TEST_SUITE_P(Schemes, UserLaw, testing::Values("mpm_gp", "mpm_mixed", "standard_mpm"),
     [](const auto& info) { return info.param; });
+
+/// A cell of four points of a law that remembers a plastic strain and a strength in kPa.
+Case cell_of_library(Real residual_strength)
+{
+  LibraryCase library{
+      .file = "wrong_umat.so", .interface = LawInterface::umat, .state = {{"k", 0.0}, {"cu", 8.0}}, .stress_unit = 1e3};
+  Case c = clamped_cell("mpm_gp");
+  MaterialCase& clay = c.materials[0];
+  clay.model = "library";
+  clay.parameters = {1e6, 0.3};
+  clay.from_library = load_user_law("clay", law_folder(), clay.parameters, library,
+      {.plastic_strain = "k", .strength = "cu", .residual_strength = residual_strength});
+  return c;
+}
+
+/// Leaves one point with 4.9 kPa, and looks at the soil.
+void soften_one(Simulation& s)
+{
+  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+    if (block.row(PointRows<2>::id)[lane] != 2.0) return;
+    block.row(PointRows<2>::state)[lane] = 0.3, block.row(PointRows<2>::state + 1)[lane] = 4.9;
+  });
+  for (const ActiveFollower& active : s.state.followers) active.follower->frame(s.model, s.state);
+}
+
+/// Share of the soil that has softened, if it is known.
+std::vector<Real> softened(Real residual_strength)
+{
+  Simulation s = followed(cell_of_library(residual_strength));
+  soften_one(s);
+  std::vector<Real> shares;
+  for (const auto& [time, share] : summarise(s.model, s.state).softened_fraction) shares.push_back(share);
+  return shares;
+}
+
+TEST(UserLawRoles, CountSoilThatSoftenedByTheStrengthThatTheCaseNames)
+{
+  EXPECT_THAT(softened(2e3), ElementsAre(DoubleNear(0.25, 1e-15)));  // half of the drop is done at 5 kPa
+  EXPECT_THAT(softened(1e3), ElementsAre(0.0));                      // at 4.5 kPa
+  EXPECT_THAT(softened(std::numeric_limits<Real>::quiet_NaN()), ElementsAre()) << "nobody said what softening leaves";
+}
+
+TEST(UserLawRoles, ShowTheStrengthInPascal)
+{
+  Simulation s = followed(cell_of_library(2e3));
+  soften_one(s);
+  EXPECT_THAT(s.field("su").values, ElementsAre(8e3, 8e3, DoubleNear(4.9e3, 1e-9), 8e3));
+}
 
 /// A case of two bodies of an ESM, one of which a stage places.
 std::string message_of_esm(const std::string& scheme, const std::string& material)
