@@ -51,8 +51,8 @@ void print_bodies(const Model& model)
     const BodyShare& body = model.bodies[b];
     const std::string& name = model.description.bodies[b].name;
     fmt::print("  {:<14} {}, {:.6g} m^2, {:.6g} kg per m, {} points{}\n",
-        name.empty() ? fmt::format("body {}", b) : "body " + printable(name), printable(body.material), body.area,
-        body.mass, body.n_points, stages_text(model, b));
+        name.empty() ? fmt::format("body {}", b) : "body `" + printable(name) + "`:", printable(body.material),
+        body.area, body.mass, body.n_points, stages_text(model, b));
   }
 }
 

@@ -93,10 +93,9 @@ void find_odd_softening_lengths(const Model& model, const State& state, std::vec
     if (is_short && is_long)
       warn("the cells are too large for a softening length that suits the section",
           fmt::format(
-              "{}, {}.\nOf less than two cells, a slip surface takes up to 14 % more energy than on fine cells; "
-              "longer than H/{:g}, soil\nwithin about 2 l of it softens though it never sheared.\n"
-              "Usual: {:.4g} m (H/{:g}) on cells of at most {:.4g} m.",
-              cells, height, part_of_height, longest, part_of_height, longest / resolved));
+              "{}, {}.\nA slip surface takes up to 14 % more energy than on fine cells, and soil within about 2 l "
+              "of it softens, too.\nUsual: {:.4g} m (H/{:g}) on cells of at most {:.4g} m.",
+              cells, height, longest, part_of_height, longest / resolved));
     else if (is_short)
       warn("the softening length holds less than two cells",
           fmt::format(
@@ -105,9 +104,8 @@ void find_odd_softening_lengths(const Model& model, const State& state, std::vec
               cells, resolved * scale.cell, scale.length / resolved));
     else if (is_long)
       warn("the softening length is long beside the section",
-          fmt::format("{}. Soil within about 2 l of a slip surface softens though it never sheared.\nUsual: at most "
-                      "H/{:g} = {:.4g} m, better H/50 = {:.4g} m.",
-              height, part_of_height, longest, scale.height / 50.0));
+          fmt::format("usual: at most H/{:g} = {:.4g} m, as {}.\nSoil within about 2 l of a slip surface softens, too.",
+              part_of_height, longest, height));
   }
 }
 
