@@ -10,6 +10,7 @@
 #include "input/overrides.hpp"
 #include "input/reader.hpp"
 #include "input/render.hpp"
+#include "simulation/stages.hpp"
 
 #include <fmt/format.h>
 
@@ -93,6 +94,23 @@ void check_fields_of_laws(const Case& before, const Case& now, std::vector<Probl
   }
 }
 
+/// Soil that becomes undrained in the very stage in which the water changes: a river that rises would not weaken it.
+void doubt_undrained_rise(
+    const Case& values, std::size_t stage, const Case& before, const Case& now, std::vector<Problem>& warnings)
+{
+  const StageWater water = water_of_stage(values, stage);
+  if (!water.given || water.from == water.to) return;
+  for (std::size_t m = 0; m < std::min(before.materials.size(), now.materials.size()); ++m) {
+    const MaterialCase& soil = now.materials[m];
+    if (soil.drainage != Drainage::undrained_effective || before.materials[m].drainage == soil.drainage) continue;
+    warnings.push_back({fmt::format("stage[{}].set", stage),
+        fmt::format("`{}` becomes undrained in the stage in which the water changes", soil.called()),
+        "Its pore pressure follows its total stress from then on, and not the lines: a river that rises hardly weakens "
+        "it.\nChange the water in a stage before.",
+        "stage.set"});
+  }
+}
+
 /// Sets the values of a stage in the tree.
 void set_values(const std::string& path, const Node& set, Node& root, std::vector<Problem>& problems)
 {
@@ -157,6 +175,7 @@ void read_stages(const Document& document, Case& values, std::vector<Problem>& w
       check_case(changed.root, now, findings);
       check_fields_of_laws(values, now, findings.problems);
       check_libraries_of_stage(values, now, findings.problems);
+      doubt_undrained_rise(values, k, k == 0 ? values : *values.stages[k - 1].changed, now, findings.warnings);
       check_first_calls(k == 0 ? values : *values.stages[k - 1].changed, now, k, findings.problems);
       if (stage.until == Until::at_rest) check_what_goes_on(now, findings.warnings);
     }
