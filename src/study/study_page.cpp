@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 
 namespace terp {
 namespace {
@@ -215,6 +217,63 @@ std::string sensitivity_section(const Study& study, const StudyEstimates& e)
          "<code>material.</code>; of a field it is the mean over its trend.</p></section>\n";
 }
 
+/// What became of a realisation, in words; those with the same words are one kind.
+std::string kind_of(const Realisation& r)
+{
+  if (r.skipped()) return "not run: stands at the factor";
+  if (r.failed()) return "failed";
+  if (r.slides_as_drawn()) return "slides as drawn";
+  const std::string flood = !r.judges_flood ? "" : r.flooded ? ", and the land floods" : ", and holds the water";
+  if (!r.slid) return (r.flooded ? "no slide" : "stands") + flood;
+  const Real slides = r.outcomes[outcome_number("slides")];  // of the crest
+  return (slides > 1.0 ? "slides more than once" : slides == 0.0 ? "slides beside the crest" : "slides") + flood;
+}
+
+Real median_of(std::vector<Real> values)
+{
+  if (values.empty()) return std::nan("");
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Each kind with how often it happened, and the realisation in the middle of it, to be opened.
+std::string kinds_section(const Study& study, const Realisations& rows, Index n)
+{
+  std::map<std::string, std::vector<const Realisation*>> kinds;
+  Index n_counted = 0;
+  for (Index k = 0; k < n; ++k)
+    if (!study.is_coarse(k)) kinds[kind_of(rows.at(k))].push_back(&rows.at(k)), ++n_counted;
+  std::vector<std::pair<std::string, std::vector<const Realisation*>>> sorted(kinds.begin(), kinds.end());
+  std::ranges::stable_sort(sorted, std::greater(), [](const auto& kind) { return kind.second.size(); });
+  std::string out =
+      "<section><h2>What happened</h2>\n" +
+      head_of_table({"", "realisations", "share", "slid [m^2], median", "remains [m], median", "for example"});
+  const auto cell = [](Real value) {
+    return html_cell("td", std::isfinite(value) ? fmt::format("{:.4g}", value) : "-");
+  };
+  for (const auto& [kind, members] : sorted) {
+    std::vector<Real> volumes, heights;
+    for (const Realisation* r : members)
+      for (const auto& [name, values] : {std::pair("slide_volume", &volumes), std::pair("residual_height", &heights)})
+        if (const Real value = r->solved() ? r->outcomes[outcome_number(name)] : std::nan(""); std::isfinite(value))
+          values->push_back(value);
+    const Real volume = median_of(volumes), height = median_of(heights);
+    const auto typical = std::ranges::find_if(members,
+        [&](const Realisation* r) { return r->solved() && r->outcomes[outcome_number("slide_volume")] == volume; });
+    out += "<tr>" + html_cell("th", kind) + html_cell("td", fmt::format("{}", members.size())) +
+           html_cell("td", fmt::format("{:.3g} %", 100.0 * static_cast<Real>(members.size()) / n_counted)) +
+           cell(volume) + cell(height) +
+           html_cell("td", fmt::format("{}", (typical != members.end() ? *typical : members.front())->number)) +
+           "</tr>\n";
+  }
+  return out + end_of_table +
+         "<p class=\"muted\">Slides are counted as retreats of the crest (docs/formats.md); a slide beside it leaves "
+         "the "
+         "crest where it is. The example is the one with the median volume: <code>terp study run STUDY.toml --keep "
+         "N</code> opens it.</p></section>\n";
+}
+
 std::string realisation_row(const Study& study, const Realisation& r)
 {
   std::string row = "<tr>" + html_cell("th", fmt::format("{}", r.number));
@@ -326,6 +385,7 @@ std::string page_of_study(const Study& study, const Realisations& rows, const st
     charts.push_back(
         histogram("Volume that slid", "volume that slid [m^2]", outcomes_of(study, rows, e.n_made, "slide_volume")));
     body += "<section><h2>How sure, and what remains</h2>\n" + html_figures(charts) + "</section>\n";
+    body += kinds_section(study, rows, e.n_made);
     body += sensitivity_section(study, e);
   }
   body += realisations_section(study, rows, e.n_made);
