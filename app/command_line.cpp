@@ -118,6 +118,18 @@ void declare_converge(CLI::App& app, ConvergeOptions& options)
       ->option_text("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  converge
+      ->add_option("--turn", options.turns,
+          "solve all sizes once more with cells in these directions\nagainst x [degrees]; the sides of the mesh stay")
+      ->option_text("A,B")
+      ->delimiter(',')
+      ->check(number_between(-89.9, 89.9));
+  converge
+      ->add_option(
+          "--points", options.points, "solve all sizes once more with so many points per cell\nin each direction")
+      ->option_text("N,M")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 16));
   converge->add_option("--tolerance", options.tolerance, "share from which on a change counts (default 0.02)")
       ->option_text("T")
       ->check(number_between(1e-6, 1.0));

@@ -47,6 +47,8 @@ struct ConvergeOptions {
   RunOptions run;                     ///< the case; folder of the study; changes of all runs
   std::vector<double> cells;          ///< sizes [m]
   std::vector<std::string> variants;  ///< KEY=VALUE; several in one, with `;` between
+  std::vector<double> turns;          ///< directions of the cells [deg]
+  std::vector<int> points;            ///< points per cell in each direction
   double tolerance = 0.02;
   bool estimate = false;  ///< say what it would cost, and end
 };

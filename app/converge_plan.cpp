@@ -4,11 +4,13 @@
 #include "input/case_record.hpp"
 #include "input/cell_size.hpp"
 #include "input/printable.hpp"
+#include "mesh/mesh_error.hpp"
 #include "output/run_folder.hpp"
 #include "output/summary_json.hpp"
 #include "progress.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/setup_warnings.hpp"
+#include "simulation/turned_mesh.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -33,6 +35,17 @@ std::vector<double> sizes_of(const ConvergeOptions& options)
   return cells;
 }
 
+/// As it stands in a TOML text between quotes.
+std::string escaped(const std::string& text)
+{
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\' || c == '"') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
 /// "a=1; b=2" -> "a=1", "b=2".
 std::vector<std::string> changes_of_variant(const std::string& text)
 {
@@ -48,15 +61,47 @@ std::vector<std::string> changes_of_variant(const std::string& text)
   return changes;
 }
 
-std::vector<StudySequence> sequences_of(const ConvergeOptions& options)
-{
-  std::vector<StudySequence> sequences{{"as given", {}, {}}};
-  for (const std::string& variant : options.variants) {
-    const auto is_known = [&](const StudySequence& s) { return s.name == variant; };
-    if (std::ranges::any_of(sequences, is_known))
-      throw CaseError(printable(fmt::format("error: --variant {} is given twice\n", variant)));
-    sequences.push_back({variant, changes_of_variant(variant), {}});
+/// The sequences of a study as its options ask for them.
+class Sequences {
+ public:
+  std::vector<StudySequence> all{{"as given", {}, {}}};
+  std::vector<double> turns{0.0};  ///< of each the direction of its cells against x [deg]; 0: as given
+
+  void add(const std::string& option, StudySequence sequence, double turn = 0.0)
+  {
+    const auto is_like = [&](const StudySequence& s) { return s.name == sequence.name; };
+    if (std::ranges::any_of(all, is_like))
+      throw CaseError(printable(fmt::format("error: {} is given twice\n", option)));
+    all.push_back(std::move(sequence));
+    turns.push_back(turn);
   }
+};
+
+Sequences sequences_of(const ConvergeOptions& options, const Case& given)
+{
+  Sequences sequences;
+  for (const std::string& variant : options.variants)
+    sequences.add("--variant " + variant, {variant, changes_of_variant(variant), {}});
+  for (const double turn : options.turns) {
+    if (turn == 0.0) continue;  // as given
+    if (const std::string why = why_not_turned(given); !why.empty())
+      throw CaseError(
+          printable(fmt::format("error: {}: --turn: the mesh cannot be turned, as {}\n"
+                                "  A rectangle of equal square cells can, and a polygon without mesh.refine "
+                                "whose cells follow no bodies.\n",
+              options.run.path, why)));
+    sequences.add(fmt::format("--turn {:g}", turn), {fmt::format("turned by {:g} degrees", turn), {}, {}}, turn);
+  }
+  for (const int n : options.points) {
+    const auto has_them = [&](const BodyCase& b) { return b.points_per_cell == std::array<Index, 2>{n, n}; };
+    if (std::ranges::all_of(given.bodies, has_them)) continue;  // as given
+    sequences.add(fmt::format("--points {}", n),
+        {fmt::format("{0} x {0} points per cell", n), {fmt::format("body.*.points_per_cell=[{0}, {0}]", n)}, {}});
+  }
+  if (sequences.all.size() == 1 && options.turns.size() + options.points.size() > 0)
+    throw CaseError(
+        "error: --turn and --points name nothing but what the case has\n"
+        "  As in --turn 10,22.5,45 --points 3,4,5\n");
   return sequences;
 }
 
@@ -153,6 +198,7 @@ double expected_rest(Simulation& simulation, std::int64_t step)
 struct Planner {
   const ConvergeOptions& options;
   Plan& plan;
+  const std::vector<double>& turns;  ///< of each sequence
   Warnings warnings = {};
   std::vector<std::string> first_records = {};  ///< of the case as given, by size
 
@@ -169,6 +215,7 @@ struct Planner {
       check_not_given(change);
       run.changes.push_back(std::move(change));
     }
+    if (turns[sequence] != 0.0) turn(run, turns[sequence]);
     const CaseFile file = read_case(options.run.path, run.changes);
     warnings.show(file.warnings, file);
     try {
@@ -192,6 +239,17 @@ struct Planner {
   }
 
  private:
+  /// Gives a run a mesh file in place of what its case says of the mesh.
+  void turn(PlannedRun& run, double angle) const
+  {
+    try {
+      const std::string path = turned_mesh_file(read_case(options.run.path, run.changes).values, angle);
+      run.changes.push_back(fmt::format("mesh={{ file = \"{}\" }}", escaped(path)));
+    } catch (const MeshError& error) {
+      throw CaseError(printable(fmt::format("error: {}: {}\n", run.label, error.what())));
+    }
+  }
+
   /// A variant that changes nothing would be solved for nothing, and look as if its change did not matter.
   void check_that_it_differs(const StudySequence& s, std::string record, bool is_first)
   {
@@ -241,17 +299,18 @@ Plan plan_study(const ConvergeOptions& options)
 {
   const std::vector<double> cells = sizes_of(options);
   const CaseFile file = read_case(options.run.path, options.run.changes);
+  Sequences sequences = sequences_of(options, file.values);
   Plan plan{.case_name = file.values.name,
       .title = file.values.title,
       .folder = options.run.output.empty() ? default_run_folder(options.run.path) + "_convergence" : options.run.output,
-      .sequences = sequences_of(options),
+      .sequences = std::move(sequences.all),
       .runs = {}};
   if (fs::exists(path_in(plan.folder, case_file)))
     throw FileError(
         fmt::format("{}: this is the folder of one run; the sizes get folders of their own\n  Choose another: -o DIR",
             plan.folder));
   warn_of_given_points(file);
-  Planner planner{options, plan};
+  Planner planner{options, plan, sequences.turns};
   for (std::size_t k = 0; k < plan.sequences.size(); ++k) {
     const CaseFile base = k == 0 ? file : read_case(options.run.path, planner.changes_with(plan.sequences[k]));
     for (const double cell : cells) planner.add(k, cell, base);

@@ -106,12 +106,16 @@ void warn_of(const Summary& s, const Model& model, const std::string& folder)
         folder, 100.0 * s.energy_balance_error);
   constexpr double many = 7.0;  // runs whose mean force is damped have 1.4 to 5.6
   const auto number = [&](const char* name) { return s.numbers.contains(name) ? s.numbers.at(name) : 0.0; };
-  const double damping = number("damping_over_promised");
+  const double damping = number("damping_over_promised"), cells = number("softening_length_over_cell_reached");
   if (damping > many && number("damping_fraction") > much)
     fmt::print(stderr,
         "warning: {}: local damping took {:.2g} times the energy that its factor promises, so noise brakes the soil; "
         "see docs/troubleshooting.md#damping-took-more-than-it-promises\n",
         folder, damping);
+  if (cells < 2.0 * (1.0 - 1e-9) && cells < number("softening_length_over_cell"))  // it was told of less at t = 0
+    fmt::print(stderr,
+        "warning: {}: soil came to cells of which its softening length holds {:.2g}; see docs/softening_length.md\n",
+        folder, cells);
   for (const ReachedSide& reached : s.reached_sides)
     fmt::print(stderr,
         "warning: {}: soil {} the side `{}` of the mesh by t = {:.3g} s, which {}; see "

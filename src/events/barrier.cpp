@@ -19,6 +19,7 @@ constexpr Real carries = 1.0 / 3.0;  // part of a cell that ground must fill to 
 /// What a cell holds of ground.
 struct CellContent {
   Real volume = 0.0, sheared = 0.0;  ///< [m^2]
+  Real top = none;                   ///< upper edge of the highest point, a square of its volume [m]
 };
 
 CellContent content_of(const PointBlocks<2>& points, Index cell, const GroundQuestion& question)
@@ -30,6 +31,7 @@ CellContent content_of(const PointBlocks<2>& points, Index cell, const GroundQue
     for (Index lane = 0; lane < block.n; ++lane) {
       const Real volume = block.row(PointRows<2>::volume)[lane];
       content.volume += volume;
+      content.top = std::max(content.top, block.row(PointRows<2>::x + 1)[lane] + 0.5 * std::sqrt(volume));
       if (strain >= 0 && block.row(strain)[lane] >= question.intact_below) content.sheared += volume;
     }
   });
@@ -85,8 +87,19 @@ std::array<Real, 2> stretch_at(const std::array<Vec<2>, 4>& corners, Real x)
   return stretch;
 }
 
+/// Sides along x and y: what a cell holds then fills it up to its share of the height.
+bool is_upright(const std::array<Vec<2>, 4>& corners)
+{
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec<2>&a = corners[k], &b = corners[(k + 1) % corners.size()];
+    if (a[0] != b[0] && a[1] != b[1]) return false;
+  }
+  return true;
+}
+
 void enter_cell(const std::array<Vec<2>, 4>& corners, const CellContent& content, StandingGround& ground)
 {
+  const Real top = is_upright(corners) ? -none : content.top;  // of a cell cut askew the share says little
   const auto [left, right] = std::ranges::minmax({corners[0][0], corners[1][0], corners[2][0], corners[3][0]});
   const Columns& columns = ground.columns;
   const Real full = std::min(1.0, content.volume / area_of(corners));
@@ -96,7 +109,7 @@ void enter_cell(const std::array<Vec<2>, 4>& corners, const CellContent& content
     if (x > right) break;
     const auto [low, high] = stretch_at(corners, x);
     if (!(low < high)) continue;
-    ground.heights[k] = std::max(ground.heights[k], low + full * (high - low));
+    ground.heights[k] = std::max(ground.heights[k], std::min(low + full * (high - low), top));
     if (low <= ground.level && ground.level < high) ground.sheared[k] = content.sheared / content.volume;
   }
 }

@@ -2,6 +2,7 @@
 // softened soil is halo, softened by its neighbours though it hardly sheared itself (docs/softening_length.md).
 
 #include "followers/followers.hpp"
+#include "simulation/ledger_context.hpp"
 #include "simulation/softening_scales.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/summary.hpp"
@@ -36,26 +37,36 @@ Real halo_share(const Model& model, const State& state)
 
 class SofteningLength : public Follower {
   Real over_cell_ = nan, over_height_ = nan;  ///< at t = 0
+  Real over_reached_ = nan;                   ///< least so far, at the rows of the ledger
 
   void start(const Model& model, const State& state) override
   {
-    over_cell_ = over_height_ = nan;
-    for (const SofteningScale& scale : softening_scales(model, state)) {
-      over_cell_ = std::fmin(over_cell_, scale.length / scale.cell);
+    over_height_ = nan;
+    over_cell_ = over_reached_ = least_length_over_width(model, state);
+    for (const SofteningScale& scale : softening_scales(model, state))
       if (scale.height > 0.0) over_height_ = std::fmax(over_height_, scale.length / scale.height);
-    }
+  }
+  void row(const LedgerContext& context, std::span<Real>) override
+  {
+    over_reached_ = std::fmin(over_reached_, least_length_over_width(context.model, context.state));
   }
   void summarise(const Model& model, const State& state, Summary& summary) const override
   {
     summary.numbers["softening_length_over_cell"] = over_cell_;
+    summary.numbers["softening_length_over_cell_reached"] = over_reached_;
     summary.numbers["softening_length_over_height"] = over_height_;
     summary.numbers["halo_fraction"] = halo_share(model, state);
   }
-  void save(ArrayWriter& arrays) const override { arrays.copy("scales", std::vector<Real>{over_cell_, over_height_}); }
+  void save(ArrayWriter& arrays) const override
+  {
+    arrays.copy("scales", std::vector<Real>{over_cell_, over_height_});
+    arrays.copy("reached", std::vector<Real>{over_reached_});
+  }
   void load(const Model&, const State&, const ArrayReader& arrays) override
   {
     const auto& scales = arrays.reals("scales", 2);
     over_cell_ = scales[0], over_height_ = scales[1];
+    over_reached_ = arrays.has("reached") ? arrays.reals("reached", 1)[0] : over_cell_;
   }
 };
 
@@ -65,9 +76,14 @@ const FollowerType softening_length_follower{.name = "softening_length",
     .summary = {{.name = "softening_length_over_cell",
                     .unit = "-",
                     .label = "softening length over cell",
-                    .meaning =
-                        "smallest softening length over the size of a cell, at t = 0; `null`: no softening length",
+                    .meaning = "smallest softening length over the width of a cell with its soil, at t = 0; `null`: no "
+                               "softening length",
                     .is_input = true},
+        {.name = "softening_length_over_cell_reached",
+            .unit = "-",
+            .label = "softening length over cells reached",
+            .meaning = "the same of all cells to which the soil came, at the rows of the ledger",
+            .is_input = true},
         {.name = "softening_length_over_height",
             .unit = "-",
             .label = "softening length over height",

@@ -46,14 +46,17 @@ std::vector<Recipe> recipes(int variant)
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// How the nodes may move: along the lines of the map, and freely inside its faces.
+/// How the nodes may move: along the lines of the map, and freely inside its faces. Those of turned squares stay.
 std::vector<Freedom> freedom_of(const MshContent& file, const PlanarMap& map)
 {
   std::vector<Freedom> freedom(file.places.size());
   for (std::size_t i = 0; i < freedom.size(); ++i) {
-    freedom[i].n = file.node_entities[i].dimension;
-    if (freedom[i].n != 1) continue;
-    const CutLine& line = map.lines.at(file.node_entities[i].number - 1);
+    const auto [dimension, number] = file.node_entities[i];
+    const std::size_t n_of_map = dimension == 1 ? map.lines.size() : map.faces.size();
+    if (static_cast<std::size_t>(number) > n_of_map) continue;
+    freedom[i].n = dimension;
+    if (dimension != 1) continue;
+    const CutLine& line = map.lines.at(number - 1);
     const Vec<2>&a = map.places[line.a], &b = map.places[line.b];
     const Real length = std::hypot(b[0] - a[0], b[1] - a[1]);
     freedom[i].along = {(b[0] - a[0]) / length, (b[1] - a[1]) / length};
@@ -179,6 +182,8 @@ void check_sizes(const PolygonMesh& mesh)
       if (edge < 0 || edge >= static_cast<Index>(mesh.polygon.size()))
         throw MeshError(fmt::format(
             "side `{}` has edge {}; the polygon has edges 0 to {}", named.side, edge, mesh.polygon.size() - 1));
+  if (mesh.turn != 0.0 && !(mesh.follow.empty() && mesh.refine.empty()))
+    throw MeshError("the cells of a turned mesh are of one size and follow no outline");
 }
 
 std::optional<GeneratedMesh> read_kept(const std::string& path)

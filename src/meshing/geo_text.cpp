@@ -1,6 +1,7 @@
 #include "meshing/geo_text.hpp"
 
 #include "mesh/mesh_error.hpp"
+#include "meshing/turned_squares.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +9,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace terp {
 namespace {
+
+constexpr Real clearance = 1.2;  // of the turned squares from the polygon, over the size of a cell, measured
 
 Real distance_to_lines(const std::vector<Vec<2>>& line, Vec<2> x)
 {
@@ -35,24 +39,70 @@ std::string listed(const std::vector<T>& numbers)
   return text;
 }
 
-std::string geometry(const PlanarMap& map)
+/// Lines of the turned squares, which have the numbers beyond those of the map.
+std::vector<Index> beyond(std::size_t n_lines, std::span<const Index> lines)
 {
+  const auto n = static_cast<Index>(n_lines);
+  std::vector<Index> numbers;
+  for (const Index line : lines) numbers.push_back(line > 0 ? line + n : line - n);
+  return numbers;
+}
+
+TurnedSquares squares_inside(const PolygonMesh& mesh)
+{
+  const Real side = 2.0 * mesh.cell;
+  TurnedSquares grid = turned_squares(mesh.polygon, side, mesh.turn, clearance * mesh.cell);
+  if (grid.squares.empty())
+    throw MeshError(
+        fmt::format("no square of {:g} m, two by two cells, fits into the mesh at {:g} degrees\n  Use smaller cells.",
+            side, mesh.turn));
+  return grid;
+}
+
+/// Each square is a surface of one quadrilateral, which is halved as all others.
+std::string squares_text(const TurnedSquares& grid, const PlanarMap& map, std::size_t& n_loops)
+{
+  const std::size_t n_places = map.places.size(), n_lines = map.lines.size(), n_faces = map.faces.size();
+  std::string text;
+  for (std::size_t i = 0; i < grid.places.size(); ++i)
+    text +=
+        fmt::format("Point({}) = {{{:.17g}, {:.17g}, 0}};\n", n_places + i + 1, grid.places[i][0], grid.places[i][1]);
+  for (std::size_t k = 0; k < grid.lines.size(); ++k)
+    text += fmt::format("Line({}) = {{{}, {}}};\n", n_lines + k + 1,
+        n_places + static_cast<std::size_t>(grid.lines[k][0]) + 1,
+        n_places + static_cast<std::size_t>(grid.lines[k][1]) + 1);
+  for (std::size_t k = 0; k < grid.squares.size(); ++k)
+    text += fmt::format("Curve Loop({0}) = {{{1}}};\nPlane Surface({2}) = {{{0}}};\n", ++n_loops,
+        listed(beyond(n_lines, grid.squares[k])), n_faces + k + 1);
+  return text + fmt::format("Transfinite Curve {{{}:{}}} = 2;\nTransfinite Surface {{{}:{}}};\n", n_lines + 1,
+                    n_lines + grid.lines.size(), n_faces + 1, n_faces + grid.squares.size());
+}
+
+/// Corners, lines and faces of the polygon, and the turned squares inside, if there are any.
+std::string geometry(const PolygonMesh& mesh, const PlanarMap& map)
+{
+  TurnedSquares grid;
+  if (mesh.turn != 0.0) grid = squares_inside(mesh);
   std::string text;
   for (std::size_t i = 0; i < map.places.size(); ++i)
     text += fmt::format("Point({}) = {{{:.17g}, {:.17g}, 0}};\n", i + 1, map.places[i][0], map.places[i][1]);
   for (std::size_t k = 0; k < map.lines.size(); ++k)
     text += fmt::format("Line({}) = {{{}, {}}};\n", k + 1, map.lines[k].a + 1, map.lines[k].b + 1);
-  std::vector<std::size_t> surfaces;
   std::size_t n_loops = 0;
+  if (!grid.squares.empty()) text += squares_text(grid, map, n_loops);
+  std::vector<std::size_t> surfaces;
   for (const Face& face : map.faces) {
     std::vector<std::size_t> loops;
-    for (const auto& loop : face) {
+    const auto add = [&](const std::vector<Index>& lines) {
       loops.push_back(++n_loops);
-      text += fmt::format("Curve Loop({}) = {{{}}};\n", n_loops, listed(loop));
-    }
+      text += fmt::format("Curve Loop({}) = {{{}}};\n", n_loops, listed(lines));
+    };
+    for (const auto& loop : face) add(loop);
+    for (const auto& loop : grid.outline) add(beyond(map.lines.size(), loop));
     surfaces.push_back(surfaces.size() + 1);
     text += fmt::format("Plane Surface({}) = {{{}}};\n", surfaces.back(), listed(loops));
   }
+  for (std::size_t k = 0; k < grid.squares.size(); ++k) surfaces.push_back(surfaces.size() + 1);
   return text + fmt::format("Physical Surface(\"domain\") = {{{}}};\n", listed(surfaces));
 }
 
@@ -160,7 +210,7 @@ std::string geo_text(const PolygonMesh& mesh, const PlanarMap& map, const Recipe
   for (const NamedEdges& named : mesh.edges)
     if (named.side.empty() || named.side.find_first_of("\"\\\n") != std::string::npos)
       throw MeshError(fmt::format("a side cannot be named `{}`: use letters, digits, spaces and _", named.side));
-  return geometry(map) + sides(mesh, map) + size_fields(mesh, map, recipe) + options(mesh, recipe);
+  return geometry(mesh, map) + sides(mesh, map) + size_fields(mesh, map, recipe) + options(mesh, recipe);
 }
 
 }  // namespace terp

@@ -21,7 +21,8 @@ struct Recipe {
 /// Target size at a place: the smallest that the mesh or a refinement asks for [m].
 Real target_size(const PolygonMesh& mesh, Vec<2> x);
 
-/// The same numbers give the same text to the last character.
+/// The same numbers give the same text to the last character. The squares of a turned mesh have numbers beyond those
+/// of the lines and faces of the map. Throws MeshError if none fits.
 std::string geo_text(const PolygonMesh& mesh, const PlanarMap& map, const Recipe& recipe);
 
 }  // namespace terp

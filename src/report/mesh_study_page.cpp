@@ -135,6 +135,26 @@ std::string section_of(const StudiedSequence& s, Real tolerance)
   return html + "<h3>Over time</h3>\n" + time_charts(s.sequence) + "</section>\n";
 }
 
+/// All variants beside each other on the smallest cells that they have in common; empty with one sequence.
+std::string section_of_variants(const MeshStudy& study)
+{
+  if (study.spreads.empty()) return "";
+  std::string head = "<tr><th></th><th></th>", rows;
+  for (const StudiedSequence& s : study.sequences) head += html_cell("th", s.sequence.name);
+  for (const char* title : {"range", "share"}) head += html_cell("th", title);
+  for (const StudySpread& s : study.spreads) {
+    const RunMeasure& m = s.measure;
+    rows += fmt::format("<tr class=\"{}\">", s.matters ? "depends" : "same") + html_cell("th", m.label) +
+            html_cell("td", m.unit == "-" ? "" : m.unit, " class=\"unit\"");
+    for (const auto& value : s.values) rows += html_cell("td", text_of(m, value));
+    rows += html_cell("td", text_of(m, s.range)) + html_cell("td", percent(s.share)) + "</tr>\n";
+  }
+  return "<section><h2>All variants</h2>\n" + html_cell("p", answer_on_variants(study), " class=\"answer\"") +
+         fmt::format(
+             "\n<div class=\"scroll\"><table><thead>{}</tr></thead>\n<tbody>{}</tbody></table></div>\n</section>\n",
+             head, rows);
+}
+
 }  // namespace
 
 std::string study_page(const MeshStudy& study, const std::string& written)
@@ -149,7 +169,7 @@ std::string study_page(const MeshStudy& study, const std::string& written)
       .name = title + ": cell sizes",
       .subtitle = fmt::format("Does the result depend on the mesh? {}, a change counts from {} on", study.case_name,
           percent(study.tolerance)),
-      .body = body + about,
+      .body = body + section_of_variants(study) + about,
       .footer = fmt::format("terp {}, {}. The numbers: convergence.json", TERP_VERSION, written)});
 }
 

@@ -85,6 +85,58 @@ StudyQuantity judge_sizes(const RunMeasure& measure, const std::vector<StudyRun>
   return q;
 }
 
+namespace {
+
+/// Number of the run of a size that is solved; none if there is none.
+std::optional<std::size_t> solved_at(const StudySequence& sequence, Real cell)
+{
+  for (std::size_t k = 0; k < sequence.runs.size(); ++k)
+    if (sequence.runs[k].cell == cell && is_solved(sequence.runs[k])) return k;
+  return std::nullopt;
+}
+
+/// Smallest size that all sequences have solved [m]; 0: there is none.
+Real common_cell(const std::vector<StudiedSequence>& sequences)
+{
+  Real least = 0.0;
+  for (const StudyRun& run : sequences[0].sequence.runs) {
+    const auto has_it = [&](const StudiedSequence& s) { return solved_at(s.sequence, run.cell).has_value(); };
+    if (std::ranges::all_of(sequences, has_it) && (least == 0.0 || run.cell < least)) least = run.cell;
+  }
+  return least;
+}
+
+/// Of the quantity of this number in all sequences.
+StudySpread spread_of(const MeshStudy& study, std::size_t number)
+{
+  const StudyQuantity& first = study.sequences[0].quantities[number];
+  StudySpread spread{.measure = first.measure, .values = {}, .range = {}, .share = {}};
+  std::vector<Real> found;
+  for (const StudiedSequence& s : study.sequences) {
+    spread.values.push_back(s.quantities[number].values[*solved_at(s.sequence, study.spread_cell)]);
+    if (spread.values.back()) found.push_back(*spread.values.back());
+  }
+  if (found.size() < spread.values.size()) return spread.matters = !found.empty(), spread;
+  const auto [low, high] = std::ranges::minmax(found);
+  const bool is_word = first.measure.kind == MeasureKind::word, differs = !is_same(low, high);
+  if (is_word || first.measure.kind == MeasureKind::count) spread.matters = differs;
+  if (is_word) return spread;
+  spread.range = differs ? high - low : 0.0;
+  if (first.scale) spread.share = *spread.range / *first.scale;
+  if (spread.share) spread.matters |= *spread.share > study.tolerance && *spread.range > first.resolution;
+  return spread;
+}
+
+void spread_over_variants(MeshStudy& study)
+{
+  if (study.sequences.size() < 2) return;
+  study.spread_cell = common_cell(study.sequences);
+  if (study.spread_cell == 0.0) return;
+  for (std::size_t k = 0; k < study.sequences[0].quantities.size(); ++k) study.spreads.push_back(spread_of(study, k));
+}
+
+}  // namespace
+
 MeshStudy study_mesh(const std::vector<StudySequence>& sequences, Real tolerance)
 {
   std::vector<RunResults> all;
@@ -101,6 +153,7 @@ MeshStudy study_mesh(const std::vector<StudySequence>& sequences, Real tolerance
     if (std::ranges::none_of(rows, &StudyQuantity::has_values)) continue;
     for (std::size_t k = 0; k < rows.size(); ++k) study.sequences[k].quantities.push_back(std::move(rows[k]));
   }
+  spread_over_variants(study);
   return study;
 }
 

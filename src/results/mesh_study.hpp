@@ -77,10 +77,21 @@ struct StudiedSequence {
   std::vector<StudyQuantity> quantities;  ///< without those that no run of the study has
 };
 
+/// One measure on cells of one size in all sequences: what a choice that should not matter does.
+struct StudySpread {
+  RunMeasure measure;
+  std::vector<std::optional<Real>> values;  ///< of each sequence, as MeshStudy::sequences
+  std::optional<Real> range;                ///< largest less smallest; none: of a word, or a sequence lacks it
+  std::optional<Real> share;                ///< range over what it counts as a share of (MeasureKind)
+  bool matters = false;                     ///< beyond tolerance and resolution, or not in all sequences
+};
+
 struct MeshStudy {
   std::string case_name, title;
   Real tolerance = 0.02;  ///< share from which on a change between the two finest sizes counts
   std::vector<StudiedSequence> sequences;
+  Real spread_cell = 0.0;                 ///< smallest size that all sequences have solved [m]
+  std::vector<StudySpread> spreads = {};  ///< there; empty with one sequence
 };
 
 /// sequences: at least one, each with runs of different sizes from coarse to fine.
@@ -95,6 +106,9 @@ std::string sentence_on(const StudyQuantity& quantity);
 
 /// What the sequence as a whole says, in one sentence or two.
 std::string answer_of(const StudiedSequence& sequence, Real tolerance);
+
+/// What the variants say together, in one sentence; empty if there are no spreads.
+std::string answer_on_variants(const MeshStudy& study);
 
 /// Remarks on a sequence that weaken what its numbers say: sizes too near to each other, too few, runs that failed.
 std::vector<std::string> remarks_on(const StudySequence& sequence);

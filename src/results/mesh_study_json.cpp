@@ -91,6 +91,20 @@ Json sequence_json(const StudiedSequence& s, Real tolerance)
       {"remarks", remarks_on(s.sequence)}, {"runs", std::move(runs)}, {"quantities", std::move(quantities)}};
 }
 
+/// The variants beside each other; `null` with one sequence.
+Json spread_json(const MeshStudy& study)
+{
+  if (study.spreads.empty()) return nullptr;
+  Json quantities = Json::array();
+  for (const StudySpread& s : study.spreads) {
+    Json values = Json::array();
+    for (const auto& value : s.values) values.push_back(value_of(s.measure, value));
+    quantities.push_back({{"name", s.measure.name}, {"unit", s.measure.unit}, {"values", std::move(values)},
+        {"range", or_null(s.range)}, {"relative_range", or_null(s.share)}, {"matters", s.matters}});
+  }
+  return {{"cell", study.spread_cell}, {"answer", answer_on_variants(study)}, {"quantities", std::move(quantities)}};
+}
+
 }  // namespace
 
 std::vector<QuantityInfo> study_keys()
@@ -106,7 +120,7 @@ std::string study_json(const MeshStudy& study, const std::string& written)
   for (const StudiedSequence& s : study.sequences) sequences.push_back(sequence_json(s, study.tolerance));
   const Json json{{"terp_version", TERP_VERSION}, {"format", study_format}, {"written", written},
       {"case_name", study.case_name}, {"title", study.title}, {"tolerance", study.tolerance},
-      {"sequences", std::move(sequences)}};
+      {"sequences", std::move(sequences)}, {"variants", spread_json(study)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

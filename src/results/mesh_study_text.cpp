@@ -235,6 +235,45 @@ std::vector<std::string> remarks_on(const StudySequence& sequence)
   return remarks;
 }
 
+std::string answer_on_variants(const MeshStudy& study)
+{
+  if (study.spreads.empty()) return "";
+  std::vector<std::string> parts;
+  for (const StudySpread& s : study.spreads)
+    if (s.matters) parts.push_back(s.measure.label + (s.share ? fmt::format(" ({})", percent_text(*s.share)) : ""));
+  const std::string start = fmt::format("On cells of {:g} m, as given and with {} variant{}: ", study.spread_cell,
+      study.sequences.size() - 1, study.sequences.size() == 2 ? "" : "s");
+  if (parts.empty())
+    return start + fmt::format("nothing differs by more than {} or its resolution.", percent_text(study.tolerance));
+  return start + fmt::format("{} differ{} by more than {} and its resolution.", fmt::join(parts, ", "),
+                     parts.size() == 1 ? "s" : "", percent_text(study.tolerance));
+}
+
+namespace {
+
+/// The variants beside each other on the smallest cells that all have, and their legend.
+std::string spread_text(const MeshStudy& study)
+{
+  if (study.spreads.empty()) return "";
+  std::string text = fmt::format("\nall variants, cells of {:g} m\n", study.spread_cell);
+  Rows rows{{""}};
+  for (std::size_t k = 0; k < study.sequences.size(); ++k) {
+    text += fmt::format("  [{}] {}\n", k, study.sequences[k].sequence.name);
+    rows[0].push_back(fmt::format("[{}]", k));
+  }
+  for (const char* head : {"range", "share"}) rows[0].push_back(head);
+  for (const StudySpread& s : study.spreads) {
+    const RunMeasure& m = s.measure;
+    rows.push_back({m.label + (m.unit == "-" ? "" : fmt::format(" [{}]", m.unit))});
+    for (const Value& value : s.values) rows.back().push_back(text_of(m, value));
+    rows.back().push_back(text_of(m, s.range));
+    rows.back().push_back(s.share ? percent_text(*s.share) : "-");
+  }
+  return text + columns(rows) + answer_on_variants(study) + '\n';
+}
+
+}  // namespace
+
 std::string study_text(const MeshStudy& study)
 {
   std::string text;
@@ -259,7 +298,7 @@ std::string study_text(const MeshStudy& study)
     for (const std::string& remark : remarks_on(s.sequence)) text += "  " + remark + '\n';
     text += answer_of(s, study.tolerance) + '\n';
   }
-  return text;
+  return text + spread_text(study);
 }
 
 }  // namespace terp

@@ -313,6 +313,7 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
   for (const Index m : used)
     if (model.materials[m].increment_row >= 0) length = std::max(length, model.materials[m].softening.length);
   for (const Index m : used) model.materials[m].softening_scale = scale_by_cell(*model.mesh, model.materials[m]);
+  check_cells_in_length(model, used);
   if (length > 0.0) model.diffusion = make_node_diffusion(*model.mesh, length);
   if (of_run != nullptr)
     take_time_step(*of_run, model);

@@ -5,18 +5,20 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace terp {
 namespace {
 
 constexpr Real resolved = 2.0;         // cells in a length
 constexpr Real part_of_height = 20.0;  // of the section over the length, at least
+constexpr Real most_cells = 100.0;     // in a length: spreading then takes 7000 sub-steps in each step
 constexpr Real half_spacing = 0.02;    // of the height, by which the outermost points fall short of it
 constexpr Real round_off = 1e-9;       // of cells of a mesh that ought to be equal
 
-std::string key_of(const Model& model, const SofteningScale& scale)
+std::string key_of(const Model& model, Index material)
 {
-  return fmt::format("material.\"{}\".softening.length", model.materials[scale.material].name);
+  return fmt::format("material.\"{}\".softening.length", model.materials[material].name);
 }
 
 Real height_of(const Model& model, const State& state)
@@ -30,18 +32,37 @@ Real height_of(const Model& model, const State& state)
   return std::max(high - low, 0.0);
 }
 
+/// The greater distance between the middles of opposite sides [m].
+Real width_of(const Mesh<2>& mesh, Index cell)
+{
+  const auto& map = mesh.geometry(cell).map;
+  return 2.0 * std::max(std::hypot(map.axis_xi[0], map.axis_xi[1]), std::hypot(map.axis_eta[0], map.axis_eta[1]));
+}
+
 }  // namespace
+
+Real least_length_over_width(const Model& model, const State& state)
+{
+  Real least = std::numeric_limits<Real>::quiet_NaN();
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    const SoilMaterial& material = model.materials[block.material];
+    if (material.increment_row >= 0)
+      least = std::fmin(least, material.softening.length / width_of(*model.mesh, block.cell));
+  });
+  return least;
+}
 
 std::vector<SofteningScale> softening_scales(const Model& model, const State& state)
 {
-  std::vector<Real> area(model.materials.size(), 0.0);
+  std::vector<Real> area(model.materials.size(), 0.0), width = area;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     area[block.material] = std::max(area[block.material], model.mesh->geometry(block.cell).volume);
+    width[block.material] = std::max(width[block.material], width_of(*model.mesh, block.cell));
   });
   std::vector<SofteningScale> scales;
   for (Index m = 0; m < static_cast<Index>(model.materials.size()); ++m)
     if (model.materials[m].increment_row >= 0 && area[m] > 0.0)
-      scales.push_back({m, model.materials[m].softening.length, std::sqrt(area[m]), height_of(model, state)});
+      scales.push_back({m, model.materials[m].softening.length, std::sqrt(area[m]), width[m], height_of(model, state)});
   return scales;
 }
 
@@ -53,11 +74,25 @@ bool softens_point_by_point(const Model& model)
   });
 }
 
+void check_cells_in_length(const Model& model, const std::vector<Index>& materials)
+{
+  const Real cell = model.mesh->smallest_altitude;
+  for (const Index m : materials) {
+    const Real length = model.materials[m].softening.length;
+    if (model.materials[m].increment_row < 0 || length <= most_cells * cell) continue;
+    throw InputError(Problem{key_of(model, m), "the softening length spans too many cells",
+        fmt::format("Got {:.4g} m; the smallest cell is {:.4g} m high. Allowed: at most {:.0f} of them, {:.4g} m.\n"
+                    "Lengths are in m.",
+            length, cell, most_cells, most_cells * cell),
+        "material.softening", false, {"mesh.cell", "mesh"}});
+  }
+}
+
 void check_softening_lengths(const Model& model, const State& state)
 {
   for (const SofteningScale& scale : softening_scales(model, state)) {
     if (scale.length >= scale.cell * (1.0 - round_off)) continue;
-    throw InputError(Problem{key_of(model, scale), "the softening length is shorter than a cell",
+    throw InputError(Problem{key_of(model, scale.material), "the softening length is shorter than a cell",
         fmt::format(
             "Got {:.4g} m; cells with this soil measure up to {:.4g} m (square root of the area): nothing would "
             "spread.\nAllowed: at least {:.4g} m, better {:.4g} m or more. Give that, or smaller cells.",
@@ -72,7 +107,7 @@ void find_odd_softening_lengths(const Model& model, const State& state, std::vec
   const std::vector<SofteningScale> scales = softening_scales(model, state);
   for (const SofteningScale& scale : scales) {
     const auto is_like = [&](const SofteningScale& other) {
-      return other.length == scale.length && std::abs(other.cell - scale.cell) <= round_off * scale.cell;
+      return other.length == scale.length && std::abs(other.width - scale.width) <= round_off * scale.width;
     };
     if (std::ranges::any_of(said, is_like)) continue;
     said.push_back(scale);
@@ -80,15 +115,15 @@ void find_odd_softening_lengths(const Model& model, const State& state, std::vec
     for (const SofteningScale& other : scales)
       if (is_like(other))
         soils += fmt::format("{}`{}`", soils.empty() ? "" : ", ", model.materials[other.material].name);
-    const bool is_short = scale.length < resolved * scale.cell * (1.0 - round_off);
+    const bool is_short = scale.length < resolved * scale.width * (1.0 - round_off);
     const bool is_long = scale.height > 0.0 && scale.length > scale.height / part_of_height * (1.0 + half_spacing);
     const Real longest = scale.height / part_of_height;
     const std::string got = fmt::format("Got {:.4g} m for {}; ", scale.length, soils);
-    const std::string cells = fmt::format("cells with this soil measure up to {:.4g} m", scale.cell),
+    const std::string cells = fmt::format("cells with this soil are up to {:.4g} m wide", scale.width),
                       height = fmt::format("the soil is H = {:.4g} m high", scale.height);
     const auto warn = [&](std::string what, std::string detail) {
-      warnings.push_back({key_of(model, scale), std::move(what), got + std::move(detail), "material.softening", false,
-          {"mesh.cell", "mesh"}});
+      warnings.push_back({key_of(model, scale.material), std::move(what), got + std::move(detail), "material.softening",
+          false, {"mesh.cell", "mesh"}});
     };
     if (is_short && is_long)
       warn("the cells are too large for a softening length that suits the section",
@@ -101,7 +136,7 @@ void find_odd_softening_lengths(const Model& model, const State& state, std::vec
           fmt::format(
               "{}. A slip surface takes up to 14 % more energy than on fine cells.\nUsual: at least {:.4g} m, or "
               "cells of at most {:.4g} m.",
-              cells, resolved * scale.cell, scale.length / resolved));
+              cells, resolved * scale.width, scale.length / resolved));
     else if (is_long)
       warn("the softening length is long beside the section",
           fmt::format("usual: at most H/{:g} = {:.4g} m, as {}.\nSoil within about 2 l of a slip surface softens, too.",

@@ -1,5 +1,6 @@
 // terp converge, as a user meets it.
 #include "app/coarse_column.hpp"
+#include "system/process.hpp"
 #include "support/test.hpp"
 #include <csignal>
 #include <regex>
@@ -139,6 +140,58 @@ TEST(Converge, SolvesVariantsAtAllSizes)
   EXPECT_TRUE(fs::exists(folder + "/report.html"));
 }
 
+TEST(Converge, TurnsTheCellsAndVariesTheirPointsAndSetsAllBesideEachOther)
+{
+  if (!run_process({"gmsh", "--version"}, 60.0).found) GTEST_SKIP() << "gmsh is not installed";
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/study";
+  // 5 points are those of the case, 0 degrees its direction.
+  const Finished f = test::terp(converge_command(folder, {"--turn", "0,22.5", "--points", "4,5"}, "0.5,0.25"));
+  ASSERT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(
+      f.out, AllOf(HasSubstr("\nall variants, cells of 0.25 m\n  [0] as given\n  [1] turned by 22.5 degrees\n"
+                             "  [2] 4 x 4 points per cell\n"),
+                 ContainsRegex(" +\\[0\\] +\\[1\\] +\\[2\\] +range +share\n"),
+                 ContainsRegex("\nfront at the end \\[m\\] +8[.0-9]* +8[.0-9]* +8[.0-9]* +0[.0-9]* +[0-9.]+ %\n"),
+                 HasSubstr("\nOn cells of 0.25 m, as given and with 2 variants: ")));
+  const auto json = study_in(folder);
+  EXPECT_EQ(json["sequences"].size(), 3u);
+  EXPECT_EQ(json["variants"]["cell"], 0.25);
+  EXPECT_EQ(json["variants"]["quantities"][0]["values"].size(), 3u);
+  EXPECT_EQ(json["sequences"][1]["changes"].size(), 0u);
+  EXPECT_NEAR(json["sequences"][1]["runs"][1]["size"], 0.25, 0.01);
+  EXPECT_THAT(text_of(folder + "/cell_0.5_turned_by_22.5_degrees/case.toml"), HasSubstr(".msh\""));
+  EXPECT_THAT(text_of(folder + "/cell_0.5_4_x_4_points_per_cell/case.toml"), HasSubstr("[4, 4]"));
+  EXPECT_THAT(test::terp(converge_command(folder, {"--turn", "22.5", "--points", "4"}, "0.5,0.25")).out,
+      HasSubstr("[3/6] cells of 0.5 m, turned by 22.5 degrees  kept, solved before\n"));
+  EXPECT_THAT(text_of(folder + "/convergence.html"), HasSubstr("<h2>All variants</h2>"));
+}
+
+TEST(Converge, RefusesToTurnOtherMeshesThanSquares)
+{
+  const ScratchFolder scratch;
+  const auto refused = [&](const std::string& mesh) {
+    const Finished f = test::terp({"converge", column_file, "--cells", "1,0.5", "--turn", "10", "-o",
+        scratch.path() + "/study", "--set", "mesh=" + mesh});
+    EXPECT_EQ(f.status, 2);
+    return f.err;
+  };
+  EXPECT_EQ(refused("{ size = [16, 3], cells = [16, 3] }"),
+      "error: " + column_file +
+          ": --turn: the mesh cannot be turned, as it is a graded rectangle\n"
+          "  A rectangle of equal square cells can, and a polygon without mesh.refine whose cells follow no bodies.\n");
+  EXPECT_THAT(refused("{ size = [16, 3], cell = [1.0, 0.5] }"), HasSubstr("as its cells are no squares\n"));
+  EXPECT_THAT(refused("{ sides = { bottom = [[0, 0], [16, 0]], right = [[16, 0], [16, 3]], top = [[0, 3], [16, 3]], "
+                      "left = [[0, 0], [0, 3]] }, cells = [16, 3] }"),
+      HasSubstr("as it is a grid between four sides\n"));
+  const std::string outline =
+      "polygon = [[0, 0], [16, 0], [16, 3], [0, 3]], cell = 1, edges = { bottom = [0], right = "
+      "[1], left = [3] }";
+  EXPECT_THAT(refused("{ " + outline + " }"), HasSubstr("as its cells follow the bodies (mesh.follow_bodies = false "));
+  EXPECT_THAT(refused("{ " + outline + ", follow_bodies = false, refine = [{ box = [[0, 0], [1, 1]], cell = 0.5 }] }"),
+      HasSubstr("as it is refined\n"));
+}
+
 TEST(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
 {
   const ScratchFolder scratch;
@@ -166,6 +219,14 @@ TEST(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
       "  The sizes of the cells are those of --cells.\n");
   EXPECT_EQ(refused({"--cells", "1,0.5", "--set", "mesh.cell=0.25"}),
       "error: --set mesh.cell=0.25: the sizes of the cells are those of --cells\n  Leave it out.\n");
+  for (const auto& [option, value] : {std::pair{"--turn", "0"}, {"--points", "5"}})
+    EXPECT_EQ(refused({"--cells", "1,0.5", option, value}),
+        "error: --turn and --points name nothing but what the case has\n  As in --turn 10,22.5,45 --points 3,4,5\n");
+  EXPECT_EQ(refused({"--cells", "1,0.5", "--turn", "10,10"}), "error: --turn 10 is given twice\n");
+  EXPECT_THAT(refused({"--cells", "1,0.5", "--turn", "91"}), HasSubstr("Value 91 not in range"));
+  EXPECT_THAT(refused({"--cells", "1.5,0.5", "--turn", "10", "--set", "mesh.size=[16.5, 3.0]"}),
+      HasSubstr("error: cells of 1.5 m, turned by 10 degrees: no square of 3 m, two by two cells, fits"));
+  EXPECT_THAT(refused({"--cells", "1,0.5", "--points", "0"}), HasSubstr("Value 0 not in range"));
   EXPECT_THAT(refused({"--cells", "1,0.4"}), HasSubstr("cells of 0.4 m: the mesh is not a whole number of such cells"));
 }
 

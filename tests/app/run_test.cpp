@@ -264,6 +264,25 @@ TEST(Run, WarnsWhereLocalDampingTookFarMoreThanItsFactorPromises)
   EXPECT_GT(nlohmann::json::parse(text_of(scratch.path() + "/slow/summary.json")).at("damping_over_promised"), 7.0);
 }
 
+TEST(Run, WarnsWhereSoilCameToCellsTooWideForItsSofteningLength)
+{
+  const ScratchFolder scratch;
+  const std::string path = scratch.path() + "/case.toml";
+  write_text(path,  // a block flies from cells of 0.1 m to cells of 0.3 m
+      "time.end = 0.3\nmesh = { size = [4.0, 1.0], cells = [20, 10], grading = [3.0, 1.0] }\n"
+      "body = [{ material = \"clay\", box = [[0.1, 0.2], [0.4, 0.8]], velocity = [9.0, 0.0] }]\n"
+      "[material.clay]\nmodel = \"tresca_softening\"\ndensity = 2000.0\nshear_modulus = 1e6\npoisson_ratio = 0.3\n"
+      "su_peak = 8e3\nsu_residual = 2e3\neta = 20.0\nsoftening.length = 0.3\n");
+  const auto run_with = [&](const std::string& length) {
+    return test::terp({"run", path, "-q", "-j", "1", "--force", "-o", scratch.path() + "/run", "--set",
+        "material.clay.softening.length=" + length});
+  };
+  EXPECT_THAT(run_with("0.35").err,
+      ContainsRegex("warning: [^ ]*/run: soil came to cells of which its softening length holds 1\\.[1-4]; see "
+                    "docs/softening_length.md\n"));
+  EXPECT_THAT(run_with("0.7").err, Not(HasSubstr("came to cells")));
+}
+
 TEST(Run, OnTwoThreadsGivesTheResultsOfOne)
 {
   const ScratchFolder scratch;

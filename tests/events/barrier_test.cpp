@@ -1,5 +1,6 @@
 // The ground that holds water, drawn point by point. The answers follow from the drawing.
 #include "events/barrier.hpp"
+#include "meshing/structured.hpp"
 #include "support/blocks.hpp"
 #include "support/test.hpp"
 
@@ -65,6 +66,29 @@ TEST(Barrier, IsTheHighestGroundAndAsWideAsItIsAtTheLevel)
   EXPECT_NEAR(barrier.width, 4.0, 0.51);  // its sides are between two columns
   EXPECT_DOUBLE_EQ(barrier.intact_width, barrier.width);
   EXPECT_EQ(dike().at(4.5).width, 0.0);
+}
+
+TEST(Barrier, IsNotHigherThanTheGroundWhereCellsLieAskew)  // by the share that cells hold it would be 4.16 m high
+{
+  const std::array<Vec<2>, 4> corner{{{0.0, -10.0}, {20.0, 10.0}, {0.0, 30.0}, {-20.0, 10.0}}};
+  const Mesh<2> askew = make_mapped_rectangle(
+      {{{corner[0], corner[1]}, {corner[1], corner[2]}, {corner[3], corner[2]}, {corner[0], corner[3]}}}, {56, 56},
+      {1.0, 1.0});  // cells of 0.505 m, turned by 45 degrees
+  PointBlocks<2> points(askew.n_cells(), 1);
+  constexpr Real spacing = 0.1;
+  for (int i = -60; i < 60; ++i)
+    for (int j = -140; j < 40; ++j) {
+      const Vec<2> x{(i + 0.5) * spacing, (j + 0.5) * spacing};
+      if (std::abs(x[0]) > x[1] + 9.99) continue;  // below the mesh
+      const Location at = locate(askew, x, 0);
+      add_point(askew, at.cell, {.local = at.local, .volume = spacing * spacing, .state = {0.0}}, points, soil);
+    }
+  points.update_occupied();
+  const std::vector<std::uint8_t> ground{1, 0};
+  const StandingGround found = look_at_ground(
+      askew, points, {.columns = {.left = -5.0, .width = size, .n = 20}, .ground = ground, .level = 3.0});
+  const Barrier barrier = find_barrier(found, columns_of_barrier(found, std::nullopt));
+  EXPECT_NEAR(barrier.height, 4.0, 1e-9);
 }
 
 TEST(Barrier, OfASlopeIsCutWhereTheLineBetweenColumnsMeetsTheLevel)

@@ -15,6 +15,7 @@ TEST(SofteningLength, IsReportedBesideCellAndHeightWithTheShareOfTheHalo)
   Simulation s = followed(c);
   const Summary before = summarise(s.model, s.state);
   EXPECT_EQ(before.numbers.at("softening_length_over_cell"), 1.5);
+  EXPECT_EQ(before.numbers.at("softening_length_over_cell_reached"), 1.5);
   EXPECT_EQ(before.numbers.at("softening_length_over_height"), 3.0);  // points are 0.5 m apart
   EXPECT_TRUE(std::isnan(before.numbers.at("halo_fraction")));
   edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
@@ -29,7 +30,8 @@ TEST(SofteningLength, IsReportedBesideCellAndHeightWithTheShareOfTheHalo)
 TEST(SofteningLength, IsNoNumberWithoutOne)
 {
   const Simulation s = followed(clamped_cell("mpm_gp"));
-  for (const char* name : {"softening_length_over_cell", "softening_length_over_height", "halo_fraction"})
+  for (const char* name : {"softening_length_over_cell", "softening_length_over_cell_reached",
+           "softening_length_over_height", "halo_fraction"})
     EXPECT_TRUE(std::isnan(summarise(s.model, s.state).numbers.at(name))) << name;
 }
 

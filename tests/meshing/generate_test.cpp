@@ -131,6 +131,56 @@ TEST_F(GenerateMesh, LosesLittleOfTheTimeStepToItsSmallestCell)  // as gmsh leav
   EXPECT_GT(mesh_of(dike()).smallest_altitude, 0.45 * 0.5);
 }
 
+/// Share of the cells that are squares of this size whose first side lies in this direction [deg].
+Real share_of_squares(const Mesh<2>& mesh, Real cell, Real turn)
+{
+  const Real angle = turn * std::numbers::pi / 180.0;
+  int n = 0;
+  for (Index e = 0; e < mesh.n_cells(); ++e) {
+    const auto& map = mesh.geometry(e).map;
+    const auto is_side = [&](Vec<2> half) {
+      const Real along = std::abs(half[0] * std::cos(angle) + half[1] * std::sin(angle)),
+                 across = std::abs(half[1] * std::cos(angle) - half[0] * std::sin(angle));
+      return std::abs(std::max(along, across) - 0.5 * cell) < 1e-6 * cell && std::min(along, across) < 1e-6 * cell;
+    };
+    const bool is_parallelogram = std::hypot(map.twist[0], map.twist[1]) < 1e-6 * cell;
+    if (is_parallelogram && is_side(map.axis_xi) && is_side(map.axis_eta)) ++n;
+  }
+  return static_cast<Real>(n) / static_cast<Real>(mesh.n_cells());
+}
+
+TEST_F(GenerateMesh, IsMadeOfTurnedSquaresBehindAStripAlongTheSides)
+{
+  for (const Real turn : {10.0, 22.5, 45.0, -22.5}) {
+    auto polygon = rectangle();
+    polygon.turn = turn;
+    const auto mesh = mesh_of(polygon);
+    EXPECT_NEAR(total_area(mesh), 8.0, 1e-9);
+    EXPECT_GT(share_of_squares(mesh, 0.1, turn), 0.5) << turn;  // of 20 by 40 cells the strip takes two to four
+    EXPECT_GT(mesh.smallest_altitude, 0.5 * 0.1) << turn;
+    EXPECT_NEAR(mesh.n_cells(), 800, 0.1 * 800) << turn;
+    EXPECT_NEAR(lengths_of_sides(mesh).at("bottom"), 4.0, 1e-9);
+    EXPECT_NEAR(lengths_of_sides(mesh).at("walls"), 4.0, 1e-9);
+  }
+  auto along = rectangle();
+  along.turn = 10.0;
+  EXPECT_LT(share_of_squares(mesh_of(along), 0.1, 0.0), 0.05);
+}
+
+TEST_F(GenerateMesh, RefusesToTurnAMeshThatFollowsOutlinesOrIsRefined)
+{
+  for (const bool follows : {true, false}) {
+    auto polygon = rectangle();
+    polygon.turn = 10.0;
+    if (follows)
+      polygon.follow = {{{1.0, 0.5}, {2.0, 0.5}, {2.0, 1.0}}};
+    else
+      polygon.refine = {{{}, {1.0, 0.0}, {2.0, 0.8}, 0.04, 0.3}};
+    EXPECT_THAT([&] { generate_mesh(polygon); },
+        ThrowsMessage<MeshError>(HasSubstr("the cells of a turned mesh are of one size and follow no outline")));
+  }
+}
+
 TEST_F(GenerateMesh, HasSmallerCellsInABox)
 {
   auto polygon = rectangle();

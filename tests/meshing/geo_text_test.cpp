@@ -66,6 +66,29 @@ TEST(GeoText, WaversDifferentlyInEachVariant)
   EXPECT_NE(one, two);
 }
 
+TEST(GeoText, NumbersTurnedSquaresBeyondLinesAndFaces)
+{
+  auto mesh = rectangle();
+  mesh.turn = 45.0;
+  mesh.cell = 0.2;
+  const std::string text = text_of(mesh);
+  EXPECT_THAT(text, HasSubstr("Point(5) = {"));
+  EXPECT_THAT(text, HasSubstr("Curve Loop(1) = {5, 6, 7, 8};\nPlane Surface(2) = {1};\n"));
+  EXPECT_THAT(text, ContainsRegex("Transfinite Curve \\{5:[0-9]+\\} = 2;\nTransfinite Surface \\{2:[0-9]+\\};\n"));
+  EXPECT_THAT(text, ContainsRegex("Plane Surface\\(1\\) = \\{[0-9]+, [0-9]+\\};\n"));  // the strip and its hole
+  EXPECT_THAT(text, ContainsRegex("Physical Surface\\(\"domain\"\\) = \\{1, 2, "));
+}
+
+TEST(GeoText, RefusesATurnedMeshInWhichNoSquareFits)
+{
+  auto mesh = rectangle();
+  mesh.turn = 10.0;
+  mesh.cell = 1.5;
+  EXPECT_THAT([&] { text_of(mesh); }, ThrowsMessage<MeshError>(HasSubstr("no square of 3 m, two by two cells, fits "
+                                                                         "into the mesh at 10 degrees\n  Use smaller "
+                                                                         "cells.")));
+}
+
 TEST(GeoText, RefusesNamesThatItCannotWrite)
 {
   auto mesh = rectangle();

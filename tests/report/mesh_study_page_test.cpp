@@ -26,6 +26,24 @@ TEST(MeshStudyPage, HasAnswerTableChartsAndNothingFromOutside)
   EXPECT_THAT(page, Not(AnyOf(HasSubstr("src="), HasSubstr("href="), HasSubstr("nan"))));
 }
 
+TEST(MeshStudyPage, HasTheVariantsBesideEachOther)
+{
+  const ScratchFolder scratch;
+  std::vector<StudySequence> sequences{{"as given", {}, {}}, {"mesh.turn=45", {}, {}}};
+  for (int k = 0; k < 4; ++k) {
+    const std::string folder = fmt::format("{}/{}", scratch.path(), k);
+    write_run(folder, [&](Summary& s) { s.front_x = 12.0 + k; });
+    const Real cell = k % 2 == 0 ? 0.4 : 0.2;
+    sequences[static_cast<std::size_t>(k / 2)].runs.push_back(
+        {.cell = cell, .size = cell, .folder = std::to_string(k), .results = read_run(folder)});
+  }
+  EXPECT_THAT(study_page(study_mesh({sequences[0]}, 0.02), ""), Not(HasSubstr("<h2>All variants</h2>")));
+  EXPECT_THAT(study_page(study_mesh(sequences, 0.02), ""),
+      AllOf(HasSubstr("<h2>All variants</h2>\n<p class=\"answer\">On cells of 0.2 m, as given and with 1 variant: "),
+          HasSubstr("<th>as given</th><th>mesh.turn=45</th><th>range</th><th>share</th>"),
+          HasSubstr("<td>13.00</td><td>15.00</td><td>2.00</td>")));
+}
+
 TEST(MeshStudyPage, OfRunsThatAllFailedSaysSo)
 {
   StudySequence sequence{"as given", {}, {}};

@@ -64,6 +64,25 @@ TEST(MeshStudyJson, HasRunsQuantitiesAndNullForWhatIsNotDefined)
   EXPECT_THROW(quantity(json, "slide_2_begins"), std::out_of_range);  // no run has it
 }
 
+TEST(MeshStudyJson, HasTheVariantsBesideEachOther)
+{
+  const ScratchFolder scratch;
+  const MeshStudy one = sample_study(scratch);
+  EXPECT_TRUE(nlohmann::json::parse(study_json(one, ""))["variants"].is_null());
+  StudySequence other = one.sequences[0].sequence;
+  other.name = "mesh.turn=45", other.runs[2].results.summary.values.front_x = 13.2;
+  const auto json = nlohmann::json::parse(study_json(study_mesh({one.sequences[0].sequence, other}, 0.02), ""));
+  EXPECT_EQ(json["variants"]["cell"], 0.1);
+  EXPECT_THAT(std::string(json["variants"]["answer"]), StartsWith("On cells of 0.1 m, as given and with 1 variant: "));
+  for (const auto& q : json["variants"]["quantities"]) {
+    if (q["name"] != "front_x") continue;
+    EXPECT_EQ(q["values"], (std::vector<Real>{13.5, 13.2}));
+    EXPECT_NEAR(q["range"], 0.3, 1e-12);
+    EXPECT_NEAR(q["relative_range"], 0.06, 1e-12);  // of a run-out of 5 m
+    EXPECT_EQ(q["matters"], true);
+  }
+}
+
 TEST(Formats, HaveTheKeysOfAQuantityInConvergenceJson)
 {
   std::string block = "| key | unit | meaning |\n|---|---|---|\n";

@@ -1,5 +1,6 @@
 // What sizes of cells say of a measure: manufactured sequences.
 #include "results/mesh_study.hpp"
+#include "results/runs.hpp"
 #include "results/sequences.hpp"
 #include "support/test.hpp"
 
@@ -142,6 +143,61 @@ TEST(MeshStudy, CountsAndWordsAreEqualOrNot)
   const StudyQuantity q = judge_sizes(verdict, runs_with({1.0, 0.5}, {0.0, 1.0}), 0.02);
   EXPECT_EQ(sentence_on(q), "front: depends on the mesh: stands, floods");
   EXPECT_EQ(sentence_on(judge_sizes(verdict, runs_with({1.0, 0.5}, {1.0, 1.0}), 0.02)), "front: floods at all sizes");
+}
+
+/// A sequence of runs on these cells with these fronts and a run-out of 10 m; a run whose front is NaN has failed.
+StudySequence sequence_with(const std::string& name, const std::vector<Real>& cells, const std::vector<Real>& fronts)
+{
+  StudySequence sequence{name, {}, {}};
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    sequence.runs.push_back({.cell = cells[k], .size = cells[k], .folder = "cell"});
+    if (std::isnan(fronts[k])) {
+      sequence.runs[k].fault = "stopped";
+      continue;
+    }
+    const ScratchFolder scratch;
+    write_run(scratch.path() + "/run", [&](Summary& s) { s.front_x = fronts[k], s.run_out = 10.0; });
+    sequence.runs[k].results = read_run(scratch.path() + "/run");
+  }
+  return sequence;
+}
+
+const StudySpread& front_of(const MeshStudy& study)
+{
+  return *std::ranges::find_if(study.spreads, [](const StudySpread& s) { return s.measure.name == "front_x"; });
+}
+
+TEST(MeshStudy, SetsVariantsBesideEachOtherOnTheSmallestCellsThatAllHave)
+{
+  const Real none = std::numeric_limits<Real>::quiet_NaN();
+  const MeshStudy study = study_mesh({sequence_with("as given", {0.4, 0.2, 0.1}, {11.0, 12.0, 12.5}),
+                                         sequence_with("mesh.turn=45", {0.4, 0.2, 0.1}, {11.0, 12.6, none})},
+      0.02);
+  EXPECT_EQ(study.spread_cell, 0.2);
+  EXPECT_THAT(front_of(study).values, ElementsAre(std::optional(12.0), std::optional(12.6)));
+  EXPECT_NEAR(*front_of(study).range, 0.6, 1e-12);
+  EXPECT_NEAR(*front_of(study).share, 0.06, 1e-12);  // of a run-out of 10 m
+  EXPECT_TRUE(front_of(study).matters);
+  EXPECT_THAT(answer_on_variants(study),
+      AllOf(StartsWith("On cells of 0.2 m, as given and with 1 variant: "), HasSubstr("front at the end (6.0 %)")));
+}
+
+TEST(MeshStudy, VariantsThatAgreeWithinTheToleranceDoNotMatter)
+{
+  const MeshStudy study = study_mesh(
+      {sequence_with("as given", {0.4, 0.2}, {11.0, 12.0}), sequence_with("b", {0.4, 0.2}, {11.0, 12.19})}, 0.02);
+  EXPECT_FALSE(front_of(study).matters);
+  EXPECT_EQ(answer_on_variants(study),
+      "On cells of 0.2 m, as given and with 1 variant: nothing differs by more than 2.0 % or its resolution.");
+}
+
+TEST(MeshStudy, NothingIsSaidOfVariantsWhereThereIsOneOrNoSizeInCommon)
+{
+  const Real none = std::numeric_limits<Real>::quiet_NaN();
+  EXPECT_EQ(answer_on_variants(study_mesh({sequence_with("as given", {0.4, 0.2}, {11.0, 12.0})}, 0.02)), "");
+  const MeshStudy apart = study_mesh(
+      {sequence_with("as given", {0.4, 0.2}, {none, 12.0}), sequence_with("b", {0.4, 0.2}, {11.0, none})}, 0.02);
+  EXPECT_TRUE(apart.spreads.empty());
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(SofteningScales, ALengthOfLessThanTwoCellsIsDoubted)
 {
   EXPECT_THAT(with_length(0.08),
       ElementsAre(told("material.\"clay\".softening.length", "the softening length holds less than two cells",
-          "Got 0.08 m for `clay`; cells with this soil measure up to 0.05 m. A slip surface takes up to 14 % more "
+          "Got 0.08 m for `clay`; cells with this soil are up to 0.05 m wide. A slip surface takes up to 14 % more "
           "energy than on "
           "fine cells.\nUsual: at least 0.1 m, or cells of at most 0.04 m.")));
 }
@@ -65,10 +65,22 @@ TEST(SofteningScales, ALengthThatSuitsNeitherCellsNorSectionIsToldOnceForAllSoil
   EXPECT_THAT(warnings_from(find_odd_softening_lengths, c),
       ElementsAre(told("material.\"clay\".softening.length",
           "the cells are too large for a softening length that suits the section",
-          "Got 0.3 m for `clay`, `peat`; cells with this soil measure up to 0.25 m, the soil is H = "
+          "Got 0.3 m for `clay`, `peat`; cells with this soil are up to 0.25 m wide, the soil is H = "
           "1.95 m high.\nA slip surface takes up to 14 % more energy than on fine cells, and soil within about 2 l "
           "of it softens, too.\n"
           "Usual: 0.0975 m (H/20) on cells of at most 0.04875 m.")));
+}
+
+TEST(SofteningScales, TheLongSidesOfCellsCount)  // their area is that of squares of 0.05 m
+{
+  Case c = column("mpm_gp", 0.05);
+  c.materials[0].softening.length = 0.1;
+  c.mesh.cell = {0.1, 0.025};
+  EXPECT_THAT(warnings_from(find_odd_softening_lengths, c),
+      ElementsAre(told("material.\"clay\".softening.length", "the softening length holds less than two cells",
+          HasSubstr("cells with this soil are up to 0.1 m wide."))));
+  c.mesh.cell = {0.025, 0.1};
+  EXPECT_EQ(warnings_from(find_odd_softening_lengths, c).size(), 1u);
 }
 
 TEST(SofteningScales, ALengthShorterThanACellIsRefused)
@@ -82,6 +94,15 @@ TEST(SofteningScales, ALengthShorterThanACellIsRefused)
             "Got 0.04 m; cells with this soil measure up to 0.05 m (square root of the area): nothing would spread.\n"
             "Allowed: at least 0.05 m, better 0.1 m or more. Give that, or smaller cells.")));
   }
+}
+
+TEST(SofteningScales, ALengthOfMoreThanAHundredCellsIsRefused)  // 200 mm written as 200
+{
+  Case c = column("mpm_gp", 0.5);
+  c.materials[0].softening.length = 200.0;
+  EXPECT_THAT(problems_of([&] { build_model(c, 1); }),
+      ElementsAre(told("material.\"clay\".softening.length", "the softening length spans too many cells",
+          "Got 200 m; the smallest cell is 0.5 m high. Allowed: at most 100 of them, 50 m.\nLengths are in m.")));
 }
 
 }  // namespace
