@@ -66,7 +66,7 @@ class SofteningLength : public Follower {
   {
     const auto& scales = arrays.reals("scales", 2);
     over_cell_ = scales[0], over_height_ = scales[1];
-    over_reached_ = arrays.has("reached") ? arrays.reals("reached", 1)[0] : over_cell_;
+    over_reached_ = arrays.reals("reached", 1)[0];
   }
 };
 

@@ -49,7 +49,7 @@ class Grid {
         0.5 * (box_.low[1] + box_.high[1]) + side_ * (i * along_[1] + j * along_[0])};
   }
 
-  /// Squares whose corners all lie well inside; one whose middle alone lies outside would hold a spike of the polygon.
+  /// Squares whose corners all lie well inside. A line that enters a square passes a corner within half a side.
   std::set<Spot> squares_in(const std::vector<Vec<2>>& polygon, Real clearance) const
   {
     const Real radius = 0.5 * std::hypot(box_.high[0] - box_.low[0], box_.high[1] - box_.low[1]);

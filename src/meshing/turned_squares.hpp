@@ -17,8 +17,8 @@ struct TurnedSquares {
 };
 
 /// polygon: counter-clockwise [m]; side: of a square [m]; turn: of its first side against x, counter-clockwise [deg];
-/// clearance: least distance of a corner from the polygon [m]. The grid has a corner in the middle of the box around
-/// the polygon. Squares never touch at a corner alone. Empty if none fits.
+/// clearance: least distance of a corner from the polygon [m], at least half a side. The grid has a corner in the
+/// middle of the box around the polygon. Squares never touch at a corner alone. Empty if none fits.
 TurnedSquares turned_squares(const std::vector<Vec<2>>& polygon, Real side, Real turn, Real clearance);
 
 }  // namespace terp

@@ -68,7 +68,7 @@ TEST(Barrier, IsTheHighestGroundAndAsWideAsItIsAtTheLevel)
   EXPECT_EQ(dike().at(4.5).width, 0.0);
 }
 
-TEST(Barrier, IsNotHigherThanTheGroundWhereCellsLieAskew)  // by the share that cells hold it would be 4.16 m high
+TEST(Barrier, IsNotHigherThanTheGroundWhereCellsLieAskew)  // by the shares of cells: 4.25 m
 {
   const std::array<Vec<2>, 4> corner{{{0.0, -10.0}, {20.0, 10.0}, {0.0, 30.0}, {-20.0, 10.0}}};
   const Mesh<2> askew = make_mapped_rectangle(
