@@ -49,8 +49,8 @@ std::string question_of(const PlannedSection& section, const AssessCommand& comm
 {
   const ImportCommand& import = command.import;
   std::string text = is_stix(section.file) ? read_file(section.file) : "";
-  text += fmt::format("|{}|{}|{}|{}|{}|{}", import.scenario, import.stage, import.strength, import.cell, import.trigger,
-      command.stability);
+  text += fmt::format("|{}|{}|{}|{}|{}|{}|{}", import.scenario, import.stage, import.strength, import.cell,
+      import.trigger, command.stability, import.river.value_or(not_given));
   if (import.base) text += fmt::format("|{}", *import.base);
   for (const double x : import.between) text += fmt::format("|{}", x);
   return digits_of(text + (import.soil_defaults.empty() ? soil_defaults_table() : read_file(import.soil_defaults)));
@@ -308,8 +308,7 @@ class Assessment {
 
   void remember_stored()
   {
-    record_.stored.clear();
-    record_.strength = strengths_of(options_.basis);
+    record_.stored.clear(), record_.strength = strengths_of(options_.basis);
     const std::vector<ResultSlices> slices = compare_slices(project_);
     const auto& calculations = project_.scenarios[options_.scenario].calculations;
     for (std::size_t k = 0; k < calculations.size(); ++k) {
@@ -318,7 +317,8 @@ class Assessment {
       const bool stale = std::ranges::any_of(slices, [&](const ResultSlices& of) {
         return of.scenario == options_.scenario && of.calculation == k && !of.stale.empty();
       });
-      record_.stored.push_back({c.method, c.result->factor_of_safety, stale, std::string(strengths_of(c.kind))});
+      record_.stored.push_back({c.method, c.result->factor_of_safety, stale || command_.import.river.has_value(),
+          std::string(strengths_of(c.kind))});
     }
   }
 

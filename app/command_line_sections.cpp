@@ -29,6 +29,11 @@ void add_stage_options(CLI::App* command, ImportCommand& options, const char* wh
       ->option_text("Z")
       ->check(number_between(-1e5, 1e5));
   command
+      ->add_option("--river", options.river,
+          "level of the river [m]; heads in the ground follow in\nproportion (default: that of the file)")
+      ->option_text("LEVEL")
+      ->check(number_between(-1e4, 1e4));
+  command
       ->add_option("--trigger", options.trigger,
           "a last stage that makes it fail: `strength` divides\nall strengths by the factor at which it slides, which\n"
           "is looked for (strength=F: by F); `water` brings the\nriver to the crest (water=LEVEL: to a level in m)")

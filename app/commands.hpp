@@ -88,6 +88,7 @@ struct ImportCommand {
   std::string unit;             ///< of a drawing; empty: that of its header
   std::string soil_defaults;    ///< CSV file; empty: the table of the program
   bool is_held = false;         ///< the section cannot stand: hold it until it is at rest
+  std::optional<double> river;  ///< level of the river [m]; none: that of the file
   std::string trigger;          ///< "strength", "strength=1.2", "water", "water=12.5"; empty: none
   bool print_defaults = false;
 };

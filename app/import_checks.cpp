@@ -37,6 +37,7 @@ void refuse_unused_options(const ImportCommand& command, bool is_drawing)
       {"--base", command.base.has_value(), Of::both, In::case_folder},
       {"--unit", !command.unit.empty(), Of::drawing, In::both},
       {"--trigger", !command.trigger.empty(), Of::stix, In::case_folder},
+      {"--river", command.river.has_value(), Of::stix, In::case_folder},
       {"--held", command.is_held, Of::stix, In::case_folder},
       {"--soil-defaults", !command.soil_defaults.empty(), Of::both, In::case_folder}};
   const Of file = is_drawing ? Of::drawing : Of::stix;

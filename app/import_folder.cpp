@@ -55,12 +55,15 @@ int import_drawing(const ImportCommand& command)
     refuse_import(fmt::format("there is no unit `{}` of drawings", command.unit), "Units: m, dm, cm, mm, ft, in.");
   const DxfDrawing drawing = read_dxf(command.path, unit);
   const DxfRegions regions = regions_of(drawing, drawing_snap);
+  std::vector<std::string> notes = drawing.notes;
+  notes.insert(notes.end(), drawing.doubts.begin(), drawing.doubts.end());
+  for (const std::string& doubt : drawing.doubts) fmt::print(stderr, "warning: {}\n", printable(doubt));
   if (command.output.empty()) {
-    fmt::print("{}", printable(drawing_listing(regions, drawing.notes)));
+    fmt::print("{}", printable(drawing_listing(regions, notes)));
     return solved;
   }
   refuse_to_replace(command);
-  write_folder(command, drawing_folder_of(regions, drawing.notes,
+  write_folder(command, drawing_folder_of(regions, notes,
                             {command.path, command.cell, between_of(command), command.base, soil_kinds(command)}));
   return solved;
 }

@@ -92,7 +92,8 @@ FolderOptions folder_options(const StixProject& project, const ImportCommand& co
       .base = command.base,
       .kinds = soil_kinds(command),
       .is_held = command.is_held,
-      .trigger = trigger_of(command.trigger)};
+      .trigger = trigger_of(command.trigger),
+      .river = command.river};
   if (command.strength == "design") options.basis = StixBasis::design;
   if (command.strength == "mean") options.basis = StixBasis::mean;
   return options;

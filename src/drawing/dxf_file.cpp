@@ -23,7 +23,8 @@ namespace {
 constexpr std::size_t most_problems = 10;
 constexpr int comment = 999;
 constexpr Real missing = std::numeric_limits<Real>::quiet_NaN();
-constexpr Real most_metres = 1e7;  // a coordinate beyond the Earth's grids is a fault of the file
+constexpr Real narrowest = 1.0, widest = 5e3;  // [m] of a section without doubt
+constexpr Real most_metres = 1e7;              // a coordinate beyond the Earth's grids is a fault of the file
 
 struct Unit {
   int number;  ///< of $INSUNITS
@@ -247,7 +248,9 @@ class DxfReader {
     bool closed = !is_line && (entity.flags & 1);
     if (!is_line && !closed && entity.places.size() > 3 && entity.places.front() == entity.places.back()) closed = true;
     if (closed && entity.places.front() == entity.places.back()) entity.places.pop_back();
-    drawing_.lines.push_back({dxf_letters(entity.layer, code_page_), std::move(entity.places), closed, entity.handle});
+    const std::string layer = dxf_letters(entity.layer, code_page_);
+    has_lost_letters_ = has_lost_letters_ || layer.find("\xEF\xBF\xBD") != std::string::npos;
+    drawing_.lines.push_back({layer, std::move(entity.places), closed, entity.handle});
   }
 
   void finish()
@@ -260,6 +263,11 @@ class DxfReader {
       drawing_.notes.push_back(fmt::format("{} entities of layouts (paper space) were left out.", n_on_paper_));
     if (n_hidden_ > 0)
       drawing_.notes.push_back(fmt::format("{} entities that the drawing hides (code 60) were left out.", n_hidden_));
+    if (has_lost_letters_)
+      drawing_.doubts.push_back(fmt::format(
+          "Letters of layer names were lost: they are not of the code page of the drawing, {}. Known are ANSI_1250 to "
+          "ANSI_1254, ANSI_1257, DOS437 and DOS850.",
+          code_page_.empty() ? "ANSI_1252" : code_page_));
     const Real scale = unit_ > 0.0 ? unit_ : unit_of_header();
     for (DxfLine& line : drawing_.lines)
       for (Vec<2>& x : line.places) {
@@ -268,6 +276,18 @@ class DxfReader {
           refuse("has a place beyond all maps",
               fmt::format("{:g}, {:g} m on layer {}. Check the unit of the drawing.", x[0], x[1], line.layer));
       }
+    doubt_width();
+  }
+
+  /// Many drawings are in metres, with a header that says millimetres, as that of an empty drawing does.
+  void doubt_width()
+  {
+    Real low = most_metres, high = -most_metres;
+    for (const DxfLine& line : drawing_.lines)
+      for (const Vec<2>& x : line.places) low = std::min(low, x[0]), high = std::max(high, x[0]);
+    if (high - low >= narrowest && high - low <= widest) return;
+    drawing_.doubts.push_back(fmt::format(
+        "The section is {:.3g} m wide: is that the unit of the drawing? --unit takes another one.", high - low));
   }
 
   Real unit_of_header()
@@ -293,7 +313,7 @@ class DxfReader {
   std::size_t line_ = 0, n_problems_ = 0, n_on_paper_ = 0, n_hidden_ = 0;
   std::string code_page_;  ///< of releases before 2007
   Pair pair_{};
-  bool has_entities_ = false;
+  bool has_entities_ = false, has_lost_letters_ = false;
   std::optional<int> header_unit_;
   std::vector<Problem> problems_;
   DxfDrawing drawing_;

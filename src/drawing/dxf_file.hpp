@@ -20,7 +20,8 @@ struct DxfLine {
 
 struct DxfDrawing {
   std::vector<DxfLine> lines;
-  std::vector<std::string> notes;  ///< what was assumed or left out, as sentences
+  std::vector<std::string> notes = {};   ///< what was assumed or left out, as sentences
+  std::vector<std::string> doubts = {};  ///< what speaks against it, the same
 };
 
 /// Length of a unit of the drawing in m, by its name in Terp (m, dm, cm, mm, ft, in); 0: there is no such unit.

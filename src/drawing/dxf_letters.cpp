@@ -1,18 +1,13 @@
 #include "drawing/dxf_letters.hpp"
 
 #include "base/utf8.hpp"
+#include "drawing/code_pages.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 namespace terp {
 namespace {
-
-/// Numbers of the bytes 0x80 to 0x9F of code page 1252; from 0xA0 on a byte is its own number. 0xFFFD: none.
-constexpr std::array<unsigned, 32> page_1252{0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6,
-    0x2030, 0x0160, 0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD, 0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013,
-    0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
 
 /// The number of \U+XXXX at the start of a text; 0: none is there.
 unsigned escaped_number(std::string_view text)
@@ -35,7 +30,8 @@ bool is_utf8(std::string_view text)
 
 std::string dxf_letters(std::string_view text, std::string_view code_page)
 {
-  const bool is_known = code_page.empty() || code_page == "ANSI_1252", is_sound = is_utf8(text);
+  const std::u16string_view page = letters_of_code_page(code_page.empty() ? "ANSI_1252" : code_page);
+  const bool is_sound = is_utf8(text);
   std::string letters;
   for (std::size_t k = 0; k < text.size(); ++k) {
     const auto byte = static_cast<unsigned char>(text[k]);
@@ -45,7 +41,7 @@ std::string dxf_letters(std::string_view text, std::string_view code_page)
     } else if (byte < 0x80 || is_sound) {
       letters += text[k];
     } else {
-      letters += utf8_of(!is_known ? 0xFFFD : byte < 0xA0 ? page_1252[byte - 0x80] : byte);
+      letters += utf8_of(page.empty() ? 0xFFFD : page[byte - 0x80]);
     }
   }
   return letters;

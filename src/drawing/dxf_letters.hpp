@@ -7,8 +7,8 @@
 
 namespace terp {
 
-/// The text in UTF-8. What is UTF-8 already stays. Bytes of the code page "ANSI_1252", which is also that of an empty
-/// name, are its letters; of other pages each byte above 0x7F is U+FFFD.
+/// The text in UTF-8. What is UTF-8 already stays. Bytes of a code page are its letters; an empty name is that of
+/// "ANSI_1252". Of a page that is not known (code_pages.hpp) each byte above 0x7F is U+FFFD.
 std::string dxf_letters(std::string_view text, std::string_view code_page);
 
 }  // namespace terp

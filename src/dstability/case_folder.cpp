@@ -2,8 +2,11 @@
 
 #include "base/errors.hpp"
 #include "dstability/folder_report.hpp"
+#include "dstability/import_doubts.hpp"
+#include "dstability/load_text.hpp"
 #include "dstability/preload.hpp"
 #include "dstability/reference_text.hpp"
+#include "dstability/river_level.hpp"
 #include "dstability/river_side.hpp"
 #include "dstability/section_layout.hpp"
 #include "dstability/section_part.hpp"
@@ -36,7 +39,8 @@ struct Piece {
 
 class FolderMaker {
  public:
-  FolderMaker(const StixProject& project, const FolderOptions& options)
+  /// moved: the same project with its river at another level; null: it is that of the file.
+  FolderMaker(const StixProject& project, const FolderOptions& options, const RiverLevel* moved)
       : project_(project),
         options_(options),
         section_(project, options.scenario, options.stage, options.basis),
@@ -45,13 +49,13 @@ class FolderMaker {
   {
     if (stage_.layers.empty())
       throw InputError({stage_.label, "this stage has no layers", "There is nothing to make a case of.", ""});
-    for (const StixLayer& layer : stage_.layers)
-      drawn_.push_back({layer.label.empty() ? layer.id : layer.label, layer.outline});
+    for (const StixLayer& layer : stage_.layers) drawn_.push_back({name_of_layer(project, layer), layer.outline});
     check_outlines(drawn_);
     for (const StixLine& pit : stage_.excavations)
       pits_.push_back({fmt::format("excavation {}", pits_.size() + 1), pit});
     const BoundingBox box = box_around(drawn_);
-    river_ = find_river(section_, {box.low[0], box.high[0]});
+    river_ = moved != nullptr ? moved->river : find_river(section_, {box.low[0], box.high[0]});
+    if (moved != nullptr) assumed_.push_back(moved->comment), notes_.push_back(moved->comment);
     take_part();
     layout_ = layout_of(drawn_, pits_, wishes_for(options.cell));
     cleaning_ = cleaning_for(layout_.cell);
@@ -67,12 +71,14 @@ class FolderMaker {
     make_trigger();
     make_flood();
     make_loads();
+    find_doubts();
     text_.title = scenario().label.empty() ? stage_.label : fmt::format("{}: {}", scenario().label, stage_.label);
     text_.head = origin_comments(project_, options_.scenario, options_.stage, options_.basis);
     text_.before.push_back(mesh_table(layout_));
     if (!part_.empty()) text_.before.back().comment += "\n" + part_;
     make_time();
     for (CaseTableText& table : common_tables(layout_)) text_.after.push_back(std::move(table));
+    if (!doubts_.empty()) text_.after.push_back(doubts_table(doubts_));
     for (CaseTableText& table : reference_texts(project_, options_.scenario, options_.stage, options_.basis))
       text_.after.push_back(std::move(table));
     CaseFolder folder;
@@ -80,6 +86,7 @@ class FolderMaker {
     for (auto& file : files_) folder.files.push_back(std::move(file));
     folder.files.push_back({"report.md", printable(report())});
     folder.notes = notes_;
+    folder.notes.insert(folder.notes.end(), doubts_.begin(), doubts_.end());
     return folder;
   }
 
@@ -230,10 +237,12 @@ class FolderMaker {
     for (const Piece& piece : base_) {
       text_.bodies.push_back(body_of(piece));
       text_.bodies.back().comment = "Not in the file, fills what is below its base. " + text_.bodies.back().comment;
+      text_.bodies.back().name += below_the_base;
       text_.bodies.back().polygon = piece.region.polygon;
       text_.bodies.back().holes = piece.region.holes;
     }
     std::ranges::move(order.bodies, std::back_inserter(text_.bodies));
+    name_bodies(text_.bodies);
     std::vector<Problem> problems;
     for (const auto& [key, use] : uses_) try {
         SoilText soil = soil_text(use, options_.basis, options_.kinds);
@@ -250,7 +259,11 @@ class FolderMaker {
   {
     const StixLayer& layer = layer_of(piece.region.drawn);
     const std::string zone = piece.zone == 0 ? "" : piece.zone == 1 ? ", below the phreatic line" : ", above it";
-    return {material_of(piece),
+    const std::string name = name_of_layer(project_, layer);
+    return {name + (piece.zone == 0      ? ""
+                       : piece.zone == 1 ? ", below water"
+                                         : ", above water"),
+        material_of(piece),
         fmt::format("Layer {} (id {}), soil {}{}", in_quotes(layer.label), layer.id,
             in_quotes(project_.soils[piece.soil].name), zone),
         {}, {}};
@@ -317,10 +330,7 @@ class FolderMaker {
 
   void make_flood()
   {
-    if (!river_.doubt.empty()) {
-      assumed_.push_back(river_.doubt);
-      notes_.push_back(river_.doubt);
-    }
+    if (!river_.doubt.empty()) doubts_.push_back(river_.doubt);
     if (!river_level_ && !water_stands_at(section_, river_end())) {
       assumed_.push_back(
           fmt::format("No water stands on the ground at {} of the section: the case has no [flood], and no verdict on "
@@ -347,33 +357,11 @@ class FolderMaker {
 
   void make_loads()
   {
-    std::set<std::string> labels;
-    for (const StixUniformLoad& load : stage_.loads) {
-      const Real from = std::max(std::min(load.start, load.end), layout_.low[0]);
-      const Real to = std::min(std::max(load.start, load.end), layout_.high[0]);
-      const std::string wanted = load.label.empty() ? "load" : key_of_name(load.label);
-      std::string label = wanted;
-      for (int k = 2; !labels.insert(label).second; ++k) label = fmt::format("{}_{}", wanted, k);
-      if (!(to > from) || !(load.magnitude > 0.0)) {
-        left_out_.push_back(fmt::format("Load {}: it has no width or no size in the section.", label));
-        continue;
-      }
-      const auto is_same = [&](const StixUniformLoad& other) {
-        return other.start == load.start && other.end == load.end && other.magnitude == load.magnitude;
-      };
-      const bool always = !is_staged_ || std::ranges::any_of(scenario().stages.front().loads, is_same);
-      text_.after.push_back(
-          {"[[load]]", fmt::format("Uniform load of {:g} kPa, spread {:g} degrees", load.magnitude / 1e3, load.spread),
-              {{"name", in_quotes(label), ""}, {"from", number_text(from), "m"}, {"to", number_text(to), "m"},
-                  {"pressure", always ? in_quotes(kilo_text(load.magnitude, "kPa")) : "0.0",
-                      always ? "" : "put on in the last stage"}}});
-      if (!always) stage_sets_.push_back(fmt::format("\"load.{}.pressure\" = {:g}", label, load.magnitude));
-      std::ranges::move(remarks_on(load, label), std::back_inserter(assumed_));
-    }
-    if (!stage_.layer_loads.empty() && std::ranges::any_of(stage_.layer_loads, [](const StixLayerLoad& load) {
-          return std::ranges::any_of(load.consolidation, [](const auto& entry) { return entry.second < 100.0; });
-        }))
-      left_out_.push_back("Layers that count as loads without full consolidation: their excess pore pressure.");
+    LoadTexts loads = load_texts(stage_, is_staged_ ? &first_.stage() : nullptr, layout_);
+    std::ranges::move(loads.tables, std::back_inserter(text_.after));
+    std::ranges::move(loads.sets, std::back_inserter(stage_sets_));
+    std::ranges::move(loads.assumed, std::back_inserter(assumed_));
+    std::ranges::move(loads.left_out, std::back_inserter(left_out_));
   }
 
   void make_time()
@@ -388,10 +376,28 @@ class FolderMaker {
     const std::vector<CaseTableText> stages = stage_tables(plan);
     text_.before.push_back(time_table(stages.empty()));
     text_.after.insert(text_.after.end(), stages.begin(), stages.end());
-    if (is_staged_ && !same_ground_until(scenario(), options_.stage))
+    if (is_staged_ && !same_ground_until(scenario(), options_.stage)) {
       assumed_.push_back(
-          "Ground or loads change between the stages of the file: the run has those of the analysed stage "
-          "from the start. The yield stresses are those of the whole history.");
+          "Ground or loads change between the stages of the file: the run has those of the analysed stage from the "
+          "start, so what it shows is not the building of it. Yield stresses follow the ground, water and loads of "
+          "each stage.");
+      if (!same_outlines_until(scenario(), options_.stage)) notes_.push_back(assumed_.back());
+    }
+  }
+
+  void find_doubts()
+  {
+    const auto add = [&](std::vector<std::string> more) { std::ranges::move(more, std::back_inserter(doubts_)); };
+    std::vector<LayerPiece> shansep;
+    for (const Piece& piece : pieces_)
+      if (is_shansep(project_.soils[piece.soil], piece.zone)) shansep.push_back(layer_piece(piece));
+    add(doubts_of_reading(project_, options_.scenario, options_.stage));
+    add(doubts_of_water(scenario(), options_.stage, !shansep.empty()));
+    add(section_.state_doubts());
+    add(doubts_of_preload(section_, shansep, layout_.cell));
+    if (river_.doubt.empty()) add(doubts_of_embankment(section_));
+    add(doubts_of_outlines(clean_, drawn_, base_fill(layout_, clean_.regions), layout_.cell));
+    add(left_out_);
   }
 
   // -------------------------------------------------------------------------------------------------------- trigger
@@ -414,7 +420,7 @@ class FolderMaker {
 
   void bring_river_to_the_crest()
   {
-    check_river_to_raise(section_, river_, river_end());
+    check_river_to_move(section_, river_, river_end());
     const bool at_left = river_.side == "left";
     const RaisedRiver raised = raise_river(section_,
         {.at_left = at_left,
@@ -446,7 +452,7 @@ class FolderMaker {
     return text_of(FolderReport{.title = text_.title,
         .head = text_.head,
         .weights = weights_,
-        .sections = {{"Geometry: what moved", geometry}, {"Water", water_notes_},
+        .sections = {{"In doubt", doubts_}, {"Geometry: what moved", geometry}, {"Water", water_notes_},
             {"Trigger: what makes the section fail", trigger_notes_},
             {"Stored slices beside what the file gives", slices_in_words(project_, options_.scenario, options_.stage)},
             {"Assumed", assumed_}, {"Left out, or not understood", left}}});
@@ -474,6 +480,7 @@ class FolderMaker {
   std::map<std::string, SoilSum> weights_;
   SectionText text_;
   std::vector<std::pair<std::string, std::string>> files_;
+  std::vector<std::string> doubts_;  ///< what speaks against the case
   std::vector<std::string> notes_, geometry_, water_notes_, assumed_, left_out_, stage_sets_, trigger_notes_;
 };
 
@@ -481,7 +488,11 @@ class FolderMaker {
 
 CaseFolder case_folder_of(const StixProject& project, const FolderOptions& options)
 {
-  return FolderMaker(project, options).make();
+  if (!options.river) return FolderMaker(project, options, nullptr).make();
+  const RiverLevel moved = with_river_level(project, options.scenario, options.stage, options.basis, *options.river);
+  FolderOptions there = options;
+  there.stage = moved.stage;
+  return FolderMaker(moved.project, there, &moved).make();
 }
 
 }  // namespace terp

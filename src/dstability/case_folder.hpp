@@ -22,6 +22,7 @@ struct FolderOptions {
   std::vector<SoilKind> kinds;  ///< soil defaults
   bool is_held = false;         ///< the soil is held until it is at rest: for a section that cannot stand
   FolderTrigger trigger = {};
+  std::optional<Real> river = {};  ///< level of the river [m]; none: that of the file
 };
 
 /// Throws InputError if the stage has no layer, or something in it cannot be taken over.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace terp {
 namespace {
@@ -61,6 +62,7 @@ std::string table_text(const CaseTableText& table)
 std::string body_text(const CaseBodyText& body)
 {
   std::string text = "\n" + comment_text(body.comment) + "[[body]]\n";
+  if (!body.name.empty()) text += fmt::format("name     = {}\n", in_quotes(body.name));
   text += fmt::format("material = {}\n", in_quotes(body.material));
   text += "polygon  = " + places_text(body.polygon, 2, 11) + "\n";
   if (!body.holes.empty()) {
@@ -132,6 +134,17 @@ std::string key_of_name(const std::string& name)
   }
   while (key.ends_with('_')) key.pop_back();
   return key.empty() ? "soil" : key;
+}
+
+void name_bodies(std::vector<CaseBodyText>& bodies)
+{
+  std::set<std::string> used;
+  for (CaseBodyText& body : bodies) {
+    const bool is_number = body.name.find_first_not_of("0123456789") == std::string::npos;
+    const std::string wanted = is_number ? "layer " + body.name : body.name;
+    body.name = wanted;
+    for (int k = 2; !used.insert(body.name).second; ++k) body.name = fmt::format("{} ({})", wanted, k);
+  }
 }
 
 std::string text_of(const SectionText& text)

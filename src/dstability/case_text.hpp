@@ -15,10 +15,13 @@ struct CaseLine {
   std::string key, value, comment;
 };
 
+/// What the name of a body has that is in no file, after that of the layer above it.
+inline constexpr const char* below_the_base = ", fill below the base";
+
 struct CaseBodyText {
-  std::string material, comment;
-  Polygon polygon;             ///< [m]
-  std::vector<Polygon> holes;  ///< that no other body fills [m]
+  std::string name, material, comment;  ///< name: empty: none
+  Polygon polygon;                      ///< [m]
+  std::vector<Polygon> holes;           ///< that no other body fills [m]
 };
 
 struct CaseMaterialText {
@@ -41,6 +44,9 @@ struct SectionText {
   std::vector<CaseMaterialText> materials;
   std::vector<CaseTableText> after;
 };
+
+/// Gives each body a name that no other has: its own, with a number where it is taken. A name is no number.
+void name_bodies(std::vector<CaseBodyText>& bodies);
 
 /// case.toml. Comments have question marks for control characters and for what is not UTF-8.
 std::string text_of(const SectionText& text);

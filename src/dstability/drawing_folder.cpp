@@ -1,5 +1,6 @@
 #include "dstability/drawing_folder.hpp"
 
+#include "dstability/import_doubts.hpp"
 #include "dstability/section_layout.hpp"
 #include "dstability/section_part.hpp"
 #include "dstability/soil_text.hpp"
@@ -63,20 +64,25 @@ CaseFolder drawing_folder_of(
       while (std::ranges::any_of(text.materials, uses)) key += "_2";
       text.materials.push_back(default_soil_text(key, name, kind_of_soil(options.kinds, name)));
     }
-    order.bodies.push_back({key, fmt::format("Layer {} of the drawing", in_quotes(name)), {}, {}});
+    order.bodies.push_back({name, key, fmt::format("Layer {} of the drawing", in_quotes(name)), {}, {}});
     order.regions.push_back(region);
   }
   put_on_top(order);
   Real filled = 0.0;
-  for (const CleanRegion& fill : base_fill(layout, clean.regions)) {
-    text.bodies.push_back({materials[drawing.regions[fill.drawn].name],
-        "Not in the drawing: fills what is below its base", fill.polygon, {}});
+  const std::vector<CleanRegion> fills = base_fill(layout, clean.regions);
+  for (const CleanRegion& fill : fills) {
+    const std::string& name = drawing.regions[fill.drawn].name;
+    text.bodies.push_back(
+        {name + below_the_base, materials[name], "Not in the drawing: fills what is below its base", fill.polygon, {}});
     filled += signed_area(fill.polygon);
   }
   std::ranges::move(order.bodies, std::back_inserter(text.bodies));
+  name_bodies(text.bodies);
   text.after = common_tables(layout);
   text.after.insert(text.after.begin(), water_table(layout));
   CaseFolder folder;
+  folder.notes = doubts_of_outlines(clean, drawing.regions, fills, layout.cell);
+  if (!folder.notes.empty()) text.after.push_back(doubts_table(folder.notes));
   folder.files.push_back({"case.toml", text_of(text)});
   std::string report = fmt::format("# {}\n\n## Read\n\n", text.title) + list_text(notes) + list_text(drawing.notes);
   report += "\n## Geometry: what moved\n\n" + list_text(describe(clean, drawing.regions, cleaning));

@@ -61,18 +61,4 @@ std::vector<std::string> origin_comments(
       "Units: m, s, Pa, kg unless one stands with the number. x and y are the file's x and z."};
 }
 
-std::vector<std::string> remarks_on(const StixUniformLoad& load, const std::string& label)
-{
-  std::vector<std::string> remarks;
-  if (load.spread != 0.0)
-    remarks.push_back(fmt::format(
-        "Load {}: its spread of {:g} degrees is not set; the run computes how it spreads.", label, load.spread));
-  if (std::ranges::any_of(load.consolidation, [](const auto& entry) { return entry.second > 0.0; }))
-    remarks.push_back(
-        fmt::format("Load {}: undrained soil does not gain strength from it, whatever its degree of consolidation; "
-                    "drained soil does at once, as at 100 %.",
-            label));
-  return remarks;
-}
-
 }  // namespace terp

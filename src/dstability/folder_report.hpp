@@ -34,7 +34,4 @@ std::string text_of(const FolderReport& report);
 std::vector<std::string> origin_comments(
     const StixProject& project, std::size_t scenario, std::size_t stage, StixBasis basis);
 
-/// What the run has otherwise than the file.
-std::vector<std::string> remarks_on(const StixUniformLoad& load, const std::string& label);
-
 }  // namespace terp

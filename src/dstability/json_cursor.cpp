@@ -66,8 +66,8 @@ std::vector<StixRemark> StixNotes::finish()
 {
   if (!faults_.empty()) throw InputError(faults_);
   for (const auto& [where, n] : unknown_)
-    remarks_.push_back({where, fmt::format("This key is not known to Terp and was not used{}.",
-                                   n == 1 ? std::string() : fmt::format(" ({} times)", n))});
+    remark_on_format(where, fmt::format("This key is not known to Terp and was not used{}.",
+                                n == 1 ? std::string() : fmt::format(" ({} times)", n)));
   return std::move(remarks_);
 }
 

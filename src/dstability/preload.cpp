@@ -132,7 +132,7 @@ Real deviation_in(const LayerPiece& piece, const GridValues& grid, const StixSec
 
 }  // namespace
 
-bool same_ground_until(const StixScenario& scenario, std::size_t stage)
+bool same_outlines_until(const StixScenario& scenario, std::size_t stage)
 {
   const StixStage& last = scenario.stages[stage];
   const auto is_same = [](const StixLayer& a, const StixLayer& b) {
@@ -140,9 +140,16 @@ bool same_ground_until(const StixScenario& scenario, std::size_t stage)
   };
   return std::ranges::all_of(scenario.stages.begin(), scenario.stages.begin() + static_cast<std::ptrdiff_t>(stage),
       [&](const StixStage& before) {
-        return before.loads.empty() && before.excavations == last.excavations &&
-               std::ranges::equal(before.layers, last.layers, is_same);
+        return before.excavations == last.excavations && std::ranges::equal(before.layers, last.layers, is_same);
       });
+}
+
+bool same_ground_until(const StixScenario& scenario, std::size_t stage)
+{
+  const auto before = scenario.stages.begin();
+  return same_outlines_until(scenario, stage) &&
+         std::ranges::all_of(before, before + static_cast<std::ptrdiff_t>(stage),
+             [](const StixStage& earlier) { return earlier.loads.empty(); });
 }
 
 std::optional<Real> constant_pop(const StixSection& now, const StixSection& first, const LayerPiece& piece, Real cell)

@@ -17,8 +17,10 @@ struct LayerPiece {
   std::size_t layer;  ///< number in StixStage::layers of the analysed stage
 };
 
-/// True if all stages up to this one have the same outlines, soils and excavations, and those before it no loads. Then
-/// the first stage of the case is that of the file.
+/// True if all stages up to this one have the same outlines, soils and excavations.
+bool same_outlines_until(const StixScenario& scenario, std::size_t stage);
+
+/// The same, and no loads before it. Then the first stage of the case is that of the file.
 bool same_ground_until(const StixScenario& scenario, std::size_t stage);
 
 /// The one number that the yield stress of the stage exceeds the effective stress of the first one by [Pa]; none where

@@ -210,8 +210,9 @@ struct StixScenario {
 
 /// What a reader of the results must know: what was not understood, or is left out.
 struct StixRemark {
-  std::string where = {};  ///< member and path, or scenario and stage
-  std::string what = {};   ///< one sentence
+  std::string where = {};     ///< member and path, or scenario and stage
+  std::string what = {};      ///< one sentence
+  bool is_of_format = false;  ///< a member, key or version that Terp does not know
 };
 
 struct StixProject {

@@ -73,10 +73,11 @@ void unpack(StixSource& source, ZipMembers& zip)
     const std::string kind = kind_of(name);
     if (name == "checksum" || std::ranges::find(passed_over, kind) != passed_over.end()) continue;
     if (!name.ends_with(".json") || !is_read(kind))
-      source.notes.remark(name, "This member is not known to Terp and was not read.");
+      source.notes.remark_on_format(name, "This member is not known to Terp and was not read.");
     else {
       const std::string text = zip.text(k), sound = as_utf8(text);
-      if (sound != text) source.notes.remark(name, "Some letters are not UTF-8. They were read as the sign U+FFFD.");
+      if (sound != text)
+        source.notes.remark_on_format(name, "Some letters are not UTF-8. They were read as the sign U+FFFD.");
       source.members.push_back({name, kind, read_json(sound, source.project.path + ", " + name, all_planes)});
     }
   }
@@ -93,7 +94,8 @@ void check_versions(StixSource& source)
     }
     const std::string version = file.has("ContentVersion") ? file.text("ContentVersion") : "";
     if (!version.empty() && version != "1" && version != "2")
-      file.remark(fmt::format("ContentVersion is \"{}\"; Terp knows 1 and 2. It was read as 2.", version));
+      source.notes.remark_on_format(
+          member.name, fmt::format("ContentVersion is \"{}\"; Terp knows 1 and 2. It was read as 2.", version));
     if (member.kind == "projectinfo") {
       source.project.content_version = version;
       source.project.application =

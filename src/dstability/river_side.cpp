@@ -103,16 +103,16 @@ StixRiver find_river(const StixSection& section, Vec<2> ends)
   return river;
 }
 
-void check_river_to_raise(const StixSection& section, const StixRiver& river, Real x)
+void check_river_to_move(const StixSection& section, const StixRiver& river, Real x)
 {
   const std::string& stage = section.stage().label;
   if (!river.doubt.empty())
-    throw InputError({stage, "the side of the river is in doubt: it is not raised",
-        river.doubt + " Give the points of the embankment in D-Stability, or try --trigger strength.", ""});
+    throw InputError({stage, "the side of the river is in doubt: its level is not changed",
+        river.doubt + " Give the points of the embankment in D-Stability. --trigger strength needs no river.", ""});
   if (river.side.empty() || !std::isfinite(section.column(x).now().water().phreatic()))
-    throw InputError({stage, "there is no river to raise",
+    throw InputError({stage, "there is no river whose level could be changed",
         "No water stands on the ground at either end of the section, and the file names no water side of the "
-        "embankment. Try --trigger strength.",
+        "embankment. --trigger strength needs no river.",
         ""});
 }
 

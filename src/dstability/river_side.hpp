@@ -20,8 +20,8 @@ bool water_stands_at(const StixSection& section, Real x);
 /// Between two ends [m].
 StixRiver find_river(const StixSection& section, Vec<2> ends);
 
-/// Throws InputError unless the river of the stage can be raised: its side is known without doubt, and its water.
+/// Throws InputError unless the river can get another level: its side is known without doubt, and its water.
 /// x: of its end [m].
-void check_river_to_raise(const StixSection& section, const StixRiver& river, Real x);
+void check_river_to_move(const StixSection& section, const StixRiver& river, Real x);
 
 }  // namespace terp

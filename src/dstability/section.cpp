@@ -39,7 +39,33 @@ Real pop_of(const StixPreload& preload, Real effective_stress, StixBasis basis)
 
 bool needs_stress(const StixPreload& preload) { return preload.kind != StixPreload::Kind::pop; }
 
+/// Of a state that is below what the soil carries [Pa], which counts as none; empty: it is not.
+std::string doubt_of(const StixPreload& preload, Real effective_stress)
+{
+  if (preload.kind == StixPreload::Kind::ocr && preload.ocr < 1.0)
+    return fmt::format("its OCR is {:g}, below 1: it counts as 1, normally consolidated", preload.ocr);
+  if (preload.kind == StixPreload::Kind::yield_stress && preload.yield_stress < effective_stress)
+    return fmt::format(
+        "its yield stress of {:.1f} kPa is below the effective stress there, {:.1f} kPa: the soil counts "
+        "as normally consolidated",
+        preload.yield_stress / 1e3, effective_stress / 1e3);
+  return "";
+}
+
+/// Of the layer with an id; the id alone where the stage has no such layer.
+std::string name_of_layer(const StixProject& project, const StixStage& stage, const std::string& id)
+{
+  const auto found = std::ranges::find(stage.layers, id, &StixLayer::id);
+  return found == stage.layers.end() ? "with the id " + id : '`' + name_of_layer(project, *found) + '`';
+}
+
 }  // namespace
+
+std::string name_of_layer(const StixProject& project, const StixLayer& layer)
+{
+  const std::string label = layer.label.empty() ? layer.id : layer.label;
+  return layer.soil ? fmt::format("{} ({})", project.soils[*layer.soil].name, label) : label;
+}
 
 std::vector<std::string> layers_with_two_states(const StixStage& stage)
 {
@@ -139,8 +165,10 @@ void StixSection::set_preloads()
     const Real stress =
         needs_stress(preload) ? StixStageColumn(*project_, stage, place[0]).effective_stress(place[1]) : 0.0;
     const Real pop = pop_of(preload, stress, basis_);
+    if (const std::string doubt = doubt_of(preload, stress); !doubt.empty())
+      state_doubts_.push_back(fmt::format("Stage `{}`, {}: {}.", stage.label, state, doubt));
     if (!(pop >= 0.0 && std::isfinite(pop)))
-      problems.push_back({fmt::format("{}, stage `{}`, state `{}`", project_->path, stage.label, state),
+      problems.push_back({fmt::format("{}, stage `{}`, {}", project_->path, stage.label, state),
           std::isnan(pop) ? "its POP has no value" : fmt::format("its POP is {:g} kPa", pop / 1e3),
           "It is at least zero. Design values need a mean and a standard deviation.", ""});
     return pop;
@@ -148,14 +176,16 @@ void StixSection::set_preloads()
   for (const StixStage* stage : stages_) {
     auto& points = point_pops_.emplace_back();
     for (const StixStatePoint& point : stage->state_points)
-      points.push_back(pop_at(*stage, point.preload, point.place, point.label));
+      points.push_back(pop_at(*stage, point.preload, point.place,
+          fmt::format("state `{}` of the layer {}", point.label, name_of_layer(*project_, *stage, point.layer))));
     auto& lines = line_pops_.emplace_back();
     for (const StixStateLine& line : stage->state_lines) {
       LinePops& pops = lines.emplace_back();
       for (const StixStateLine::Value& value : line.values) {
         const Vec<2> place{value.x, interpolate(line.line, value.x)};
-        pops.above.push_back({value.x, pop_at(*stage, value.above, place, value.label)});
-        pops.below.push_back({value.x, pop_at(*stage, value.below, place, value.label)});
+        const std::string name = fmt::format("state `{}`", value.label);
+        pops.above.push_back({value.x, pop_at(*stage, value.above, place, name)});
+        pops.below.push_back({value.x, pop_at(*stage, value.below, place, name)});
       }
     }
   }

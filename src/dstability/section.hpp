@@ -33,6 +33,9 @@ class StixColumn;
 /// Ids of layers that have more than one state point: which one holds cannot be known.
 std::vector<std::string> layers_with_two_states(const StixStage& stage);
 
+/// "clay (L 1)": the soil of a layer with its label; many files have one label for all layers. Labels may be empty.
+std::string name_of_layer(const StixProject& project, const StixLayer& layer);
+
 /// A stage, ready to be evaluated. The project must outlive it.
 class StixSection {
  public:
@@ -44,6 +47,8 @@ class StixSection {
   const StixProject& project() const { return *project_; }
   const StixStage& stage() const { return *stages_.back(); }
   StixBasis basis() const { return basis_; }
+  /// What speaks against states of the history, sentences: those that say less than what the soil carries anyhow.
+  const std::vector<std::string>& state_doubts() const { return state_doubts_; }
 
   /// All that depends on x alone: one per x, for many z. The section must outlive it.
   StixColumn column(Real x) const;
@@ -63,6 +68,7 @@ class StixSection {
     std::vector<Vec<2>> above, below;  ///< POP over x [m, Pa]
   };
   std::vector<std::vector<LinePops>> line_pops_;  ///< of each state line of each stage
+  std::vector<std::string> state_doubts_;
 };
 
 /// One stage along a vertical line, without its history.

@@ -13,14 +13,19 @@ namespace {
 constexpr Real ten_thousand = 1e4;  // a factor in the case has four decimals, rounded up
 constexpr Real step = 0.05;         // [m] along the section, in the search for the shore
 
-/// x at which the ground first stands at the level, from the river on; the other end where it nowhere does.
+/// x at which the ground first stands at the level, from the river on. Throws InputError where it nowhere does.
 Real shore(const StixSection& section, const RiverInStage& river, Real level)
 {
   const Real from = river.ends[river.at_left ? 0 : 1], to = river.ends[river.at_left ? 1 : 0];
   const Real onwards = to > from ? 1.0 : -1.0;
-  for (Real x = from + onwards * 1e-6; onwards * (to - x) > 0.0; x += onwards * step)
-    if (section.column(x).ground() >= level) return x;
-  return to;
+  Real highest = -1e30;
+  for (Real x = from + onwards * 1e-6; onwards * (to - x) > 0.0; x += onwards * step) {
+    const Real ground = section.column(x).ground();
+    if (ground >= level) return x;
+    if (ground > highest) highest = ground;
+  }
+  throw InputError({section.stage().label, fmt::format("a river at {:.2f} m would flood the whole section", level),
+      fmt::format("Its highest ground is at {:.2f} m. Give a lower level.", highest), ""});
 }
 
 /// Level from the river to the shore, then as it is.
@@ -29,10 +34,9 @@ StixLine with_shore(StixLine line, const RiverInStage& river, Real shore, Real l
   if (!line.empty() && line.front()[0] > line.back()[0]) std::ranges::reverse(line);
   std::erase_if(line, [&](const Vec<2>& x) { return river.at_left ? x[0] <= shore : x[0] >= shore; });
   const Vec<2> far{river.ends[river.at_left ? 0 : 1], level}, near{shore, level};
-  if (river.at_left)
-    line.insert(line.begin(), {far, near});
-  else
-    line.insert(line.end(), {near, far});
+  const bool is_wet = std::abs(shore - far[0]) > step;  // else the ground stands above the river from its end on
+  if (is_wet) line.insert(river.at_left ? line.begin() : line.end(), near);
+  line.insert(river.at_left ? line.begin() : line.end(), far);
   return line;
 }
 
@@ -62,8 +66,8 @@ StixStage with_river_at(const StixSection& section, const RiverInStage& river, R
 {
   StixStage stage = section.stage();
   if (stage.water.is_mesh || !stage.water.phreatic)
-    throw InputError({stage.label, "its water is a mesh of pressures, in which no river can be raised",
-        "Make a stage with the higher river in D-Stability, and import that one.", ""});
+    throw InputError({stage.label, "its water is a mesh of pressures, in which no river can be moved",
+        "Make a stage with the other river in D-Stability, and import that one.", ""});
   const Real rise = level - river.level, over_land = river.level - river.inland;
   for (StixHeadLine& head : stage.water.head_lines)
     for (Vec<2>& x : head.line) {

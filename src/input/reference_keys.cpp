@@ -6,12 +6,14 @@
 #include "input/units.hpp"
 #include "input/values.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
 namespace terp {
 namespace {
 
+constexpr const char* list_of_texts = "a list of texts";
 constexpr const char* keys_of_plane = "Keys of a slip plane: name, method, factor_of_safety, line, su";
 
 bool refuse(const Entry& entry, const std::string& path, std::string what, std::string detail, Findings& findings)
@@ -95,24 +97,47 @@ std::string slip_planes_text(const std::vector<SlipPlaneCase>& planes)
   return text;
 }
 
+/// One warning with all texts; nothing of them is kept.
+bool read_doubts(const Entry& entry, Findings& findings)
+{
+  const auto is_text = [](const Node& item) { return item.kind == NodeKind::text; };
+  if (entry.node.kind != NodeKind::list || !std::ranges::all_of(entry.node.items, is_text))
+    return refuse(entry, entry.path, fmt::format("`doubts` must be {}", list_of_texts),
+        fmt::format("Got {}.", describe_value(entry.node)), findings);
+  std::string all;
+  for (const Node& item : entry.node.items) all += (all.empty() ? "" : "\n") + item.text;
+  if (!all.empty())
+    findings.warnings.push_back({entry.path, "the import was in doubt", all, topic_of(entry.key.path), true});
+  return true;
+}
+
 }  // namespace
 
 std::vector<KeyInfo> reference_keys()
 {
-  return {{.path = "reference.slip_planes",
-      .field =
-          [](Case& c, std::size_t) {
-            std::vector<SlipPlaneCase>& planes = c.slip_planes;
-            return OwnForm{
-                "a list of tables { name = \"...\", method = \"...\", factor_of_safety = F, line = [[x, y], ...] }",
-                [&planes](const Entry& e, Findings& f) { return read_slip_planes(e, f, planes); },
-                [&planes] { return slip_planes_text(planes); }};
-          },
-      .unit = "m",
-      .meaning = "slip planes that another method found, which the report page draws over the slip surface; method and "
-                 "factor_of_safety may be left out. With su = [[x, y, S_u], ...], the undrained strength [Pa] that it "
-                 "took, `terp check` compares the strength of the soil",
-      .default_text = "none"}};
+  return {{.path = "reference.doubts",
+              .field =
+                  [](Case&, std::size_t) {
+                    return OwnForm{list_of_texts, read_doubts, [] { return std::string(); }};
+                  },
+              .meaning = "what speaks against the section, which every command that reads the case repeats as a "
+                         "warning; `terp import` writes it. Take out what you have looked at",
+              .default_text = "none"},
+      {.path = "reference.slip_planes",
+          .field =
+              [](Case& c, std::size_t) {
+                std::vector<SlipPlaneCase>& planes = c.slip_planes;
+                return OwnForm{
+                    "a list of tables { name = \"...\", method = \"...\", factor_of_safety = F, line = [[x, y], ...] }",
+                    [&planes](const Entry& e, Findings& f) { return read_slip_planes(e, f, planes); },
+                    [&planes] { return slip_planes_text(planes); }};
+              },
+          .unit = "m",
+          .meaning =
+              "slip planes that another method found, which the report page draws over the slip surface; method and "
+              "factor_of_safety may be left out. With su = [[x, y, S_u], ...], the undrained strength [Pa] that it "
+              "took, `terp check` compares the strength of the soil",
+          .default_text = "none"}};
 }
 
 }  // namespace terp

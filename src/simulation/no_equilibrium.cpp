@@ -78,8 +78,9 @@ std::string describe_failure(const Model& model, const State& state, Real moved,
       "than {:.2g} m, ever faster\n\n"
       "  where    {}\n"
       "  likely   it cannot stand under its weight, its water and its loads\n"
-      "  try      initial.stress = \"k0\", to see it fail; a stronger soil; or at_strength below 1 in a first stage "
-      "(docs/troubleshooting.md#no-equilibrium)",
+      "  try      initial.stress = \"k0\", to see it fail; a stronger soil; or at_strength below 1 in a first stage, "
+      "as "
+      "`terp import --held` writes it (docs/troubleshooting.md#no-equilibrium)",
       state.equilibrium_steps, moved, describe_moved(model, state, stiffening));
 }
 
@@ -91,8 +92,9 @@ std::string describe_no_equilibrium(const Model& model, const State& state, cons
       "  where    {}\n"
       "           {}\n"
       "  likely   the body cannot stand under its own weight, or needs more steps\n"
-      "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps "
-      "(docs/troubleshooting.md#no-equilibrium)",
+      "  try      initial.stress = \"none\" or \"k0\", a stronger soil, a larger initial.max_steps, or at_strength "
+      "below "
+      "1 in a first stage, as `terp import --held` writes it (docs/troubleshooting.md#no-equilibrium)",
       initial.max_steps, work.unbalanced_ratio, initial.limit, describe_unbalanced(model, state, work),
       describe_moved(model, state, stiffening));
 }

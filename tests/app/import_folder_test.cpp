@@ -38,6 +38,22 @@ TEST(ImportFolder, WritesAStageThatTerpChecks)
       "error: " + folder + "/case.toml is there already\n  Choose another folder: -o FOLDER. --force replaces it.\n");
 }
 
+TEST(ImportFolder, SetsTheRiverToAnotherLevel)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/low";
+  const Finished f =
+      test::terp({"import", tutorial, "--scenario", "2", "--cell", "2", "--river", "10.5", "-o", folder});
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(f.err, HasSubstr("warning: The river stands at 10.50 m instead of the 12.00 m of the file (--river)."));
+  const Finished check = test::terp({"check", folder + "/case.toml"});
+  EXPECT_EQ(check.status, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("stage high_water_river_at_10_50_m"));
+  const Finished list = test::terp({"import", tutorial, "--river", "10.5"});
+  EXPECT_EQ(list.status, 2);
+  EXPECT_THAT(list.err, HasSubstr("error: --river has no effect without -o"));
+}
+
 TEST(ImportFolder, AsksWhichScenarioAndRefusesOthers)
 {
   const auto said = [](const std::vector<std::string>& more) {

@@ -64,6 +64,23 @@ TEST(Dxf, TurnsUnitsIntoMetres)
       HasSubstr("d.dxf has a unit that Terp does not know. $INSUNITS is 3; known are 1 in, 2 ft, 4 mm"));
 }
 
+TEST(Dxf, DoubtsAWidthThatNoSectionHas)
+{
+  const auto doubts = [](const std::string& header) { return read_dxf_text("d.dxf", drawing(line, header)).doubts; };
+  EXPECT_THAT(doubts("9\n$INSUNITS\n70\n6\n"), IsEmpty());
+  EXPECT_THAT(doubts("9\n$INSUNITS\n70\n4\n"),  // millimetres, the unit of an empty drawing
+      ElementsAre(ContainsRegex("^The section is 0.00[0-9]+ m wide: is that the unit of the drawing[?] --unit takes")));
+}
+
+TEST(Dxf, SaysThatLettersOfLayersWereLost)
+{
+  std::string lost(line);
+  lost.replace(lost.find("8\n") + 2, 0, "\xEF");
+  EXPECT_THAT(read_dxf_text("d.dxf", drawing(lost, "9\n$DWGCODEPAGE\n3\nANSI_932\n9\n$INSUNITS\n70\n6\n")).doubts,
+      ElementsAre(
+          HasSubstr("Letters of layer names were lost: they are not of the code page of the drawing, ANSI_932.")));
+}
+
 TEST(Dxf, RefusesOtherEntitiesByNameAndHandle)
 {
   const std::string text = refused(drawing(std::string(line) + "0\nSPLINE\n5\n3C\n8\nclay\n10\n1\n20\n1\n"

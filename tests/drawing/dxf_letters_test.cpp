@@ -10,7 +10,9 @@ TEST(DxfLetters, OfTheCodePageBecomeUtf8)
 {
   EXPECT_EQ(dxf_letters("kle\xEF", "ANSI_1252"), "kle\xC3\xAF");
   EXPECT_EQ(dxf_letters("5 \x80", ""), "5 \xE2\x82\xAC");
-  EXPECT_EQ(dxf_letters("kle\xEF", "ANSI_1251"), "kle\xEF\xBF\xBD");
+  EXPECT_EQ(dxf_letters("h\xF9m\xFAs", "ANSI_1250"), "h\xC5\xAFm\xC3\xBAs");
+  EXPECT_EQ(dxf_letters("kle\x8B", "dos850"), "kle\xC3\xAF");
+  EXPECT_EQ(dxf_letters("kle\xEF", "ANSI_932"), "kle\xEF\xBF\xBD");
 }
 
 TEST(DxfLetters, MayBeEscaped)

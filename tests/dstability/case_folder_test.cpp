@@ -363,7 +363,7 @@ TEST(HandSection, RefusesACrossedOutlineAlsoWhereAPartIsTaken)
   EXPECT_THAT(problems_of([&] {
     case_folder_of(project_of({stage}), {.between = Vec<2>{1.0, 19.0}, .kinds = kinds()});
   }),
-      ElementsAre(told("bow", "this outline is no layer", HasSubstr("the polygon crosses itself"))));
+      ElementsAre(told("sand (bow)", "this outline is no layer", HasSubstr("the polygon crosses itself"))));
 }
 
 TEST(HandSection, OfADrawingRefusesWhatIsNoOutline)

@@ -20,6 +20,19 @@ TEST(SectionTextOf, NamesAreKeys)
   EXPECT_EQ(in_quotes("a \"b\" \\ c\n"), R"("a \"b\" \\ c ")");
 }
 
+TEST(SectionTextOf, BodiesHaveNamesOfTheirOwnThatAreNoNumbers)
+{
+  std::vector<CaseBodyText> bodies(4);
+  bodies[0].name = bodies[2].name = "clay";
+  bodies[1].name = "7";
+  bodies[3].name = "clay (2)";
+  name_bodies(bodies);
+  EXPECT_EQ(bodies[0].name, "clay");
+  EXPECT_EQ(bodies[1].name, "layer 7");
+  EXPECT_EQ(bodies[2].name, "clay (2)");
+  EXPECT_EQ(bodies[3].name, "clay (2) (2)");
+}
+
 TEST(SectionTextOf, PlacesBreakBeforeTheMargin)
 {
   std::vector<Vec<2>> places;

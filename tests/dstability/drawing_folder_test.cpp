@@ -24,7 +24,9 @@ std::string case_text(const DxfRegions& drawing, const DrawingFolderOptions& opt
 TEST(DrawingFolder, HasABodyForEachRegionWithTheSoilOfItsName)
 {
   const std::string text = case_text(two_layers, {.path = "d.dxf", .kinds = kinds()});
-  EXPECT_THAT(text, HasSubstr("# Layer \"Zand 1\" of the drawing\n[[body]]\nmaterial = \"zand_1\"\npolygon  = "));
+  EXPECT_THAT(text,
+      HasSubstr(
+          "# Layer \"Zand 1\" of the drawing\n[[body]]\nname     = \"Zand 1\"\nmaterial = \"zand_1\"\npolygon  = "));
   EXPECT_THAT(text, HasSubstr("[material.zand_1]\nmodel          = \"mohr_coulomb\""));
   EXPECT_THAT(text, HasSubstr("[material.klei]\nmodel           = \"tresca_softening\""));
   EXPECT_THAT(text, HasSubstr("phreatic_line = [[0.0, 3.5]]"));  // half a metre below the ground at 4 m

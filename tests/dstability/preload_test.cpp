@@ -68,6 +68,7 @@ TEST(Preload, IsOnAGridWhereALayerChangesItsSoilBetweenStages)
 TEST(Preload, IsOnAGridWhereAnEarlierStageHasALoad)
 {
   EXPECT_FALSE(same_ground_until(project_of({clay_on_sand(), loaded(0, 20), clay_on_sand()}).scenarios[0], 2));
+  EXPECT_TRUE(same_outlines_until(project_of({clay_on_sand(), loaded(0, 20), clay_on_sand()}).scenarios[0], 2));
   EXPECT_TRUE(same_ground_until(project_of({clay_on_sand(), clay_on_sand(), loaded(0, 20)}).scenarios[0], 2));
 }
 

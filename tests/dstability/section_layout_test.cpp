@@ -136,7 +136,7 @@ TEST(PutOnTop, PutsTheInnerRegionBehindTheOuterOne)
 {
   const CleanRegion outer{0, {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{4, 4}, {4, 6}, {6, 6}, {6, 4}}}},
       inner{1, {{4, 4}, {6, 4}, {6, 6}, {4, 6}}, {}};
-  BodyOrder order{{{"inner", "", {}, {}}, {"outer", "", {}, {}}}, {inner, outer}};
+  BodyOrder order{{{"", "inner", "", {}, {}}, {"", "outer", "", {}, {}}}, {inner, outer}};
   put_on_top(order);
   EXPECT_EQ(order.bodies[0].material, "outer");
   EXPECT_EQ(order.bodies[1].material, "inner");

@@ -142,6 +142,16 @@ TEST(StixSection, MakesClayUnderANewEmbankmentNormallyConsolidated)
   EXPECT_DOUBLE_EQ(place_in(project_of({daily, built}), {10.0, 1.0}).yield_stress, 36e3);  // no ground in stage 1
 }
 
+TEST(StixSection, RemembersTheGroundThatAnEarlierStageHad)
+{
+  StixStage high = clay_on_sand(), dug = clay_on_sand();
+  high.layers.push_back(box_layer("old", {0.0, 0.0}, {20.0, 3.0}, 0));  // 54 kPa, over the 33 kPa of clay
+  dug.excavations = {{{0.0, -2.0}, {20.0, -2.0}}};                      // 1 m of water on 2 m of clay: 10 + 32 - 30 kPa
+  const StixPlace clay = place_in(project_of({high, dug}), in_clay);
+  EXPECT_DOUBLE_EQ(clay.yield_stress, 87e3);
+  EXPECT_DOUBLE_EQ(clay.effective_stress, 12e3);
+}
+
 TEST(StixSection, TakesDesignValuesOfStrengthAndOfPop)
 {
   StixStage stage = clay_on_sand();

@@ -3,27 +3,14 @@
 
 #include "dstability/case_folder.hpp"
 #include "dstability/read_stix.hpp"
-#include "dstability/sections.hpp"
 #include "dstability/trigger.hpp"
+#include "river_dike.hpp"
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
 namespace {
 
-/// A dike of 4 m on ground at 0 m, its slopes of 1:2; river of 2 m at the left, a head of 1 m below.
-StixProject dike()
-{
-  StixStage stage = clay_on_sand();
-  stage.layers[0].outline = {
-      {-20.0, 0.0}, {-4.0, 0.0}, {4.0, 4.0}, {8.0, 4.0}, {16.0, 0.0}, {40.0, 0.0}, {40.0, -6.0}, {-20.0, -6.0}};
-  stage.layers[1] = box_layer("sand", {-20.0, -10.0}, {40.0, -6.0}, 0);
-  stage.water.head_lines = {
-      {.id = "p", .label = "phreatic", .line = {{-20.0, 2.0}, {0.0, 2.0}, {16.0, -1.0}, {40.0, -1.0}}},
-      {.id = "h", .label = "aquifer", .line = {{-20.0, 1.0}, {40.0, 0.5}}}};
-  stage.water.reference_lines = {
-      {.label = "top", .line = {{-20.0, -6.0}, {40.0, -6.0}}, .top_head = 1, .bottom_head = 1}};
-  return project_of({stage});
-}
+StixProject dike() { return project_of({river_dike()}); }
 
 constexpr RiverInStage river{.at_left = true, .ends = {-20.0, 40.0}, .level = 2.0, .inland = -1.0};
 
@@ -72,6 +59,14 @@ TEST(Trigger, GroundThatWasDryStaysSo)
   EXPECT_NEAR(stage.water.head_lines[0].line[2][1], 1.0, 1e-9);
 }
 
+TEST(Trigger, ARiverThatNoGroundHoldsIsRefused)
+{
+  const StixProject project = dike();
+  EXPECT_EQ(
+      refusal<InputError>([&] { with_river_at(StixSection(project, 0, 0, StixBasis::deterministic), river, 4.5); }),
+      "daily: a river at 4.50 m would flood the whole section\n  Its highest ground is at 4.00 m. Give a lower level.");
+}
+
 TEST(Trigger, WaterOfAMeshIsRefused)
 {
   StixProject project = dike();
@@ -80,7 +75,7 @@ TEST(Trigger, WaterOfAMeshIsRefused)
       {.corners = {{{-20.0, -10.0}, {40.0, -10.0}, {0.0, 4.0}}}, .pressure = {}}};
   EXPECT_THAT(
       refusal<InputError>([&] { with_river_at(StixSection(project, 0, 0, StixBasis::deterministic), river, 3.0); }),
-      HasSubstr("its water is a mesh of pressures, in which no river can be raised"));
+      HasSubstr("its water is a mesh of pressures, in which no river can be moved"));
 }
 
 CaseFolder folder_with(const FolderTrigger& trigger, const StixProject& project = dike())
@@ -142,13 +137,13 @@ TEST(Trigger, OfWaterNeedsARiverBelowTheCrest)
   EXPECT_THAT(said({TriggerKind::water, 4.5}, dike()), HasSubstr("the river cannot be raised to 4.50 m"));
   StixProject dry = dike();
   dry.scenarios[0].stages[0].water.head_lines[0].line = {{0.0, -2.0}};
-  EXPECT_THAT(said({.kind = TriggerKind::water}, dry), HasSubstr("there is no river to raise"));
+  EXPECT_THAT(said({.kind = TriggerKind::water}, dry), HasSubstr("there is no river whose level could be changed"));
   StixProject polder = dike();  // the foreland is dry, and its water higher than that on the polder
   polder.scenarios[0].stages[0].water.head_lines[0].line = {{-20.0, -0.5}, {4.0, -0.5}, {16.0, -1.0}, {40.0, 0.2}};
   polder.scenarios[0].stages[0].layers[0].outline[0][1] = polder.scenarios[0].stages[0].layers[0].outline[1][1] = 1.0;
   polder.scenarios[0].stages[0].water.head_lines[0].line[0][1] = 0.6;
-  EXPECT_THAT(
-      said({.kind = TriggerKind::water}, polder), HasSubstr("the side of the river is in doubt: it is not raised"));
+  EXPECT_THAT(said({.kind = TriggerKind::water}, polder),
+      HasSubstr("the side of the river is in doubt: its level is not changed"));
   polder.scenarios[0].stages[0].embankment.top_water = 4.0;
   polder.scenarios[0].stages[0].embankment.top_land = 8.0;
   const std::string text = folder_with({.kind = TriggerKind::water}, polder).files.front().second;

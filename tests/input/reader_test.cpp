@@ -113,6 +113,7 @@ checkpoint = { every = 1.5, keep = 3 }
 deviatoric_norm = "von_mises"
 mesh = true
 [reference]
+doubts = ["The river may be at the other end."]
 slip_planes = [
   { name = "wall side", method = "Bishop", factor_of_safety = 1.25, line = [[1, 2], [3, 0.5], [6, 1]], su = [
     [2, 1.25, 5e3], [4, 0.75, "6 kPa"]] },

@@ -127,7 +127,7 @@ TEST(Equilibrium, AColumnThatCannotStandIsRefused)
           "  where    soil moved furthest from [(][0-9., ]+[)] m, in `clay`: by [0-9.]+ m\n"
           "  likely   it cannot stand under its weight, its water and its loads\n"
           "  try      initial[.]stress = \"k0\", to see it fail; a stronger soil; or at_strength below 1 in a first "
-          "stage [(]docs/troubleshooting[.]md#no-equilibrium[)]"));
+          "stage, as `terp import --held` writes it [(]docs/troubleshooting[.]md#no-equilibrium[)]"));
   Real farthest = 0.0;
   const auto points = points_by_id(s.state);
   for (const Point& p : points)

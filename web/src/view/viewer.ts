@@ -17,7 +17,8 @@ interface View {
   canvas: HTMLCanvasElement;
 }
 
-const LOW = 0.4; // of the window's height: what the views of a wide section get, with room to zoom in
+const LOW = 0.4; // of the window's height: what the views of a wide section get, with room to zoom in,
+const LOW_MOST = 320; // but no more than this [px]: in a high window they would show mostly air
 const LEAST = 190; // height of a view in three rows and more [px]; the page is then longer than the screen
 const GAP = 8; // CSS pixels between views
 const PER_MM = 96 / 25.4; // CSS pixels
@@ -109,7 +110,7 @@ export class Viewer {
     const scale = (width / columns - GAP - PADDING.left - PADDING.right) / (this.box[2] - this.box[0]);
     if (rows > 2 && !document.fullscreenElement) stage.style.setProperty("--least", `${LEAST * rows}px`);
     const enough = rows * (1.15 * scale * (this.box[3] - this.box[1]) + PADDING.top + PADDING.bottom + GAP);
-    const most = Math.round(Math.max(LOW * window.innerHeight, enough));
+    const most = Math.round(Math.max(Math.min(LOW * window.innerHeight, LOW_MOST), enough));
     stage.style.setProperty("--enough", document.fullscreenElement ? "none" : `${most}px`);
     return { width, height: this.root.clientHeight };
   }

@@ -292,6 +292,13 @@ describe("the page", () => {
     expect(wide.height).toBeGreaterThan(0.38 * 768);
   });
 
+  it("of a wide section in a high window shows the soil, not the air over it", async () => {
+    const low = ({ runs: [run] }: ReportMeta) => Object.assign(run!, { outline: null, positions: { ...run!.positions, y: { ...run!.positions.y, lo: 0, hi: 0.8 } } });
+    const { page } = await open(browser, examplePage(20, 1, low), { height: 1800 });
+    expect((await page.locator(".stage").boundingBox())!.height).toBeLessThanOrEqual(320);
+    await page.context().close();
+  });
+
   it("of three runs can hide one", async () => {
     const { page, errors } = await open(browser, examplePage(20, 3));
     await page.locator(".toggle", { hasText: "MPM-GP" }).click();
@@ -419,6 +426,20 @@ describe("the page", () => {
     expect(await page.locator(".about-run .pairs").innerText()).toContain("runs/example/case.toml, checksum 0123456789abcdef");
     expect(await state<string>(page, "field")).toBe("su_ratio"); // printing showed the soils, and went back
     expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("of a dike shows all numbers beside a long verdict, on paper too", async () => {
+    const { page } = await open(browser, dikePage(({ runs: [run] }) => {
+      run!.events!.flood!.trigger = { stage: "weaker_soil", at_strength: 1.2345, river: 12.34, before: "stands" };
+    }));
+    const cut = "[...document.querySelectorAll('.facts')].some((t) => t.parentElement.scrollWidth > t.parentElement.clientWidth)";
+    await page.setViewportSize({ width: 1000, height: 900 });
+    await settled(page);
+    expect(await page.evaluate(cut)).toBe(false);
+    await page.emulateMedia({ media: "print" });
+    await page.setViewportSize({ width: 718, height: 1047 }); // of A4 within its margins
+    expect(await page.evaluate(cut)).toBe(false);
     await page.context().close();
   });
 

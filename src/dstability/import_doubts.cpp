@@ -1,0 +1,166 @@
+#include "dstability/import_doubts.hpp"
+
+#include "dstability/section_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace terp {
+namespace {
+
+constexpr Real small = 0.1;       // of a cell: a smaller gap or overlap changes nothing
+constexpr Real outside = 0.01;    // [m] beyond an end: coordinates of drawings are in cm
+constexpr Real at_corner = 0.05;  // [m]: cleaning may have moved it
+constexpr Real no_pop = 1.0;      // [Pa]
+constexpr std::size_t columns = 112;
+
+std::string names_of(const std::vector<int>& numbers, const std::vector<DrawnRegion>& drawn)
+{
+  std::string text;
+  for (const int k : numbers)
+    if (k >= 0 && k < static_cast<int>(drawn.size())) text += (text.empty() ? "`" : ", `") + drawn[k].name + '`';
+  return text;
+}
+
+/// The regions that have a corner at this place.
+std::vector<int> regions_at(Vec<2> x, const std::vector<CleanRegion>& regions)
+{
+  const auto is_at = [x](const Vec<2>& corner) { return std::hypot(corner[0] - x[0], corner[1] - x[1]) < at_corner; };
+  std::set<int> found;
+  for (const CleanRegion& region : regions)
+    if (std::ranges::any_of(region.polygon, is_at) ||
+        std::ranges::any_of(region.holes, [&](const Polygon& hole) { return std::ranges::any_of(hole, is_at); }))
+      found.insert(region.drawn);
+  return {found.begin(), found.end()};
+}
+
+}  // namespace
+
+std::vector<std::string> doubts_of_reading(const StixProject& project, std::size_t scenario, std::size_t stage)
+{
+  std::vector<std::string> doubts;
+  std::set<std::string> of_history;
+  for (std::size_t k = 0; k <= stage; ++k) of_history.insert(fmt::format("scenario {}, stage {}", scenario + 1, k + 1));
+  for (const StixRemark& remark : project.remarks) {
+    const bool is_of_stage = remark.where.starts_with("scenario "), is_of_result = remark.where.starts_with("results/");
+    if (remark.is_of_format || is_of_result || (is_of_stage && !of_history.contains(remark.where))) continue;
+    doubts.push_back(fmt::format("{}: {}", remark.where, remark.what));
+  }
+  return doubts;
+}
+
+std::vector<std::string> doubts_of_water(const StixScenario& scenario, std::size_t stage, bool has_shansep)
+{
+  std::vector<std::string> doubts;
+  for (std::size_t k = has_shansep ? 0 : stage; k <= stage; ++k)
+    if (const StixStage& of = scenario.stages[k]; !of.water.is_mesh && !of.water.phreatic)
+      doubts.push_back(fmt::format("Stage `{}` has no phreatic line: all of its soil counts as dry{}.", of.label,
+          k < stage ? ", and yield stresses are at least what it carries then" : ""));
+  return doubts;
+}
+
+std::vector<std::string> doubts_of_embankment(const StixSection& section)
+{
+  const StixEmbankment& at = section.stage().embankment;
+  const std::pair<const char*, Real> named[] = {{"toe at the water side", at.toe_water},
+      {"top at the water side", at.top_water}, {"top at the land side", at.top_land},
+      {"base of the shoulder at the land side", at.shoulder_land}, {"toe at the land side", at.toe_land}};
+  std::vector<std::string> doubts;
+  std::vector<std::pair<const char*, Real>> given;
+  for (const auto& [name, x] : named)
+    if (std::isfinite(x)) given.emplace_back(name, x);
+  Real left = 1e30, right = -1e30;
+  for (const StixLayer& layer : section.stage().layers)
+    for (const Vec<2>& x : layer.outline) left = std::min(left, x[0]), right = std::max(right, x[0]);
+  for (const auto& [name, x] : given)
+    if (x < left - outside || x > right + outside)
+      doubts.push_back(
+          fmt::format("The file has the {} of its embankment at x = {:.2f} m, where there is no ground.", name, x));
+  const auto goes_back = [](Real sign) {
+    return [sign](const auto& one, const auto& next) { return sign * (next.second - one.second) < 0.0; };
+  };
+  const Real sign = given.size() > 1 && given.back().second < given.front().second ? -1.0 : 1.0;
+  if (const auto wrong = std::ranges::adjacent_find(given, goes_back(sign)); wrong != given.end())
+    doubts.push_back(fmt::format(
+        "The points of the embankment of the file are in no order: the {} is at x = {:.2f} m, the {} at x = {:.2f} m.",
+        wrong->first, wrong->second, std::next(wrong)->first, std::next(wrong)->second));
+  return doubts;
+}
+
+std::vector<std::string> doubts_of_preload(const StixSection& section, const std::vector<LayerPiece>& pieces, Real cell)
+{
+  std::map<std::size_t, Real> largest;  // POP by layer, of any stage and place [Pa]
+  for (const LayerPiece& piece : pieces)
+    for (const auto& [x, z] : places_in(*piece.region, 2.0 * cell)) {
+      const StixColumn column = section.column(x);
+      if (const auto place = column.at(z); !place || place->layer != piece.layer) continue;
+      Real& most = largest.try_emplace(piece.layer, 0.0).first->second;
+      for (const Real pop : column.pops(z)) most = std::max(most, pop);
+    }
+  std::vector<std::string> doubts;
+  for (const auto& [layer, most] : largest) {
+    if (most > no_pop) continue;
+    const StixLayer& of = section.stage().layers[layer];
+    doubts.push_back(
+        fmt::format("The layer `{}` has SHANSEP strength, but no state point or state line of any stage gives it a POP "
+                    "above zero: it "
+                    "counts as normally consolidated, the weakest that it can be.",
+            name_of_layer(section.project(), of)));
+  }
+  return doubts;
+}
+
+std::vector<std::string> doubts_of_outlines(
+    const CleanSection& clean, const std::vector<DrawnRegion>& drawn, const std::vector<CleanRegion>& fills, Real cell)
+{
+  std::vector<std::string> doubts;
+  for (const DrawingFault& gap : clean.gaps)
+    if (gap.drawn.empty() && gap.area > small * cell * cell)
+      doubts.push_back(fmt::format("No layer covers {:.3g} m2 at {:.2f}, {:.2f} m, between the layers {}: it is empty.",
+          gap.area, gap.x[0], gap.x[1], names_of(regions_at(gap.x, clean.regions), drawn)));
+  for (const DrawingFault& both : clean.overlaps)
+    if (both.area > small * cell * cell)
+      doubts.push_back(fmt::format(
+          "The layers {} overlap by {:.3g} m2 at {:.2f}, {:.2f} m: the one with the smaller outline counts.",
+          names_of(both.drawn, drawn), both.area, both.x[0], both.x[1]));
+  std::map<int, std::pair<Real, Real>> below;  // area and thickness by drawn region [m^2, m]
+  for (const CleanRegion& fill : fills) {
+    auto& [area, thickness] = below[fill.drawn];
+    area += signed_area(fill.polygon);
+    const auto [low, high] = std::ranges::minmax(fill.polygon, {}, [](const Vec<2>& x) { return x[1]; });
+    thickness = std::max(thickness, high[1] - low[1]);
+  }
+  for (const auto& [k, fill] : below)
+    if (fill.second > cell)
+      doubts.push_back(fmt::format(
+          "Below the layer `{}` the file has no soil, down to {:.2f} m under it: {:.1f} m2 were filled with "
+          "that layer. Is a layer missing?",
+          drawn[k].name, fill.second, fill.first));
+  return doubts;
+}
+
+CaseTableText doubts_table(const std::vector<std::string>& doubts)
+{
+  std::string text = "[";
+  for (const std::string& doubt : doubts) {
+    std::string rest = in_quotes(doubt);
+    rest = "\"\"\"" + rest.substr(1, rest.size() - 2) + "\"\"\"";
+    text += "\n  ";
+    while (rest.size() > columns) {
+      std::size_t cut = rest.rfind(' ', columns);
+      if (cut == std::string::npos || cut < 4) break;
+      text += rest.substr(0, cut + 1) + "\\\n    ";
+      rest = rest.substr(cut + 1);
+    }
+    text += rest + ",";
+  }
+  return {"[reference]",
+      "What speaks against this case. Every command that reads it says so; take out what you have looked at.",
+      {{"doubts", text + "\n]", ""}}};
+}
+
+}  // namespace terp

@@ -1,0 +1,20 @@
+// The uniform loads of a stage as tables of a case.
+// Not for: what they do to stresses of the file (section.hpp).
+#pragma once
+
+#include "dstability/case_text.hpp"
+#include "dstability/project.hpp"
+#include "dstability/section_layout.hpp"
+
+namespace terp {
+
+struct LoadTexts {
+  std::vector<CaseTableText> tables;           ///< [[load]]
+  std::vector<std::string> sets;               ///< of the analysed stage: those that the first one does not have
+  std::vector<std::string> assumed, left_out;  ///< sentences for the report
+};
+
+/// first: the first stage of the case; null: the stage is the only one.
+LoadTexts load_texts(const StixStage& stage, const StixStage* first, const SectionLayout& layout);
+
+}  // namespace terp

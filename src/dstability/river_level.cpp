@@ -1,0 +1,93 @@
+#include "dstability/river_level.hpp"
+
+#include "base/errors.hpp"
+#include "dstability/section_layout.hpp"
+#include "dstability/trigger.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace terp {
+namespace {
+
+constexpr Real inside = 1e-6;  // [m] from an end
+
+RiverInStage river_in(const StixSection& section, const StixRiver& river, Vec<2> ends)
+{
+  const auto level_at = [&](bool left) {
+    return section.column(left ? ends[0] + inside : ends[1] - inside).now().water().phreatic();
+  };
+  const bool at_left = river.side == "left";
+  return {.at_left = at_left, .ends = ends, .level = level_at(at_left), .inland = level_at(!at_left)};
+}
+
+Vec<2> ends_of(const StixStage& stage)
+{
+  std::vector<DrawnRegion> drawn;
+  for (const StixLayer& layer : stage.layers) drawn.push_back({layer.label, layer.outline});
+  const BoundingBox box = box_around(drawn);
+  return {box.low[0], box.high[0]};
+}
+
+std::string rule_of(const RiverInStage& river, Real level)
+{
+  const std::string heads =
+      river.level > river.inland
+          ? fmt::format(
+                "The heads in the ground move in proportion to their height over the phreatic line at the "
+                "land's end ({:.2f} m), as in a steady state",
+                river.inland)
+          : "Heads as high as the river move with it, lower ones stay, as the river stood no higher than the land";
+  return fmt::format(
+      "The river stands at {:.2f} m instead of the {:.2f} m of the file (--river). {}.{} Undrained "
+      "strengths are those of this water.",
+      level, river.level, heads,
+      level < river.level ? " After a fast fall the pressures in the outer slope would be higher." : "");
+}
+
+/// They stay to be drawn, without a factor or slices that could be taken for those of this water.
+void name_as_of_the_file(StixScenario& scenario, std::size_t from, std::size_t to, Real level)
+{
+  for (StixCalculation& calculation : scenario.calculations) {
+    if (calculation.stage != from) continue;
+    calculation.stage = to;
+    if (!calculation.result) continue;
+    StixResult& result = *calculation.result;
+    const std::string name = calculation.label.empty() ? result.name : calculation.label;
+    const std::string factor =
+        std::isfinite(result.factor_of_safety) ? fmt::format(", factor {:.4f}", result.factor_of_safety) : "";
+    calculation.label = fmt::format("{} (river at {:.2f} m{})", name, level, factor);
+    result.factor_of_safety = not_given;
+    result.slices.clear();
+  }
+}
+
+}  // namespace
+
+RiverLevel with_river_level(
+    const StixProject& project, std::size_t scenario, std::size_t stage, StixBasis basis, Real level)
+{
+  const StixSection section(project, scenario, stage, basis);
+  const Vec<2> ends = ends_of(section.stage());
+  RiverLevel moved{project, stage == 0 ? 1 : stage, find_river(section, ends), ""};
+  check_river_to_move(section, moved.river, moved.river.side == "right" ? ends[1] - inside : ends[0] + inside);
+  const RiverInStage river = river_in(section, moved.river, ends);
+  StixStage changed = with_river_at(section, river, level);
+  changed.label = fmt::format("{}, river at {:.2f} m", changed.label, level);
+  moved.comment = rule_of(river, level);
+  StixScenario& of = moved.project.scenarios[scenario];
+  if (stage == 0) std::erase_if(of.calculations, [](const StixCalculation& c) { return c.stage > 0; });
+  name_as_of_the_file(of, stage, moved.stage, river.level);
+  if (stage > 0) {
+    of.stages[stage] = std::move(changed);
+    return moved;
+  }
+  changed.state_points.clear();  // the first stage has them: its soil carries no more for having a stage after it
+  changed.state_lines.clear();
+  of.stages.resize(1);
+  of.stages.push_back(std::move(changed));
+  return moved;
+}
+
+}  // namespace terp

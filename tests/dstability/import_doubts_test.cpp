@@ -1,0 +1,144 @@
+// What speaks against an imported section, with the names of its layers.
+#include "dstability/import_doubts.hpp"
+
+#include "dstability/case_folder.hpp"
+#include "input/case_file.hpp"
+#include "sections.hpp"
+
+namespace {
+
+CaseFolder folder_of(const StixProject& project)
+{
+  static const auto kinds = read_soil_defaults("table", soil_defaults_table());
+  return case_folder_of(project, {.stage = project.scenarios[0].stages.size() - 1, .cell = 1.0, .kinds = kinds});
+}
+
+StixStatePoint state_of(const std::string& layer, const StixPreload& preload)
+{
+  return {.id = "9", .label = "SP", .layer = layer, .place = {10.0, -4.0}, .preload = preload};
+}
+
+StixStage with_state(const StixPreload& preload)
+{
+  StixStage stage = clay_on_sand();
+  stage.state_points = {state_of("clay", preload)};
+  return stage;
+}
+
+const StixPreload pop_10{.kind = StixPreload::Kind::pop, .pop = {.value = 10e3}};
+
+TEST(ImportDoubts, AreNoneOfASoundSection)
+{
+  const CaseFolder folder = folder_of(project_of({with_state(pop_10)}));
+  EXPECT_THAT(folder.notes, IsEmpty());
+  EXPECT_THAT(folder.files.front().second, testing::Not(HasSubstr("doubts")));
+  EXPECT_THAT(folder.files.back().second, HasSubstr("## In doubt\n\n- nothing\n"));
+}
+
+TEST(ImportDoubts, SayWhichLayerHasNoPop)
+{
+  const char* const weakest =
+      "The layer `clay (clay)` has SHANSEP strength, but no state point or state line of any stage gives it a POP "
+      "above "
+      "zero: it counts as normally consolidated, the weakest that it can be.";
+  EXPECT_THAT(folder_of(project_of({clay_on_sand()})).notes, ElementsAre(weakest));
+  const StixPreload none{.kind = StixPreload::Kind::pop, .pop = {.value = 0.0}};
+  EXPECT_THAT(folder_of(project_of({with_state(none)})).notes, ElementsAre(weakest));
+  EXPECT_THAT(folder_of(project_of({with_state(pop_10), clay_on_sand()})).notes, IsEmpty())
+      << "an earlier stage has it";
+}
+
+TEST(ImportDoubts, SayWhichStateIsBelowWhatTheSoilCarries)
+{
+  const StixPreload half{.kind = StixPreload::Kind::ocr, .ocr = 0.5};
+  EXPECT_THAT(folder_of(project_of({with_state(half)})).notes,
+      Contains("Stage `daily`, state `SP` of the layer `clay (clay)`: its OCR is 0.5, below 1: it counts as 1, "
+               "normally consolidated."));
+  const StixPreload low{.kind = StixPreload::Kind::yield_stress, .yield_stress = 20e3};
+  EXPECT_THAT(folder_of(project_of({with_state(low)})).notes,
+      Contains("Stage `daily`, state `SP` of the layer `clay (clay)`: its yield stress of 20.0 kPa is below the "
+               "effective stress there, 33.0 kPa: the soil counts as normally consolidated."));
+}
+
+TEST(ImportDoubts, SayWhereALayerIsMissing)
+{
+  StixStage stage = with_state(pop_10);
+  stage.layers[1] = box_layer("sand", {0.0, -10.0}, {8.0, -6.0}, 0);
+  EXPECT_THAT(
+      folder_of(project_of({stage})).notes, ElementsAre("Below the layer `clay (clay)` the file has no soil, down to "
+                                                        "4.00 m under it: 48.0 m2 were filled with that "
+                                                        "layer. Is a layer missing?"));
+}
+
+TEST(ImportDoubts, SayWhichLayersLeaveAGapOrOverlap)
+{
+  StixStage gap = with_state(pop_10);
+  gap.layers.push_back(box_layer("left", {5.0, -10.0}, {8.0, -6.0}, 0));
+  gap.layers[1] = box_layer("sand", {0.0, -10.0}, {5.0, -6.0}, 0);
+  gap.layers.push_back(box_layer("right", {9.0, -10.0}, {20.0, -6.0}, 0));
+  gap.layers.push_back(box_layer("bottom", {8.0, -10.0}, {9.0, -9.0}, 0));
+  EXPECT_THAT(folder_of(project_of({gap})).notes,
+      ElementsAre(ContainsRegex("^No layer covers 3 m2 at .* m, between the layers .*: it is empty[.]$")));
+  StixStage both = with_state(pop_10);
+  both.layers[1] = box_layer("sand", {0.0, -10.0}, {20.0, -5.0}, 0);
+  EXPECT_THAT(folder_of(project_of({both})).notes,
+      ElementsAre(ContainsRegex("^The layers `clay [(]clay[)]`, `sand [(]sand[)]` overlap by 20 m2 at .*: the one "
+                                "with the smaller outline")));
+}
+
+TEST(ImportDoubts, SayWhichPointOfTheEmbankmentIsWrong)
+{
+  StixStage stage = with_state(pop_10);
+  stage.embankment.toe_land = 99.0;
+  const auto doubts = [](const StixStage& of) {
+    const StixProject project = project_of({of});
+    return doubts_of_embankment(StixSection(project, 0, 0, StixBasis::deterministic));
+  };
+  EXPECT_THAT(
+      doubts(stage), ElementsAre("The file has the toe at the land side of its embankment at x = 99.00 m, where "
+                                 "there is no ground."));
+  stage.embankment = {.toe_water = 2.0, .top_water = 6.0, .top_land = 8.0, .toe_land = 7.0};
+  EXPECT_THAT(
+      doubts(stage), ElementsAre("The points of the embankment of the file are in no order: the top at the land "
+                                 "side is at x = 8.00 m, the toe at the land side at x = 7.00 m."));
+  stage.embankment = {.toe_water = 18.0, .top_water = 12.0, .top_land = 8.0, .toe_land = 7.0};
+  EXPECT_THAT(doubts(stage), IsEmpty()) << "a river at the right";
+}
+
+TEST(ImportDoubts, RepeatWhatTheReaderSaidOfTheStagesButNotOfTheFormat)
+{
+  StixProject project = project_of({with_state(pop_10), clay_on_sand()});
+  project.remarks = {{"scenario 1, stage 1", "Nails: `N`. Left out."}, {"scenario 1, stage 3", "Of a later stage."},
+      {"results/bishop/a", "3 slices have no foot."}, {"x.json", "Not known.", true}};
+  EXPECT_THAT(folder_of(project).notes, ElementsAre("scenario 1, stage 1: Nails: `N`. Left out."));
+}
+
+TEST(ImportDoubts, SayWhichStageHasNoWater)
+{
+  StixProject project = project_of({with_state(pop_10), clay_on_sand()});
+  StixScenario& of = project.scenarios[0];
+  of.stages[0].label = "before";
+  of.stages[1].water.phreatic.reset();
+  EXPECT_THAT(
+      folder_of(project).notes, ElementsAre("Stage `daily` has no phreatic line: all of its soil counts as dry."));
+  std::swap(of.stages[0].water, of.stages[1].water);
+  EXPECT_THAT(
+      doubts_of_water(of, 1, true), ElementsAre("Stage `before` has no phreatic line: all of its soil counts as "
+                                                "dry, and yield stresses are at least what it carries then."));
+  EXPECT_THAT(doubts_of_water(of, 1, false), IsEmpty());
+}
+
+TEST(ImportDoubts, StandInTheCaseAndAreRepeatedByWhatReadsIt)
+{
+  StixProject project = project_of({clay_on_sand()});
+  project.scenarios[0].stages[0].layers[0].label = "clay \"a\" \\ b";
+  const std::string text = folder_of(project).files.front().second;
+  const CaseFile file = read_case_text(text, "case.toml");
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_EQ(file.warnings[0].key, "reference.doubts");
+  EXPECT_THAT(file.warnings[0].detail, HasSubstr("The layer `clay (clay \"a\" \\ b)` has SHANSEP strength, but no"));
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120u) << line;
+}
+
+}  // namespace
