@@ -336,6 +336,7 @@ class FolderMaker {
           fmt::format("No water stands on the ground at {} of the section: the case has no [flood], and no verdict on "
                       "flooding.",
               river_.side.empty() ? "either end" : fmt::format("the river's end ({})", river_.side)));
+      if (options_.river) notes_.push_back(assumed_.back());
       return;
     }
     const Real level = river_level_.value_or(level_at_end(river_.side != "right"));

@@ -85,6 +85,9 @@ TEST(RiverLevel, IsSaidInTheCaseAndAsksWhetherItFloods)
   EXPECT_THAT(folder.files.back().second, HasSubstr("- The river stands at 3.00 m instead of the 2.00 m of the file"));
   const CaseFolder dry = case_folder_of(dike(2), {.stage = 1, .kinds = kinds, .river = -0.5});
   EXPECT_THAT(dry.files.front().second, testing::Not(HasSubstr("[flood]")));
+  EXPECT_THAT(
+      dry.notes, Contains(HasSubstr("No water stands on the ground at the river's end (left) of the section: the "
+                                    "case has no [flood], and no verdict on flooding.")));
 }
 
 TEST(RiverLevel, NeedsARiverAndGroundThatHoldsIt)
