@@ -94,8 +94,10 @@ void NodalWater::set(const WaterMoment& moment, std::span<const Real> loads, Rea
     Real most = limit(0, i);
     // The total stress runs from that of one section to that of the other, as bodies that come or go carry their weight
     // under water by and by (decision 0051). Above the ground the water has no limit.
-    if (const Real before = changes ? limit(1, i) : most; changes)
+    if (changes) {
+      const Real before = limit(1, i);
       most = std::lerp(before == infinity ? free : before, most == infinity ? free : most, bodies);
+    }
     pore.pressure[i] = std::clamp(pressure, 0.0, most);
     if (!pore.suction.empty()) pore.suction[i] = std::clamp(-pressure, 0.0, water_.suction);
   }
