@@ -57,7 +57,7 @@ const SummaryQuantity quantities[] = {
         &Summary::points_eps_eq_p_fell},
     {{"points_su_rose", "-", "points whose S_u ever rose",
          "points whose strength rose between any two rows of the ledger; of a law whose strength follows from its "
-         "strain alone: rose because the strain fell"},
+         "strain alone, and of a library: rose because the strain fell"},
         &Summary::points_su_rose},
     {{"energy_balance_error", "-", "energy balance error",
          "at the end, without sign: `numerical` and half of the work of the last step (docs/methods.md, section 5) "

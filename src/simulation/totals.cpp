@@ -66,6 +66,7 @@ struct MaterialRows {
   int driver = row_of(material, Role::softening);       ///< -1: the strength follows the strain itself
   bool has_su = has_strength(material);
   bool told = strain_gives_strength(material);
+  bool may_harden = told || material.type->by_library;
   bool is_ground = true;
 };
 
@@ -76,8 +77,8 @@ struct ChunkTotals {
   std::vector<std::size_t> fell, rose;
 };
 
-/// Looks at the history of a block point by point. Where the strain tells the strength, a rise is one only if the
-/// strain fell: a law that hardens as it strains is no fault.
+/// Looks at the history of a block point by point. Where the strain tells the strength, and of soil of a library, a
+/// rise is one only if the strain fell: a law that hardens as it strains is no fault.
 void audit_points(const MaterialRows& rows, const PointBlock<2>& block, StrainMemory& memory, ChunkTotals& chunk)
 {
   for (Index lane = 0; lane < block.n; ++lane) {
@@ -94,7 +95,7 @@ void audit_points(const MaterialRows& rows, const PointBlock<2>& block, StrainMe
     if (!rows.has_su || (rows.told && !fell)) continue;
     const Real su = strength_of(rows.material, block, lane);
     const Real su_before = rows.told ? strength_at(rows.material, block, lane, before) : memory.last_su[id];
-    if (su > su_before * (1.0 + audit_tolerance)) chunk.rose.push_back(id);
+    if (su > su_before * (1.0 + audit_tolerance) && (fell || !rows.may_harden)) chunk.rose.push_back(id);
     if (!memory.last_su.empty()) memory.last_su[id] = su;
   }
 }

@@ -1,6 +1,7 @@
 // Laws from libraries in runs: the Fortran example against Terp's own law, threads, schemes, resuming.
 #include "input/case_file.hpp"
 #include "simulation/follower.hpp"
+#include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
@@ -119,13 +120,19 @@ Case cell_of_library(Real residual_strength)
   return c;
 }
 
-/// Leaves one point with 4.9 kPa, and looks at the soil.
-void soften_one(Simulation& s)
+/// Gives one point a plastic strain and a strength [kPa].
+void set_one(Simulation& s, Real strain, Real strength)
 {
   edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     if (block.row(PointRows<2>::id)[lane] != 2.0) return;
-    block.row(PointRows<2>::state)[lane] = 0.3, block.row(PointRows<2>::state + 1)[lane] = 4.9;
+    block.row(PointRows<2>::state)[lane] = strain, block.row(PointRows<2>::state + 1)[lane] = strength;
   });
+}
+
+/// Leaves one point with 4.9 kPa, and looks at the soil.
+void soften_one(Simulation& s)
+{
+  set_one(s, 0.3, 4.9);
   for (const ActiveFollower& active : s.state.followers) active.follower->frame(s.model, s.state);
 }
 
@@ -144,6 +151,20 @@ TEST(UserLawRoles, CountSoilThatSoftenedByTheStrengthThatTheCaseNames)
   EXPECT_THAT(softened(2e3), ElementsAre(DoubleNear(0.25, 1e-15)));  // half of the drop is done at 5 kPa
   EXPECT_THAT(softened(1e3), ElementsAre(0.0));                      // at 4.5 kPa
   EXPECT_THAT(softened(std::numeric_limits<Real>::quiet_NaN()), ElementsAre()) << "nobody said what softening leaves";
+}
+
+TEST(UserLawRoles, MayHardenAsTheyStrain)
+{
+  for (const Real second_strain : {0.2, 0.05}) {
+    Simulation s = followed(cell_of_library(2e3));
+    set_one(s, 0.1, 8.5);
+    keep_ledger(s.model, s.state, s.work);
+    set_one(s, second_strain, 9.0);
+    keep_ledger(s.model, s.state, s.work);
+    const bool fell = second_strain < 0.1;
+    EXPECT_EQ(summarise(s.model, s.state).points_eps_eq_p_fell, fell ? 1 : 0);
+    EXPECT_EQ(summarise(s.model, s.state).points_su_rose, fell ? 1 : 0);
+  }
 }
 
 TEST(UserLawRoles, ShowTheStrengthInPascal)
