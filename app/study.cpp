@@ -14,6 +14,7 @@
 #include "study_run.hpp"
 #include "system/stop.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
@@ -124,12 +125,18 @@ int check_study(const Study& study, int threads)
   return solved;
 }
 
-int report_study(const Study& study, const std::string& folder, bool writes)
+bool has_store(const std::string& folder)
 {
   std::error_code none;
+  return std::ranges::any_of(std::filesystem::directory_iterator(folder, none),
+      [](const auto& entry) { return is_part_of_store(entry.path().filename().string()); });
+}
+
+int report_study(const Study& study, const std::string& folder, bool writes)
+{
   std::optional<StudyPlace> place;
   if (writes) check_study_folder(study, folder);
-  if (writes && std::filesystem::is_directory(folder, none)) place.emplace(place_of_results(folder));
+  if (writes && has_store(folder)) place.emplace(place_of_results(folder));
   const StoredStudy stored = read_store(study, folder);
   if (stored.n_files == 0)
     throw FileError(fmt::format("{}: there are no results of this study yet\n  Begin with: terp study run", folder));

@@ -131,12 +131,13 @@ void StudyPlace::clear() const
 
 StudyPlace place_of_results(const std::string& folder)
 {
-  constexpr int most_tries = 300;
+  constexpr int few_tries = 3, most_tries = 300;
   constexpr double between = 0.1;  // [s]
   for (int n = 1;; ++n) try {
       return StudyPlace(folder, "report");
     } catch (const FileError&) {
-      if (n == most_tries) throw;
+      const bool is_held = is_being_written(lock_folder_of(folder, "report"));
+      if (n == most_tries || (n > few_tries && !is_held)) throw;  // it cannot be written for another reason
       wait_seconds(between);
     }
 }

@@ -21,6 +21,9 @@ TEST(StudyCommand, ChecksRunsAndReports)
       check.out, HasSubstr("  random         material.clay.su_peak: lognormal, 5 % 3941, 50 % 7428, 95 % 1.4e+04\n"));
   EXPECT_THAT(check.out, HasSubstr("  realisations   12, Monte Carlo\n"));
   EXPECT_THAT(check.out, HasSubstr("nothing was run\n"));
+  make_folder(folder.path() + "/runs/demo");
+  EXPECT_THAT(test::terp({"study", "report", study}, folder.path()).err, HasSubstr("there are no results"));
+  EXPECT_TRUE(names_in(folder.path() + "/runs/demo").empty()) << "and none of its own";
   const Finished run = test::terp({"study", "run", study, "-j", "2"}, folder.path());
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("  probabilities with 95 % bounds\n"));
