@@ -30,7 +30,7 @@ struct Patch<Quad4> {
 /// it from this cell), or `outside`. Mutual: the partner of the partner is where it began. Shape [n_cells][n_outer].
 using PatchPartners = std::vector<std::array<Index, Patch<Quad4>::n_outer>>;
 
-/// The same between blocks of points: n_outer * (the other block) + its outer sub-cell, or -1 where there is none.
+/// The same between blocks of points: n_slots * (the other block) + the slot in its patch, or -1 where there is none.
 using BlockPartners = std::array<Index, Patch<Quad4>::n_outer>;
 
 PatchPartners find_patch_partners(const Mesh<2>& mesh);

@@ -16,15 +16,10 @@ namespace terp {
 template <class Element>
 GaussRow<Element> collect_row(const CellGroup<Element>& group, const BlockLayer& layer, int row)
 {
-  const int width = group.patches->sum_width;
-  alignas(64) std::array<Real, Element::n_gauss * PatchView::most_rows> sums;
-  std::array<PerGauss<Element>, pack_width> values{};
-  for (int c = 0; c < pack_width; ++c) {
-    if (layer.block[c] < 0) continue;
-    collect_sums(*group.patches, layer.block[c], sums.data());
-    for (int g = 0; g < Element::n_gauss; ++g) values[c][g] = sums[g * width + row];
-  }
-  return to_lanes([&](int c) { return values[c].data(); });
+  const GaussRows sums = collect_sums(group, layer, row);
+  GaussRow<Element> values;
+  for (int g = 0; g < Element::n_gauss; ++g) values[g] = sums[g][0];
+  return values;
 }
 
 /// u_e of the cells of a layer [Pa], one lane per cell; keeps them in group.excess.
@@ -75,36 +70,32 @@ void update_excess(const SchemeContext& context, const PointBlock<Element::dim>&
   }
 }
 
-/// The same with shares that overlap. strain: patch whose rows from `first_strain` on are the strain.
+/// The same with shares that overlap. patch: its rows from `first_strain` on are the strain, the last one is u_e.
 template <class Element>
-void update_excess_from_patch(const SchemeContext& context, const CellGroup<Element>& group, Index b, Real size,
-    const PatchView& strain, int first_strain, Real share)
+void update_excess_from_patch(const SchemeContext& context, const CellGroup<Element>& group,
+    const PointBlock<Element::dim>& block, const PatchSize& size, const PatchView& patch, int first_strain, Real share)
 {
-  const PointBlock<Element::dim>& block = group.points.block(b);
   const SoilMaterial& material = context.materials[block.material];
   if (material.excess_row < 0) return;
-  const PatchView cells(
-      group.patches->partners[b], b, [&](Index other) { return &group.excess[other]; }, 0, 1);
+  const int excess = group.patches->gauss_width - 1;
   const ExcessStep step(context, material);
-  const auto for_each_pack = [&](auto&& f) {
-    for (Index p = 0; p < block.n; p += pack_width) {
-      PointShares shares;
-      set_shares(block, p, context.inverse_extent, size, shares);
-      f(p, shares, Pack::load(block.row(material.excess_row) + p), cells.template at_points<1>(shares, 0)[0]);
-    }
-  };
   Pack above(0.0), volume(0.0);  // of the points, above that around them; as their pressure keeps its mean
-  for_each_pack([&](Index p, const PointShares&, Pack own, Pack around) {
-    const Pack omega = Pack::load(block.row(PointRows<Element::dim>::volume) + p);
-    above = fma(omega, own - around, above);
-    volume += omega;
-  });
+  for (Index p = 0; p < block.n; p += pack_width)
+    with_shares(block, p, size, [&](const auto& shares) {
+      const Pack omega = Pack::load(block.row(PointRows<Element::dim>::volume) + p);
+      const Pack own = Pack::load(block.row(material.excess_row) + p);
+      above = fma(omega, own - patch.at_points<1>(shares, excess)[0], above);
+      volume += omega;
+    });
   const Pack shift(sum(above) / sum(volume));
-  for_each_pack([&](Index p, const PointShares& shares, Pack own, Pack around) {
-    const auto direct = strain.at_points<3>(shares, first_strain);
-    const Pack start = own + Pack(share) * (around + shift - own);
-    step(start, direct[0] + direct[1] + direct[2]).store(block.row(material.excess_row) + p);
-  });
+  for (Index p = 0; p < block.n; p += pack_width)
+    with_shares(block, p, size, [&](const auto& shares) {
+      Real* at = block.row(material.excess_row) + p;
+      const auto direct = patch.at_points<3>(shares, first_strain);
+      const Pack own = Pack::load(at), around = patch.at_points<1>(shares, excess)[0];
+      const Pack start = own + Pack(share) * (around + shift - own);
+      step(start, direct[0] + direct[1] + direct[2]).store(at);
+    });
 }
 
 }  // namespace terp

@@ -1,5 +1,6 @@
 // MPM-GP, paper Sec. 2.2: the material points own the history; Gauss points only carry force and strain.
 #include "schemes/gauss_gather.hpp"
+#include "schemes/patch_rows.hpp"
 #include "schemes/scheme.hpp"
 
 namespace terp {
@@ -13,12 +14,7 @@ struct MpmGp {
   /// is kept.
   static void gather(const SchemeContext& context, const CellGroup<Element>& group)
   {
-    integrate(
-        context, group, [&](const BlockLayer& layer, auto& gauss) { sum_layer(group, layer, gauss); },
-        [&](const BlockLayer& layer, const auto& gauss) {
-          for (int c = 0; c < group.n(); ++c)
-            if (layer.block[c] >= 0) group.pressure[layer.block[c]] = gauss.pressure[c];
-        });
+    integrate(context, group, [&](const BlockLayer& layer, auto& gauss) { sum_layer(group, layer, gauss); });
   }
 
   /// New stress and state in each material point from the strain of its own Gauss point (instead of Steps 3 and 4).
@@ -43,25 +39,21 @@ struct MpmGp {
 
   static void integrate_patches(const SchemeContext& context, const CellGroup<Element>& group)
   {
-    integrate(
-        context, group,
-        [&](const BlockLayer& layer, auto& gauss) { collect_layer<Element>(group, layer, gauss, nullptr, 0); },
-        [&](const BlockLayer& layer, const auto& gauss) {
-          PerGauss<Element, Pack> pressure;
-          pressure.fill(gauss.pressure);
-          leave_row(group, layer, patch_pressure, pressure);
-        });
+    integrate(context, group,
+        [&](const BlockLayer& layer, auto& gauss) { collect_layer<Element>(group, layer, gauss, nullptr, 0); });
   }
 
   static void leave_strain(
       const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums&)
   {
     const auto strain = strain_of_group(group, du, context.method.b_bar);  // Step 2
-    const bool rotates = context.method.objective_rate == ObjectiveRate::jaumann;
     for_each_layer(group, [&](const BlockLayer& layer) {
-      leave_four_rows(
-          group, layer, patch_strain, [&](int k) -> const auto& { return strain.d_eps[k]; });
-      if (rotates || looks_around(context, layer.material)) leave_row(group, layer, patch_spin, strain.d_spin);
+      LeftRows<Element> rows;
+      for (int k = 0; k < n_sym<dim>; ++k) rows.set(StrainRows::strain + k, strain.d_eps[k]);
+      rows.set(StrainRows::pressure, layer, group.pressure);
+      rows.set(StrainRows::spin, strain.d_spin);
+      if (!group.excess.empty()) rows.set(StrainRows::end, layer, group.excess);
+      rows.leave(group, layer);
     });
   }
 
@@ -71,44 +63,45 @@ struct MpmGp {
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
       prefetch_extents(context, group, c);
-      const Real size = std::sqrt(group.mesh.geometry(group.cells[c]).volume);
+      const PatchSize size = patch_size(context, group, group.cells[c]);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
-        const PatchView patch = view_patch(group, b, patch_rows);
-        update_excess_from_patch(context, group, b, size, patch, patch_strain, share_of_cell_pressure(context.method));
-        PressureAbove above;
+        const PatchView patch = view_patch(group, b);
+        MeanAbove pressure, excess;
+        const int excess_row = context.materials[block.material].excess_row;
         if (block.n_padded() > strip_length)  // several strips: their mean comes first
-          for (Index p = 0; p < block.n_padded(); p += pack_width) {
-            PointShares shares;
-            set_shares(block, p, context.inverse_extent, size, shares);
-            above.add(block, p, patch.at_points<1>(shares, patch_pressure)[0]);
-          }
+          for (Index p = 0; p < block.n_padded(); p += pack_width)
+            with_shares(block, p, size, [&](const auto& shares) {
+              pressure.add(block, p, mean_stress(block, p), patch.at_points<1>(shares, StrainRows::pressure)[0]);
+              if (excess_row >= 0)
+                excess.add(
+                    block, p, Pack::load(block.row(excess_row) + p), patch.at_points<1>(shares, StrainRows::end)[0]);
+            });
         for (Index first = 0; first < block.n_padded(); first += strip_length)
-          update_strip_from_patch(context, block, first, size, patch, above, sums);
+          update_strip_from_patch(context, block, first, size, patch, {pressure, excess}, sums);
       });
     }
   }
 
  private:
-  /// Rows that Gauss points leave for the points around them.
-  static constexpr int patch_strain = 0, patch_pressure = 4, patch_spin = 5, patch_rows = 6;
-  static_assert(patch_pressure == n_sym<dim>);
-
-  /// Pressure of the points of a block above that around them.
-  struct PressureAbove {
+  /// What the points of a block have above what is around them, as a mean.
+  struct MeanAbove {
     Pack above = Pack(0.0), volume = Pack(0.0);  ///< sums over points, times Omega_p
 
-    void add(const PointBlock<dim>& block, Index p, Pack around)
+    void add(const PointBlock<dim>& block, Index p, Pack own, Pack around)
     {
       const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + p);
-      above = fma(omega, mean_stress(stress_of(block, p)) - around, above);
+      above = fma(omega, own - around, above);
       volume += omega;
     }
-    Pack mean() const { return Pack(sum(above) / sum(volume)); }
+    Pack operator()() const { return Pack(sum(above) / sum(volume)); }
+  };
+  struct BlockMeans {
+    MeanAbove pressure, excess;
   };
 
-  /// sum, finish: as in gather_at_gauss_points. The Gauss values of a group of one layer need no place in memory.
-  template <class Sum, class Finish>
-  static void integrate(const SchemeContext& context, const CellGroup<Element>& group, Sum&& sum, Finish&& finish)
+  /// sum: as in gather_at_gauss_points. The Gauss values of a group of one layer need no place in memory.
+  template <class Sum>
+  static void integrate(const SchemeContext& context, const CellGroup<Element>& group, Sum&& sum)
   {
     GaussValues<Element, Pack> only;
     const bool one_layer = has_one_layer(group);
@@ -117,42 +110,75 @@ struct MpmGp {
         [&](const BlockLayer& layer) -> GaussValues<Element, Pack>& {
           return one_layer ? only : group.gauss_of(layer);
         },
-        sum, finish);
+        sum,
+        [&](const BlockLayer& layer, const auto& gauss) {
+          for (int c = 0; c < group.n(); ++c)
+            if (layer.block[c] >= 0) group.pressure[layer.block[c]] = gauss.pressure[c];
+        });
   }
 
   /// above: of the whole block where it has more than one strip, else nothing yet.
   static void update_strip_from_patch(const SchemeContext& context, const PointBlock<dim>& block, Index first,
-      Real size, const PatchView& patch, PressureAbove above, StressSums& sums)
+      const PatchSize& size, const PatchView& patch, BlockMeans above, StressSums& sums)
   {
     const Index n = std::min(strip_length, block.n_padded() - first);
     StripArrays<dim> strip;
-    alignas(64) Real pressure[strip_length];
-    const bool rotates = context.method.objective_rate == ObjectiveRate::jaumann;
-    const bool needs_spin = rotates || looks_around(context, block.material);
-    for (Index p = 0; p < n; p += pack_width) {
-      PointShares shares;
-      set_shares(block, first + p, context.inverse_extent, size, shares);
-      const auto values = patch.at_points<patch_pressure + 1>(shares, patch_strain);
-      SymTensor<Pack, dim> d_eps;
-      for (int k = 0; k < n_sym<dim>; ++k) d_eps[k] = values[k];
-      store_strain(d_eps, strip, p);
-      values[patch_pressure].store(pressure + p);
-      if (needs_spin) patch.at_points<1>(shares, patch_spin)[0].store(strip.d_spin + p);
-      if (block.n_padded() <= strip_length) above.add(block, first + p, values[patch_pressure]);
-    }
-    const Pack shift = above.mean(), share(share_of_cell_pressure(context.method));
+    alignas(64) Real pressure[strip_length], excess[strip_length];
+    const SoilMaterial& material = context.materials[block.material];
+    const bool rotates = context.method.objective_rate == ObjectiveRate::jaumann, is_whole = n == block.n_padded();
+    const bool needs_spin = rotates || looks_around(context, block.material), has_excess = material.excess_row >= 0;
+    for (Index p = 0; p < n; p += pack_width)
+      with_shares(block, first + p, size, [&](const auto& shares) {
+        const auto values = patch.at_points<StrainRows::pressure + 1>(shares, StrainRows::strain);
+        SymTensor<Pack, dim> d_eps;
+        for (int k = 0; k < n_sym<dim>; ++k) d_eps[k] = values[k];
+        store_strain(d_eps, strip, p);
+        values[StrainRows::pressure].store(pressure + p);
+        if (needs_spin) patch.at_points<1>(shares, StrainRows::spin)[0].store(strip.d_spin + p);
+        if (is_whole) above.pressure.add(block, first + p, mean_stress(block, first + p), values[StrainRows::pressure]);
+        if (!has_excess) return;
+        const Pack around = patch.at_points<1>(shares, StrainRows::end)[0];
+        around.store(excess + p);
+        if (is_whole)
+          above.excess.add(block, first + p, Pack::load(block.row(material.excess_row) + first + p), around);
+      });
+    const Pack shift = above.pressure(), share(share_of_cell_pressure(context.method));
     for (Index p = 0; p < n; p += pack_width) {
       SymTensor<Pack, dim> sigma = stress_of(block, first + p);
-      add_isotropic(sigma, share * (Pack::load(pressure + p) + shift - mean_stress(sigma)));
+      add_isotropic(sigma, share * (Pack::load(pressure + p) + shift - trace(sigma) * Pack(1.0 / 3.0)));
       if (rotates) rotate_stress(sigma, Pack::load(strip.d_spin + p));
       store_rows(sigma.c, block, PointRows<dim>::sigma, first + p);
     }
+    if (has_excess) update_excess_of_strip(context, block, first, n, {excess, above.excess()}, strip);
     update_strip(context, block, first, n, strip);
     sums.plastic_work += sum_plastic_work(block, first, n, strip);
     for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
   }
 
-  static Pack mean_stress(const SymTensor<Pack, dim>& sigma) { return trace(sigma) * Pack(1.0 / 3.0); }
+  static Pack mean_stress(const PointBlock<dim>& block, Index p)
+  {
+    return trace(stress_of(block, p)) * Pack(1.0 / 3.0);
+  }
+
+  /// u_e at the points of a strip, and by how much that of the points is above it.
+  struct ExcessAround {
+    const Real* at_points;
+    Pack shift;
+  };
+  static void update_excess_of_strip(const SchemeContext& context, const PointBlock<dim>& block, Index first, Index n,
+      const ExcessAround& around, const StripArrays<dim>& strip)
+  {
+    const SoilMaterial& material = context.materials[block.material];
+    const ExcessStep step(context, material);
+    const Pack share(share_of_cell_pressure(context.method));
+    for (Index p = 0; p < n; p += pack_width) {
+      Real* at = block.row(material.excess_row) + first + p;
+      const Pack own = Pack::load(at), start = own + share * (Pack::load(around.at_points + p) + around.shift - own);
+      Pack volumetric = Pack::load(strip.d_eps[0] + p);
+      for (int k = 1; k < 3; ++k) volumetric += Pack::load(strip.d_eps[k] + p);
+      step(start, volumetric).store(at);
+    }
+  }
 
   /// What a point takes of the difference between the pressure of its cell and its own (reading R10).
   static Real share_of_cell_pressure(const MethodOptions& method)

@@ -1,5 +1,6 @@
 // MPM-Mixed, paper Sec. 2.1: the Gauss points own the history; material points are overwritten every step.
 #include "schemes/gauss_gather.hpp"
+#include "schemes/patch_rows.hpp"
 #include "schemes/scheme.hpp"
 
 namespace terp {
@@ -69,12 +70,8 @@ struct MpmMixed {
         },
         [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) {
           const SoilMaterial& material = context.materials[layer.material];
-          GaussRow<Element>* rows = group.rows_of(layer);
-          leave_four_rows(
-              group, layer, patch_change, [&](int k) -> const auto& { return gauss.sigma[k]; });
-          divide_rows(gauss, material, rows);
-          average_rows(context.method, gauss, material, rows);
-          for (int k = 0; k < material.n_state(); ++k) leave_row(group, layer, patch_state + k, rows[k]);
+          divide_rows(gauss, material, group.rows_of(layer));
+          average_rows(context.method, gauss, material, group.rows_of(layer));
         });
   }
 
@@ -85,22 +82,30 @@ struct MpmMixed {
     for_each_layer(group, [&](const BlockLayer& layer) {
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
-      GaussRow<Element>* rows = group.rows_of(layer);
-      const Pack plastic_work = update_gauss_points(context, group, layer, strain, gauss, rows);  // Step 3
+      GaussRow<Element>* state = group.rows_of(layer);
+      LeftRows<Element> rows;
+      for (int k = 0; k < n_sym<dim>; ++k) {
+        rows.set(HistoryRows::strain + k, strain.d_eps[k]);
+        rows.set(HistoryRows::change + k, gauss.sigma[k]);
+      }
+      for (int k = 0; k < material.n_state(); ++k)
+        if (!material.type->state[k].scratch) rows.set(HistoryRows::end + k, state[k]);
+      const Pack plastic_work = update_gauss_points(context, group, layer, strain, gauss, state);  // Step 3
       for (int c = 0; c < group.n(); ++c)
         if (layer.block[c] >= 0) sums.plastic_work += plastic_work[c];
-      leave_four_rows(
-          group, layer, patch_strain, [&](int k) -> const auto& { return strain.d_eps[k]; });
-      for (int k = 0; k < n_sym<dim>; ++k) leave_change(group, layer, patch_change + k, gauss.sigma[k]);
-      leave_four_rows(
-          group, layer, patch_stress, [&](int k) -> const auto& { return gauss.sigma[k]; });
+      for (int k = 0; k < n_sym<dim>; ++k) {
+        rows.set_change(HistoryRows::change + k, gauss.sigma[k]);
+        rows.set(HistoryRows::stress + k, gauss.sigma[k]);
+      }
       for (int k = 0; k < material.n_state(); ++k) {
         if (material.type->state[k].scratch)
-          leave_row(group, layer, patch_state + k, rows[k]);
+          rows.set(HistoryRows::end + k, state[k]);
         else
-          leave_change(group, layer, patch_state + k, rows[k]);
+          rows.set_change(HistoryRows::end + k, state[k]);
       }
-      if (rotates(context)) leave_row(group, layer, patch_spin, strain.d_spin);
+      rows.set(HistoryRows::spin, strain.d_spin);
+      if (!group.excess.empty()) rows.set(group.patches->gauss_width - 1, layer, group.excess);
+      rows.leave(group, layer);
     });
   }
 
@@ -109,27 +114,20 @@ struct MpmMixed {
   {
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
-      const Real size = std::sqrt(group.mesh.geometry(group.cells[c]).volume);
+      const PatchSize size = patch_size(context, group, group.cells[c]);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
-        const SoilMaterial& material = context.materials[block.material];
-        const PatchView patch = view_patch(group, b, patch_state + material.n_state());
-        update_excess_from_patch(context, group, b, size, patch, patch_strain, 1.0);
+        const PatchView patch = view_patch(group, b);
+        update_excess_from_patch(context, group, block, size, patch, HistoryRows::strain, 1.0);
         KeptStress kept;
-        for (Index p = 0; p < block.n; p += pack_width) {
-          PointShares shares;
-          set_shares(block, p, context.inverse_extent, size, shares);
-          take_values(context, patch, shares, block, p, kept);  // Step 4
-        }
+        for (Index p = 0; p < block.n; p += pack_width)
+          with_shares(block, p, size,
+              [&](const auto& shares) { take_values(context, patch, shares, block, p, kept); });  // Step 4
         kept.shift(block);
       });
     }
   }
 
  private:
-  /// Rows that Gauss points leave for the points around them.
-  static constexpr int patch_strain = 0, patch_change = n_sym<dim>, patch_stress = 2 * n_sym<dim>,
-                       patch_spin = 3 * n_sym<dim>, patch_state = patch_spin + 1;
-
   static bool rotates(const SchemeContext& context) { return context.method.objective_rate == ObjectiveRate::jaumann; }
 
   /// What the stress of a block's points is above that which the Gauss points had: the pressure as a mean over the
@@ -182,23 +180,8 @@ struct MpmMixed {
     Pack pressure_ = Pack(0.0);
   };
 
-  /// Turns a row that was left before the law into what has changed since.
-  static void leave_change(
-      const CellGroup<Element>& group, const BlockLayer& layer, int row, const PerGauss<Element, Pack>& lanes)
-  {
-    std::array<PerGauss<Element>, pack_width> values;
-    from_lanes(lanes, [&](int c) { return values[c].data(); });
-    for (int c = 0; c < group.n(); ++c) {
-      if (layer.block[c] < 0) continue;
-      Real* left = group.patches->gauss_of(layer.block[c]) + row;
-      for (int g = 0; g < Element::n_gauss; ++g) {
-        Real& value = left[g * group.patches->gauss_width];
-        value = values[c][g] - value;
-      }
-    }
-  }
-
-  static void take_values(const SchemeContext& context, const PatchView& patch, const PointShares& shares,
+  template <class Shares>
+  static void take_values(const SchemeContext& context, const PatchView& patch, const Shares& shares,
       const PointBlock<dim>& block, Index p, KeptStress& kept)
   {
     const SoilMaterial& material = context.materials[block.material];
@@ -206,16 +189,16 @@ struct MpmMixed {
     const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + p);
     SymTensor<Pack, dim> d_eps, above = stress_of(block, p);
     for (int k = 0; k < n_sym<dim>; ++k) {
-      d_eps[k] = values[patch_strain + k];
-      above[k] += values[patch_change + k] - values[patch_stress + k];
-      values[patch_stress + k].store(block.row(PointRows<dim>::sigma + k) + p);
+      d_eps[k] = values[HistoryRows::strain + k];
+      above[k] += values[HistoryRows::change + k] - values[HistoryRows::stress + k];
+      values[HistoryRows::stress + k].store(block.row(PointRows<dim>::sigma + k) + p);
     }
-    if (rotates(context)) rotate_stress(above, patch.at_points<1>(shares, patch_spin)[0]);
+    if (rotates(context)) rotate_stress(above, patch.at_points<1>(shares, HistoryRows::spin)[0]);
     kept.add(above, omega, upper_halves<Element>(block, p));
     for (int k = 0; k < material.n_state(); ++k) {
       Real* at = block.row(material.rows[k]) + p;
       const Pack before = material.type->state[k].scratch ? Pack(0.0) : Pack::load(at);
-      (before + patch.at_points<1>(shares, patch_state + k)[0]).store(at);
+      (before + patch.at_points<1>(shares, HistoryRows::end + k)[0]).store(at);
     }
     scale_volume(block, p, accumulate_strain(block, p, d_eps));
   }

@@ -19,42 +19,71 @@ void prefetch_extents(const SchemeContext& context, const CellGroup<Element>& gr
       group.points, next, [&](const auto& block, Index) { prefetch(block.row(context.inverse_extent), block.n); });
 }
 
+/// Of the squares of the points of a cell.
+template <class Element>
+PatchSize patch_size(const SchemeContext& context, const CellGroup<Element>& group, Index cell)
+{
+  return {context.inverse_extent, std::sqrt(group.mesh.geometry(cell).volume)};
+}
+
 /// First pass: sums of each block over its patch. others(block): rows beyond the stress.
 template <class Element, class Others>
 void sum_over_patches(const SchemeContext& context, const CellGroup<Element>& group, Others&& others)
 {
   PatchValues& patches = *group.patches;
+  const int width = patches.sum_width;
   for (int c = 0; c < group.n(); ++c) {
     const Index cell = group.cells[c];
     prefetch_extents(context, group, c);
-    const Real size = std::sqrt(group.mesh.geometry(cell).volume);
+    const PatchSize size = patch_size(context, group, cell);
     for_each_block(group.points, cell, [&](const auto& block, Index b) {
       patches.partners[b] = find_block_partners(group.points, patches.cells[cell], block);
-      sum_over_patch(block, context.inverse_extent, size, others(block), patches.sum_width, patches.sums_of(b));
+      sum_over_patch(block, size, others(block), width, patches.sums_of(b));
       if (const int row = context.materials[block.material].excess_row; row >= 0)
-        sum_row_over_patch(
-            block, row, {context.inverse_extent, size}, patches.sum_width, patches.sums_of(b) + patches.excess_place);
-      fold_sums(patches.partners[b], patches.sum_width, patches.sums_of(b));
+        sum_row_over_patch(block, row, size, width, patches.sums_of(b) + patches.excess_place);
+      fold_sums(patches.partners[b], width, patches.sums_of(b));
     });
   }
 }
 
-/// Sums of a block at its own Gauss points, with what its partners leave there: sums[g * sum_width + row].
-inline void collect_sums(PatchValues& patches, Index b, Real* sums)
+/// Outer sub-cells whose partners reach into each sub-cell of a cell.
+constexpr std::array<std::array<int, 3>, Quad4::n_gauss> outer_beside_own()
+{
+  std::array<std::array<int, 3>, Quad4::n_gauss> beside{};
+  std::array<int, Quad4::n_gauss> n{};
+  for (int k = 0; k < Patch<Quad4>::n_outer; ++k) {
+    const int g = Patch<Quad4>::own_beside[k];
+    beside[g][n[g]++] = k;
+  }
+  return beside;
+}
+
+/// Eight rows at the Gauss points of eight cells, shape [g][row].
+using GaussRows = std::array<std::array<Pack, pack_width>, Quad4::n_gauss>;
+
+/// Sums `first` to `first` + 7 of the blocks of a layer at their Gauss points, with what their partners leave there.
+template <class Element>
+GaussRows collect_sums(const CellGroup<Element>& group, const BlockLayer& layer, int first)
 {
   using P = Patch<Quad4>;
-  const int width = patches.sum_width;
-  const Real* own = patches.sums_of(b);
-  const auto add = [&](const Real* from, Real* to, bool first) {
-    for (int r = 0; r < width; r += pack_width)
-      (first ? Pack::load(from + r) : Pack::load(to + r) + Pack::load(from + r)).store(to + r);
-  };
-  for (int g = 0; g < Quad4::n_gauss; ++g) add(own + P::own_slot[g] * width, sums + g * width, true);
-  const BlockPartners& partners = patches.partners[b];
-  for (int k = 0; k < P::n_outer; ++k)
-    if (partners[k] >= 0)
-      add(patches.sums_of(partners[k] / P::n_outer) + P::outer_slot[partners[k] % P::n_outer] * width,
-          sums + P::own_beside[k] * width, false);
+  constexpr auto beside = outer_beside_own();
+  PatchValues& patches = *group.patches;
+  const int width = patches.sum_width, n = std::min(pack_width, width - first);
+  GaussRows sums;
+  for (int g = 0; g < Quad4::n_gauss; ++g) {
+    std::array<Pack, pack_width> of_cells;
+    for (int c = 0; c < pack_width; ++c) {
+      const Index b = layer.block[c];
+      of_cells[c] = Pack(0.0);
+      if (b < 0) continue;
+      of_cells[c] = load_some(patches.sums_of(b) + P::own_slot[g] * width + first, n);
+      for (const int k : beside[g])
+        if (const Index partner = patches.partners[b][k]; partner >= 0)
+          of_cells[c] += load_some(patches.sums_of(0) + partner * std::ptrdiff_t{width} + first, n);
+    }
+    sums[g] = turn(of_cells);
+  }
+  return sums;
 }
 
 /// Sums of the blocks of a layer at the Gauss points, one lane per cell: stress and volume into `gauss`, n_others more
@@ -63,59 +92,67 @@ template <class Element>
 void collect_layer(const CellGroup<Element>& group, const BlockLayer& layer, GaussValues<Element, Pack>& gauss,
     GaussRow<Element>* others, int n_others)
 {
-  constexpr int most = PatchView::most_rows;
-  const int width = group.patches->sum_width;
-  alignas(64) std::array<Real, Element::n_gauss * most> sums[pack_width];
-  for (int c = 0; c < pack_width; ++c) {
-    if (layer.block[c] >= 0)
-      collect_sums(*group.patches, layer.block[c], sums[c].data());
-    else
-      std::fill_n(sums[c].data(), Element::n_gauss * width, 0.0);
-  }
-  for (int g = 0; g < Element::n_gauss; ++g)
-    for (int first = 0; first < patch_others + n_others; first += 4) {
-      const auto rows = to_lanes([&](int c) { return sums[c].data() + g * width + first; });
-      for (int r = first; r < std::min(first + 4, patch_others + n_others); ++r)
+  for (int first = 0; first < patch_others + n_others; first += pack_width) {
+    const GaussRows sums = collect_sums(group, layer, first);
+    for (int g = 0; g < Element::n_gauss; ++g)
+      for (int r = first; r < std::min(first + pack_width, patch_others + n_others); ++r)
         (r < patch_volume       ? gauss.sigma[r]
             : r == patch_volume ? gauss.volume
-                                : others[r - patch_others])[g] = rows[r - first];
-    }
-}
-
-/// Writes a row of a layer for the patches around: lanes[g], one lane per cell.
-template <class Element>
-void leave_row(const CellGroup<Element>& group, const BlockLayer& layer, int row, const PerGauss<Element, Pack>& lanes)
-{
-  std::array<PerGauss<Element>, pack_width> values;
-  from_lanes(lanes, [&](int c) { return values[c].data(); });
-  for (int c = 0; c < group.n(); ++c)
-    if (layer.block[c] >= 0)
-      for (int g = 0; g < Element::n_gauss; ++g)
-        group.patches->gauss_of(layer.block[c])[g * group.patches->gauss_width + row] = values[c][g];
-}
-
-/// The same with rows first ... first + 3 at once.
-template <class Element, class Rows>
-void leave_four_rows(const CellGroup<Element>& group, const BlockLayer& layer, int first, Rows&& rows)
-{
-  for (int g = 0; g < Element::n_gauss; ++g) {
-    std::array<std::array<Real, 4>, pack_width> values;
-    from_lanes(
-        std::array<Pack, 4>{rows(0)[g], rows(1)[g], rows(2)[g], rows(3)[g]}, [&](int c) { return values[c].data(); });
-    for (int c = 0; c < group.n(); ++c)
-      if (layer.block[c] >= 0)
-        std::copy_n(
-            values[c].data(), 4, group.patches->gauss_of(layer.block[c]) + g * group.patches->gauss_width + first);
+                                : others[r - patch_others])[g] = sums[g][r - first];
   }
 }
 
-/// What the Gauss points around block b hold, up to n_rows.
+/// Rows that the Gauss points of a layer leave for the points around them; those that are not set hold anything.
 template <class Element>
-PatchView view_patch(const CellGroup<Element>& group, Index b, int n_rows)
+class LeftRows {
+ public:
+  void set(int row, const PerGauss<Element, Pack>& lanes)
+  {
+    for (int g = 0; g < Element::n_gauss; ++g) rows_[g][row / pack_width][row % pack_width] = lanes[g];
+  }
+  /// What a row has changed by since it was set.
+  void set_change(int row, const PerGauss<Element, Pack>& lanes)
+  {
+    for (int g = 0; g < Element::n_gauss; ++g) {
+      Pack& value = rows_[g][row / pack_width][row % pack_width];
+      value = lanes[g] - value;
+    }
+  }
+  /// A number of each block. from: by block number.
+  void set(int row, const BlockLayer& layer, std::span<const Real> from)
+  {
+    alignas(64) std::array<Real, pack_width> numbers{};
+    for (int c = 0; c < pack_width; ++c)
+      if (layer.block[c] >= 0) numbers[c] = from[layer.block[c]];
+    PerGauss<Element, Pack> lanes;
+    lanes.fill(Pack::load(numbers.data()));
+    set(row, lanes);
+  }
+
+  void leave(const CellGroup<Element>& group, const BlockLayer& layer) const
+  {
+    const int width = group.patches->gauss_width;
+    for (int g = 0; g < Element::n_gauss; ++g)
+      for (int first = 0; first < width; first += pack_width) {
+        const auto of_cells = turn(rows_[g][first / pack_width]);
+        for (int c = 0; c < group.n(); ++c)
+          if (layer.block[c] >= 0)
+            store_some(of_cells[c], group.patches->gauss_of(layer.block[c]) + g * width + first,
+                std::min(pack_width, width - first));
+      }
+  }
+
+ private:
+  std::array<std::array<std::array<Pack, pack_width>, PatchView::most_rows / pack_width>, Element::n_gauss> rows_;
+};
+
+/// What the Gauss points around block b hold.
+template <class Element>
+PatchView view_patch(const CellGroup<Element>& group, Index b)
 {
   PatchValues& patches = *group.patches;
   return PatchView(
-      patches.partners[b], b, [&](Index other) { return patches.gauss_of(other); }, patches.gauss_width, n_rows);
+      patches.partners[b], b, [&](Index other) { return patches.gauss_of(other); }, patches.gauss_width);
 }
 
 }  // namespace terp

@@ -1,8 +1,8 @@
 #include "simulation/workspace.hpp"
 
 #include "base/errors.hpp"
+#include "schemes/patch_rows.hpp"
 #include "simulation/state.hpp"
-#include "transfer/overlap.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -21,27 +21,31 @@ void list_active_nodes(const Mesh<2>& mesh, const std::vector<Index>& cells, Wor
       work.active_nodes.push_back(static_cast<Index>(64 * word) + std::countr_zero(bits));
 }
 
+/// Packs that hold n numbers.
+std::size_t n_packs(std::size_t n) { return (n + pack_width - 1) / pack_width; }
+
 /// Room for twice the blocks of the start.
 void start_patches(const Model& model, const State& state, Index n_gauss_rows, PatchValues& patches)
 {
   const std::size_t most = 2 * static_cast<std::size_t>(state.points.n_blocks());
+  const int n_excess = model.has_excess_pressure() ? 1 : 0;
   patches.cells = find_patch_partners(*model.mesh);
   patches.excess_place = patch_others + n_gauss_rows;
-  patches.sum_width = round_up_to_pack(patches.excess_place + (model.has_excess_pressure() ? 1 : 0));
-  TERP_ASSERT(patches.sum_width <= PatchView::most_rows);
-  patches.gauss_width = round_up_to_pack(3 * n_sym<2> + 1 + n_gauss_rows);
-  TERP_ASSERT(patches.gauss_width <= PatchView::most_rows);
+  patches.sum_width = patches.excess_place + n_excess;
+  patches.gauss_width =
+      (model.scheme->keeps_gauss_values ? HistoryRows::end : StrainRows::end) + n_gauss_rows + n_excess;
+  TERP_ASSERT(std::max(patches.sum_width, patches.gauss_width) <= PatchView::most_rows);
   patches.partners.reserve(most);
-  patches.sums.reserve(most * Patch<Quad4>::n_slots * patches.sum_width / pack_width);
-  patches.gauss.reserve(most * Quad4::n_gauss * patches.gauss_width / pack_width);
+  patches.sums.reserve(n_packs(most * Patch<Quad4>::n_slots * patches.sum_width));
+  patches.gauss.reserve(n_packs(most * Quad4::n_gauss * patches.gauss_width));
 }
 
 void fit_patches(const State& state, PatchValues& patches)
 {
   const auto n = static_cast<std::size_t>(state.points.n_blocks());
   patches.partners.resize(n);
-  patches.sums.resize(n * Patch<Quad4>::n_slots * patches.sum_width / pack_width);
-  patches.gauss.resize(n * Quad4::n_gauss * patches.gauss_width / pack_width);
+  patches.sums.resize(n_packs(n * Patch<Quad4>::n_slots * patches.sum_width));
+  patches.gauss.resize(n_packs(n * Quad4::n_gauss * patches.gauss_width));
 }
 
 }  // namespace

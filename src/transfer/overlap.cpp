@@ -1,49 +1,87 @@
-// Sums of eight points at a time stay in registers for one row of four slots, for all points of a strip of the block.
+// Sums of eight points at a time stay in registers for one slot, for all points of a strip of the block. Slots that no
+// point of the strip reaches are left out.
 #include "transfer/overlap.hpp"
-
-#include "parallel/lanes.hpp"
 
 #include <algorithm>
 
 namespace terp {
 namespace {
 
+using P = Patch<Quad4>;
+
 constexpr Index strip_packs = 8;
 constexpr int n_stress = n_sym<2>;
 
-/// share * Omega_p of the points of a strip: columns times volume, and rows.
+/// Shares of the points of a strip, columns times Omega_p.
 struct StripShares {
   std::array<PointShares, strip_packs> of;
-  Index n = 0;  ///< packs
+  Index n = 0;                         ///< packs
+  std::array<bool, 4> across{}, up{};  ///< columns and rows that any point reaches
+
+  bool reach(int slot) const { return up[slot / 4] && across[slot % 4]; }
 };
+
+void set_strip(const PointBlock<2>& block, Index first, const PatchSize& size, StripShares& shares)
+{
+  auto across = zero_packs<4>(), up = zero_packs<4>();
+  shares.n = std::min(strip_packs, (block.n_padded() - first) / pack_width);
+  for (Index k = 0; k < shares.n; ++k) {
+    const Index p = first + k * pack_width;
+    PointShares& of = shares.of[k];
+    set_shares(block, p, size, of);
+    const Pack volume = Pack::load(block.row(PointRows<2>::volume) + p);
+    for (int i = 0; i < 4; ++i) {
+      of.across[i] = of.across[i] * volume;
+      across[i] = max(across[i], of.across[i]);
+      up[i] = max(up[i], of.up[i]);
+    }
+  }
+  for (int i = 0; i < 4; ++i) {
+    shares.across[i] = any_of(across[i] > Pack(0.0));
+    shares.up[i] = any_of(up[i] > Pack(0.0));
+  }
+}
 
 void add_stress_and_volume(const PointBlock<2>& block, Index first, const StripShares& shares, int width, Real* sums)
 {
-  for (int j = 0; j < 4; ++j) {
-    std::array<std::array<Pack, n_stress>, 4> stress;
-    for (auto& column : stress) column = zero_packs<n_stress>();
-    auto volume = zero_packs<4>();
+  for (int slot = 0; slot < P::n_slots; ++slot) {
+    if (!shares.reach(slot)) continue;
+    auto parts = zero_packs<pack_width>();
     for (Index k = 0; k < shares.n; ++k) {
-      const auto sigma = load_rows<n_stress>(block, PointRows<2>::sigma, first + k * pack_width);
-      for (int i = 0; i < 4; ++i) {
-        const Pack share = shares.of[k].up[j] * shares.of[k].across[i];
-        volume[i] += share;
-        for (int r = 0; r < n_stress; ++r) stress[i][r] = fma(share, sigma[r], stress[i][r]);
+      const Pack share = shares.of[k].in_slot(slot);
+      for (int r = 0; r < n_stress; ++r) {
+        const Real* sigma = block.row(PointRows<2>::sigma + r) + first + k * pack_width;
+        parts[r] = fma(share, Pack::load(sigma), parts[r]);
       }
+      parts[patch_volume] += share;
     }
-    const auto total = sum_each(volume);
-    for (int i = 0; i < 4; ++i) {
-      Real* slot = sums + (4 * j + i) * width;
-      const auto of_rows = sum_each(stress[i]);
-      for (int r = 0; r < n_stress; ++r) slot[r] += of_rows[r];
-      slot[patch_volume] += total[i];
-    }
+    Real* at = sums + slot * width;
+    store_some(load_some(at, patch_others) + sum_eight(parts), at, patch_others);
+  }
+}
+
+/// The same bits for at most eight points: one after the other, with its stress and 1 in lanes, added as sum() does.
+void add_few_points(const PointBlock<2>& block, const StripShares& shares, int width, Real* sums)
+{
+  auto rows = zero_packs<pack_width>();
+  for (int r = 0; r < n_stress; ++r) rows[r] = Pack::load(block.row(PointRows<2>::sigma + r));
+  rows[patch_volume] = Pack(1.0);
+  const auto points = turn(rows);
+  for (int slot = 0; slot < P::n_slots; ++slot) {
+    if (!shares.reach(slot)) continue;
+    alignas(64) Real share[pack_width];
+    shares.of[0].in_slot(slot).store(share);
+    const auto term = [&](int k) { return Pack(share[k]) * points[k]; };
+    const auto pair = [&](int k) { return block.n > 4 ? term(k) + term(k + 4) : term(k); };
+    const Pack total = (pair(0) + pair(2)) + (pair(1) + pair(3));
+    store_some(Pack(0.0) + total, sums + slot * width, patch_others);
   }
 }
 
 void add_row(const Real* row, const StripShares& shares, int width, Real* sums)
 {
   for (int j = 0; j < 4; ++j) {
+    if (!shares.up[j]) continue;
     auto part = zero_packs<4>();
     for (Index k = 0; k < shares.n; ++k) {
       const Pack value = shares.of[k].up[j] * Pack::load(row + k * pack_width);
@@ -57,19 +95,16 @@ void add_row(const Real* row, const StripShares& shares, int width, Real* sums)
 }  // namespace
 
 void sum_over_patch(
-    const PointBlock<2>& block, int inverse_extent, Real cell_size, std::span<const int> others, int width, Real* sums)
+    const PointBlock<2>& block, const PatchSize& size, std::span<const int> others, int width, Real* sums)
 {
-  std::fill_n(sums, Patch<Quad4>::n_slots * width, 0.0);
+  std::fill_n(sums, P::n_slots * width, 0.0);
   for (Index first = 0; first < block.n_padded(); first += strip_packs * pack_width) {
     StripShares shares;
-    shares.n = std::min(strip_packs, (block.n_padded() - first) / pack_width);
-    for (Index k = 0; k < shares.n; ++k) {
-      const Index p = first + k * pack_width;
-      set_shares(block, p, inverse_extent, cell_size, shares.of[k]);
-      const Pack volume = Pack::load(block.row(PointRows<2>::volume) + p);
-      for (Pack& share : shares.of[k].across) share = share * volume;
-    }
-    add_stress_and_volume(block, first, shares, width, sums);
+    set_strip(block, first, size, shares);
+    if (block.n <= pack_width)
+      add_few_points(block, shares, width, sums);
+    else
+      add_stress_and_volume(block, first, shares, width, sums);
     for (std::size_t r = 0; r < others.size(); ++r)
       add_row(block.row(others[r]) + first, shares, width, sums + patch_others + r);
   }
@@ -77,24 +112,30 @@ void sum_over_patch(
 
 void sum_row_over_patch(const PointBlock<2>& block, int row, const PatchSize& size, int width, Real* sums)
 {
-  auto parts = zero_packs<Patch<Quad4>::n_slots>();
+  auto parts = zero_packs<P::n_slots>();
   for (Index p = 0; p < block.n; p += pack_width) {
     PointShares shares;
-    set_shares(block, p, size.inverse_extent, size.cell, shares);
+    set_shares(block, p, size, shares);
     const Pack value = Pack::load(block.row(row) + p) * Pack::load(block.row(PointRows<2>::volume) + p);
-    for (int slot = 0; slot < Patch<Quad4>::n_slots; ++slot)
-      parts[slot] = fma(value, shares.in_slot(slot), parts[slot]);
+    for (int slot = 0; slot < P::n_slots; ++slot) parts[slot] = fma(value, shares.in_slot(slot), parts[slot]);
   }
-  for (int slot = 0; slot < Patch<Quad4>::n_slots; ++slot) sums[slot * width] += sum(parts[slot]);
+  for (int slot = 0; slot < P::n_slots; ++slot) sums[slot * width] += sum(parts[slot]);
 }
 
 void fold_sums(const BlockPartners& partners, int width, Real* sums)
 {
-  using P = Patch<Quad4>;
+  if (std::ranges::none_of(partners, [](Index partner) { return partner < 0; })) return;
+  const auto at = [&](int slot, int first) { return sums + slot * width + first; };
   const auto move = [&](int from, int to, Real part) {
-    for (int r = 0; r < width; ++r) sums[to * width + r] += part * sums[from * width + r];
+    for (int first = 0; first < width; first += pack_width) {
+      const int n = std::min(pack_width, width - first);
+      store_some(load_some(at(to, first), n) + Pack(part) * load_some(at(from, first), n), at(to, first), n);
+    }
   };
-  const auto clear = [&](int slot) { std::fill_n(sums + slot * width, width, 0.0); };
+  const auto clear = [&](int slot) {
+    for (int first = 0; first < width; first += pack_width)
+      store_some(Pack(0.0), at(slot, first), std::min(pack_width, width - first));
+  };
   for (int q = 0; q < Quad4::n_corners; ++q) {
     const int k = P::n_across_sides + q;
     if (partners[k] >= 0) continue;

@@ -5,14 +5,17 @@
 #pragma once
 
 #include "mesh/patch.hpp"
-#include "parallel/lanes.hpp"
+#include "parallel/tables.hpp"
 #include "transfer/cell_sums.hpp"
 
 namespace terp {
 
-/// Rows of a patch stand side by side for each slot, eight to a pack: stress, then volume, then those of the law.
+/// Rows of the sums over a patch, side by side for each slot: stress, then volume, then those that a law adds.
 inline constexpr int patch_volume = n_sym<2>;
 inline constexpr int patch_others = n_sym<2> + 1;
+
+/// The sub-cell of a cell that is in a slot of its patch, or beside it.
+inline constexpr std::array<int, Patch<Quad4>::n_slots> own_beside_slot{0, 0, 1, 1, 0, 0, 1, 1, 2, 2, 3, 3, 2, 2, 3, 3};
 
 /// Blocks of the same material and body in the cells around.
 inline BlockPartners find_block_partners(
@@ -20,12 +23,17 @@ inline BlockPartners find_block_partners(
 {
   using P = Patch<Quad4>;
   BlockPartners found;
+  Index cell = -1, other = -1;  // the last one, and its block: both outer sub-cells across a side are in one cell
   for (int k = 0; k < P::n_outer; ++k) {
     found[k] = -1;
     if (partners[k] == outside) continue;
-    for (Index b = points.first_block(partners[k] / P::n_outer); b >= 0; b = points.block(b).next)
-      if (points.block(b).material == key.material && points.block(b).body == key.body)
-        found[k] = P::n_outer * b + partners[k] % P::n_outer;
+    if (partners[k] / P::n_outer != cell) {
+      cell = partners[k] / P::n_outer;
+      other = points.first_block(cell);
+      while (other >= 0 && (points.block(other).material != key.material || points.block(other).body != key.body))
+        other = points.block(other).next;
+    }
+    if (other >= 0) found[k] = P::n_slots * other + P::outer_slot[partners[k] % P::n_outer];
   }
   for (int q = 0; q < Quad4::n_corners; ++q) {  // a corner is reached by way of a side
     const auto [before, after] = P::beside_corner[q];
@@ -33,6 +41,19 @@ inline BlockPartners find_block_partners(
   }
   return found;
 }
+
+/// How large a point is in the local coordinates of its cell: its row of 1 / side of the square [1/m], and sqrt(V_e) of
+/// the cell [m], two local units. A square is at most as large as a cell.
+struct PatchSize {
+  int inverse_extent;
+  Real cell;
+
+  /// 1 / side of the squares of the points p ... p + 7, in local units.
+  Pack scale(const PointBlock<2>& block, Index p) const
+  {
+    return max(Pack::load(block.row(inverse_extent) + p) * Pack(0.5 * cell), Pack(0.5));
+  }
+};
 
 /// Parts of eight squares along both local coordinates, by column and row of the patch.
 struct PointShares {
@@ -55,26 +76,79 @@ inline void set_shares_along(Pack place, Pack scale, std::array<Pack, 4>& shares
   shares[3] = one - high;
 }
 
-/// Shares of the points p ... p + 7. inverse_extent: their row of 1 / side of the square [1/m]; cell_size: sqrt(V_e)
-/// [m], two local units. A square is at most as large as a cell.
-inline void set_shares(const PointBlock<2>& block, Index p, int inverse_extent, Real cell_size, PointShares& shares)
+/// Shares of the points p ... p + 7.
+inline void set_shares(const PointBlock<2>& block, Index p, const PatchSize& size, PointShares& shares)
 {
-  const Pack scale = max(Pack::load(block.row(inverse_extent) + p) * Pack(0.5 * cell_size), Pack(0.5));
+  const Pack scale = size.scale(block, p);
   set_shares_along(Pack::load(block.row(PointRows<2>::xi) + p), scale, shares.across);
   set_shares_along(Pack::load(block.row(PointRows<2>::xi + 1) + p), scale, shares.up);
 }
 
-/// How large a point is in the local coordinates of its cell: its row of 1 / side of the square [1/m], and sqrt(V_e) of
-/// the cell [m].
-struct PatchSize {
-  int inverse_extent;
-  Real cell;
+/// The same of squares that reach two columns and two rows of the patch at most, as all do that are no larger than a
+/// sub-cell: the parts in a window of 2 x 2 slots, with the bits that they have in PointShares.
+struct PointWindow {
+  std::array<Pack, 2> across, up;
+  Pack first;  ///< slot of its lower left corner, as a place of a table (parallel/tables.hpp)
+
+  static constexpr std::array<int, 4> slots{0, 1, 4, 5};  ///< from the first on
+  Pack in_slot(int k) const { return up[k / 2] * across[k % 2]; }
 };
 
+/// Parts of an interval in two neighbouring columns, and the number of the first. Below 1 in lanes where a third one
+/// has a part.
+inline Pack set_window_along(Pack place, Pack scale, std::array<Pack, 2>& shares, Pack& column)
+{
+  const Pack zero(0.0), one(1.0), middle = Pack(0.5) - place * scale, low = middle - scale, high = middle + scale;
+  const Mask in_low = low > zero, in_middle = middle > zero;
+  shares[0] = min(max(select(in_low, low, select(in_middle, middle, high)), zero), one);
+  shares[1] = one - shares[0];
+  column = select(in_low, zero, select(in_middle, one, Pack(2.0)));
+  return select(in_low, middle, select(in_middle, high, one));
+}
+
+/// Windows of the points p ... p + 7. False: a square does not fit into one.
+inline bool set_window(const PointBlock<2>& block, Index p, const PatchSize& size, PointWindow& window)
+{
+  const Pack scale = size.scale(block, p);
+  Pack column, row;
+  const Pack across = set_window_along(Pack::load(block.row(PointRows<2>::xi) + p), scale, window.across, column);
+  const Pack up = set_window_along(Pack::load(block.row(PointRows<2>::xi + 1) + p), scale, window.up, row);
+  window.first = fma(row, Pack(4.0), column) + Pack(place_base);
+  const unsigned in_use = block.n - p < pack_width ? (1u << (block.n - p)) - 1u : 0xffu;
+  return (to_bits(min(across, up) < Pack(1.0)) & in_use) == 0;
+}
+
+/// Calls f with the shares of the points p ... p + 7. Not inlined: where windows serve, GCC would take what this needs
+/// out of loops that never call it.
+template <class F>
+[[gnu::noinline]] void with_wide_shares(const PointBlock<2>& block, Index p, const PatchSize& size, const F& f)
+{
+  PointShares shares;
+  set_shares(block, p, size, shares);
+  f(shares);
+}
+
+/// Calls f with what at_points takes fastest: the windows or the shares of the points p ... p + 7.
+template <class F>
+void with_shares(const PointBlock<2>& block, Index p, const PatchSize& size, const F& f)
+{
+  if constexpr (looks_up_at_once) {
+    PointWindow window;
+    if (set_window(block, p, size, window))
+      f(window);
+    else
+      with_wide_shares(block, p, size, f);
+  } else {
+    PointShares shares;
+    set_shares(block, p, size, shares);
+    f(shares);
+  }
+}
+
 /// Sums over the points of a block: of share * Omega_p * row, and of share * Omega_p, into sums[slot * width + row].
-/// others: rows beyond the stress; width: Reals for each slot, a multiple of pack_width.
+/// others: rows beyond the stress; width: Reals for each slot.
 void sum_over_patch(
-    const PointBlock<2>& block, int inverse_extent, Real cell_size, std::span<const int> others, int width, Real* sums);
+    const PointBlock<2>& block, const PatchSize& size, std::span<const int> others, int width, Real* sums);
 
 /// The same of one row alone, added to sums[slot * width].
 void sum_row_over_patch(const PointBlock<2>& block, int row, const PatchSize& size, int width, Real* sums);
@@ -82,35 +156,48 @@ void sum_row_over_patch(const PointBlock<2>& block, int row, const PatchSize& si
 /// Moves the sums of outer sub-cells without a partner to where they go back to.
 void fold_sums(const BlockPartners& partners, int width, Real* sums);
 
-/// What the Gauss points around a block hold, by slot.
+/// What the Gauss points around a block hold, row by row.
 class PatchView {
+  using P = Patch<Quad4>;
+
  public:
-  /// values(block): its values [g * width + row]. Rows of corners without a partner are made here, up to `n_rows`.
+  static constexpr int most_rows = 32;
+
+  /// values(block): its values [g * width + row].
   template <class Values>
-  PatchView(const BlockPartners& partners, Index block, Values&& values, int width, int n_rows)
+  PatchView(const BlockPartners& partners, Index block, Values&& values, int width)
   {
-    using P = Patch<Quad4>;
     const Real* own = values(block);
-    for (int g = 0; g < Quad4::n_gauss; ++g) slot_[P::own_slot[g]] = own + g * width;
+    std::array<const Real*, P::n_slots> slots;
+    std::array<std::array<Real, most_rows>, Quad4::n_corners> means;  // of corners without a partner
+    for (int g = 0; g < Quad4::n_gauss; ++g) slots[P::own_slot[g]] = own + g * width;
     const auto at = [&](int k) {
       return partners[k] < 0 ? own + P::own_beside[k] * width
-                             : values(partners[k] / P::n_outer) + P::own_beside[partners[k] % P::n_outer] * width;
+                             : values(partners[k] / P::n_slots) + own_beside_slot[partners[k] % P::n_slots] * width;
     };
-    for (int k = 0; k < P::n_across_sides; ++k) slot_[P::outer_slot[k]] = at(k);
+    for (int k = 0; k < P::n_across_sides; ++k) slots[P::outer_slot[k]] = at(k);
     for (int q = 0; q < Quad4::n_corners; ++q) {
       const int k = P::n_across_sides + q;
       const auto [before, after] = P::beside_corner[q];
-      const Real*& slot = slot_[P::outer_slot[k]];
+      const Real*& slot = slots[P::outer_slot[k]];
       if (partners[k] >= 0) {
         slot = at(k);
       } else if (partners[before] >= 0 && partners[after] >= 0) {
         const Real *a = at(before), *b = at(after);
-        for (int r = 0; r < n_rows; ++r) mean_[q][r] = 0.5 * (a[r] + b[r]);
-        slot = mean_[q].data();
+        for (int r = 0; r < width; ++r) means[q][r] = 0.5 * (a[r] + b[r]);
+        slot = means[q].data();
       } else {
         slot = at(partners[before] >= 0 ? before : after);
       }
     }
+    for (int first = 0; first < width; first += pack_width)
+      for (int part = 0; part < P::n_slots; part += pack_width) {
+        std::array<Pack, pack_width> of_slots;
+        const int n = std::min(pack_width, width - first);
+        for (int k = 0; k < pack_width; ++k) of_slots[k] = load_some(slots[part + k] + first, n);
+        const auto of_rows = turn(of_slots);
+        for (int r = 0; r < pack_width; ++r) of_rows[r].store(rows_[first + r] + part);
+      }
   }
   PatchView(const PatchView&) = delete;
 
@@ -119,18 +206,26 @@ class PatchView {
   std::array<Pack, n> at_points(const PointShares& shares, int first) const
   {
     std::array<Pack, n> value = zero_packs<n>();
-    for (int slot = 0; slot < Patch<Quad4>::n_slots; ++slot) {
+    for (int slot = 0; slot < P::n_slots; ++slot) {
       const Pack share = shares.in_slot(slot);
-      for (int r = 0; r < n; ++r) value[r] = fma(share, Pack(slot_[slot][first + r]), value[r]);
+      for (int r = 0; r < n; ++r) value[r] = fma(share, Pack(rows_[first + r][slot]), value[r]);
+    }
+    return value;
+  }
+  /// The same bits: slots outside the windows add nothing.
+  template <int n>
+  std::array<Pack, n> at_points(const PointWindow& window, int first) const
+  {
+    std::array<Pack, n> value = zero_packs<n>();
+    for (int k = 0; k < 4; ++k) {
+      const Pack share = window.in_slot(k), places = window.first + Pack(static_cast<Real>(PointWindow::slots[k]));
+      for (int r = 0; r < n; ++r) value[r] = fma(share, look_up(rows_[first + r], places), value[r]);
     }
     return value;
   }
 
-  static constexpr int most_rows = 32;
-
  private:
-  std::array<const Real*, Patch<Quad4>::n_slots> slot_;
-  std::array<std::array<Real, most_rows>, Quad4::n_corners> mean_;
+  alignas(64) Real rows_[most_rows][P::n_slots];
 };
 
 }  // namespace terp

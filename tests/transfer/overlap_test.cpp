@@ -31,7 +31,7 @@ struct Cells {
     points = PointBlocks<2>(9, 1);
     add(4, {.local = local}, extent);
     PointShares packs;
-    set_shares(middle(), 0, extent_row, 2.0, packs);
+    set_shares(middle(), 0, {extent_row, 2.0}, packs);
     std::array<Real, P::n_slots> values;
     for (int slot = 0; slot < P::n_slots; ++slot) values[slot] = packs.in_slot(slot)[0];
     return values;
@@ -67,6 +67,42 @@ TEST(Overlap, ASquareIsAtMostAsLargeAsTheCell)
   EXPECT_EQ(cells.shares({0.25, 0.0}, 100.0), cells.shares({0.25, 0.0}, 2.0));
 }
 
+/// Squares up to the size of a sub-cell fit into two by two slots; there they have the bits of all slots.
+TEST(Overlap, WindowsHoldTheSharesOfSquaresThatFit)
+{
+  test::Random random(10);
+  for (int trial = 0; trial < 200; ++trial) {
+    Cells cells;
+    for (int k = 0; k < 7; ++k)  // one lane is empty
+      cells.add(4, {.local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)}}, random.between(0.1, 1.0));
+    if (trial == 0) cells.middle().row(Rows::xi)[0] = -1.0;
+    PointWindow window;
+    ASSERT_TRUE(set_window(cells.middle(), 0, {extent_row, 2.0}, window));
+    PointShares shares;
+    set_shares(cells.middle(), 0, {extent_row, 2.0}, shares);
+    for (int lane = 0; lane < 7; ++lane) {
+      std::array<Real, P::n_slots> expected{}, found{};
+      for (int slot = 0; slot < P::n_slots; ++slot) expected[slot] = shares.in_slot(slot)[lane];
+      for (int k = 0; k < 4; ++k) found[entry_at(window.first[lane]) + PointWindow::slots[k]] = window.in_slot(k)[lane];
+      EXPECT_EQ(found, expected);
+    }
+  }
+}
+
+TEST(Overlap, ASquareThatReachesThreeColumnsFitsIntoNoWindow)
+{
+  PointWindow window;
+  for (const Vec<2> local : {Vec<2>{-0.5, 0.5}, Vec<2>{0.5, 0.4}, Vec<2>{0.4, -0.5}}) {
+    Cells cells;
+    cells.add(4, {.local = {0.9, 0.9}}, 0.4);
+    cells.add(4, {.local = local}, 1.1);
+    EXPECT_FALSE(set_window(cells.middle(), 0, {extent_row, 2.0}, window));
+  }
+  Cells cells;
+  cells.add(4, {.local = {0.0, 1.0}}, 1.1);  // across 0, and across the side
+  EXPECT_TRUE(set_window(cells.middle(), 0, {extent_row, 2.0}, window));
+}
+
 /// Points in all nine cells; of a second material at the right and beyond the lower left corner.
 Cells random_points(std::uint64_t seed)
 {
@@ -85,7 +121,7 @@ Cells random_points(std::uint64_t seed)
 }
 
 struct Sums {
-  static constexpr int width = 8;
+  static constexpr int width = patch_others + 1;
   BlockPartners partners;
   std::array<Real, P::n_slots * width> values;
 
@@ -93,7 +129,7 @@ struct Sums {
   {
     partners = find_block_partners(cells.points, find_patch_partners(cells.mesh)[4], cells.middle());
     const std::array<int, 1> others{extent_row};
-    sum_over_patch(cells.middle(), extent_row, 2.0, others, width, values.data());
+    sum_over_patch(cells.middle(), {extent_row, 2.0}, others, width, values.data());
   }
   Real total(int row) const
   {
@@ -102,6 +138,25 @@ struct Sums {
     return sum;
   }
 };
+
+/// What few points give is summed in another way, with the bits of many.
+TEST(Overlap, PointsWithoutVolumeChangeNoBitOfTheSums)
+{
+  test::Random random(14);
+  for (const int n : {1, 3, 4, 5, 8}) {
+    Cells few, many;
+    for (int k = 0; k < 9; ++k) {
+      const PointValues point{.local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)},
+          .volume = k < n ? random.between(0.01, 0.1) : 0.0,
+          .sigma = {random.between(-9.0, 9.0), random.between(-9.0, 9.0), random.between(-9.0, 9.0),
+              random.between(-9.0, 9.0)}};
+      const Real extent = random.between(0.3, 1.5);
+      if (k < n) few.add(4, point, extent);
+      many.add(4, point, extent);
+    }
+    EXPECT_EQ(Sums(few).values, Sums(many).values) << n;
+  }
+}
 
 TEST(Overlap, SumsLoseNothingAndFoldingMovesThemToSubCellsWithSoil)
 {
@@ -144,14 +199,14 @@ TEST(Overlap, BothWaysAreTransposesOfEachOther)
     for (auto& block : gauss)
       for (Real& value : block) value = random.between(-1.0, 1.0);
     const PatchView view(
-        sums.partners, cells.points.first_block(4), [&](Index b) { return gauss[b].data(); }, 8, 1);
+        sums.partners, cells.points.first_block(4), [&](Index b) { return gauss[b].data(); }, 8);
 
     Real of_points = 0.0, of_slots = 0.0;
     const PointBlock<2>& block = cells.middle();
     for (Index p = 0; p < block.n; p += pack_width) {
-      PointShares shares;
-      set_shares(block, p, extent_row, 2.0, shares);
-      of_points += sum(view.at_points<1>(shares, 0)[0] * Pack::load(block.row(Rows::volume) + p));
+      with_shares(block, p, {extent_row, 2.0}, [&](const auto& shares) {
+        of_points += sum(view.at_points<1>(shares, 0)[0] * Pack::load(block.row(Rows::volume) + p));
+      });
     }
     const auto value_in = [&](Index b, int g) { return gauss[b][g * 8]; };
     for (int g = 0; g < 4; ++g)
@@ -159,9 +214,31 @@ TEST(Overlap, BothWaysAreTransposesOfEachOther)
     for (int k = 0; k < P::n_outer; ++k)
       if (const Index partner = sums.partners[k]; partner >= 0)
         of_slots += sums.values[P::outer_slot[k] * Sums::width + patch_volume] *
-                    value_in(partner / P::n_outer, P::own_beside[partner % P::n_outer]);
+                    value_in(partner / P::n_slots, own_beside_slot[partner % P::n_slots]);
     EXPECT_NEAR(of_points, of_slots, 1e-12) << alone;
   }
+}
+
+/// Values at points by windows and by all slots.
+TEST(Overlap, WindowsGiveTheBitsOfAllSlots)
+{
+  Cells cells;
+  test::Random random(15);
+  for (int k = 0; k < pack_width; ++k)
+    cells.add(4, {.local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)}}, random.between(0.1, 1.0));
+  std::array<Real, 4 * 11> gauss;
+  for (Real& value : gauss) value = random.between(-1.0, 1.0);
+  BlockPartners none;
+  none.fill(-1);
+  const PatchView view(
+      none, 0, [&](Index) { return gauss.data(); }, 11);
+  PointWindow window;
+  ASSERT_TRUE(set_window(cells.middle(), 0, {extent_row, 2.0}, window));
+  PointShares shares;
+  set_shares(cells.middle(), 0, {extent_row, 2.0}, shares);
+  const auto by_window = view.at_points<3>(window, 8), by_slots = view.at_points<3>(shares, 8);
+  for (int r = 0; r < 3; ++r)
+    for (int lane = 0; lane < pack_width; ++lane) EXPECT_EQ(by_window[r][lane], by_slots[r][lane]);
 }
 
 }  // namespace
