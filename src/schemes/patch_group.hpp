@@ -26,6 +26,16 @@ PatchSize patch_size(const SchemeContext& context, const CellGroup<Element>& gro
   return {context.inverse_extent, std::sqrt(group.mesh.geometry(cell).volume)};
 }
 
+/// Sets the partners of the blocks of a group: wherever a block was made or left since they were found.
+template <class Element>
+void set_partners(const CellGroup<Element>& group)
+{
+  for (const Index cell : group.cells)
+    for_each_block(group.points, cell, [&](const auto& block, Index b) {
+      group.patches->partners[b] = find_block_partners(group.points, group.patches->cells[cell], block);
+    });
+}
+
 /// First pass: sums of each block over its patch. others(block): rows beyond the stress.
 template <class Element, class Others>
 void sum_over_patches(const SchemeContext& context, const CellGroup<Element>& group, Others&& others)
@@ -37,7 +47,6 @@ void sum_over_patches(const SchemeContext& context, const CellGroup<Element>& gr
     prefetch_extents(context, group, c);
     const PatchSize size = patch_size(context, group, cell);
     for_each_block(group.points, cell, [&](const auto& block, Index b) {
-      patches.partners[b] = find_block_partners(group.points, patches.cells[cell], block);
       sum_over_patch(block, size, others(block), width, patches.sums_of(b));
       if (const int row = context.materials[block.material].excess_row; row >= 0)
         sum_row_over_patch(block, row, size, width, patches.sums_of(b) + patches.excess_place);
@@ -69,20 +78,21 @@ GaussRows collect_sums(const CellGroup<Element>& group, const BlockLayer& layer,
   constexpr auto beside = outer_beside_own();
   PatchValues& patches = *group.patches;
   const int width = patches.sum_width, n = std::min(pack_width, width - first);
+  const Real* const all = patches.sums_of(0) + first;
   GaussRows sums;
-  for (int g = 0; g < Quad4::n_gauss; ++g) {
-    std::array<Pack, pack_width> of_cells;
-    for (int c = 0; c < pack_width; ++c) {
-      const Index b = layer.block[c];
-      of_cells[c] = Pack(0.0);
-      if (b < 0) continue;
-      of_cells[c] = load_some(patches.sums_of(b) + P::own_slot[g] * width + first, n);
+  for (auto& of_cells : sums) of_cells.fill(Pack(0.0));
+  for (int c = 0; c < group.n(); ++c) {
+    const Index b = layer.block[c];
+    if (b < 0) continue;
+    const BlockPartners& partners = patches.partners[b];
+    for (int g = 0; g < Quad4::n_gauss; ++g) {
+      Pack sum = load_some(all + (std::ptrdiff_t{b} * P::n_slots + P::own_slot[g]) * width, n);
       for (const int k : beside[g])
-        if (const Index partner = patches.partners[b][k]; partner >= 0)
-          of_cells[c] += load_some(patches.sums_of(0) + partner * std::ptrdiff_t{width} + first, n);
+        if (partners[k] >= 0) sum += load_some(all + partners[k] * std::ptrdiff_t{width}, n);
+      sums[g][c] = sum;
     }
-    sums[g] = turn(of_cells);
   }
+  for (auto& of_cells : sums) of_cells = turn(of_cells);
   return sums;
 }
 

@@ -10,7 +10,7 @@ namespace terp {
 /// Rows of a patch stand side by side for each slot, eight to a pack. `width` is the number of Reals in a slot.
 struct PatchValues {
   PatchPartners cells;                  ///< of the mesh
-  std::vector<BlockPartners> partners;  ///< by block
+  std::vector<BlockPartners> partners;  ///< by block; empty: to be found
   std::vector<Pack> sums, gauss;
   int sum_width = 0, gauss_width = 0;  ///< Reals of one slot, of one Gauss point
   int excess_place = 0;                ///< of the excess pressure among the sums

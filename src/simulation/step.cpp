@@ -3,6 +3,7 @@
 #include "simulation/step.hpp"
 
 #include "points/move.hpp"
+#include "schemes/patch_group.hpp"
 #include "simulation/cell_passes.hpp"
 #include "simulation/footings.hpp"
 #include "simulation/ledger.hpp"
@@ -166,6 +167,11 @@ void move_leavers(const Model& model, State& state, Workspace& work)
       if (moved == Moved::put_back) enter_put_back(work.leaver, state);
       if (moved == Moved::left) enter_left(model, material, work.leaver, state);
     }
+  const bool one_block =
+      model.materials.size() == 1 && state.points.n_bodies() == 1;  // in each cell: it is new with it
+  if (!one_block &&
+      std::ranges::any_of(work.cell_sums, [](const CellSums& sums) { return sums.end_of_leavers > sums.first_leaver; }))
+    work.patches.partners.clear();
   if (!state.points.update_occupied()) return;
   work.fit(model, state);
   if (!state.mean_force.empty()) forget_mean_force(work.active_nodes, state.mean_force);
@@ -237,6 +243,23 @@ void relax_velocities(const Model& model, State& state, Workspace& work)
   for (const CellSums& sums : work.cell_sums) state.work.relaxation += sums.relaxation;
 }
 
+/// Points to corners and to Gauss points, Eqs. (1) to (4).
+void gather_points(const Model& model, const SchemeContext& context, State& state, Workspace& work)
+{
+  const SchemeFunctions& scheme = model.scheme->functions(model.method.shares);
+  if (scheme.integrate != nullptr && work.patches.partners.empty()) {
+    work.patches.partners.resize(state.points.n_blocks());
+    for_each_group(model, state, work, [&](const auto& group, CellSums&, auto&) { set_partners(group); });
+  }
+  for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums&, auto&) {
+    for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group, c);
+    scheme.gather(context, group);
+    for (int c = 0; work.outer[outer_load].acts && c < group.n(); ++c) map_loads(model, group, c, work);
+  });
+  if (scheme.integrate != nullptr)
+    for_each_group(model, state, work, [&](const auto& group, CellSums&, auto&) { scheme.integrate(context, group); });
+}
+
 /// Steps 2 to 4, or Sec. 2.2; then the points go on.
 void update_stress_and_places(const Model& model, const SchemeContext& context, State& state, Workspace& work)
 {
@@ -262,7 +285,6 @@ void update_stress_and_places(const Model& model, const SchemeContext& context, 
 
 void step_compiled(const Model& model, State& state, Workspace& work)
 {
-  const SchemeFunctions& scheme = model.scheme->functions(model.method.shares);
   const SchemeContext context{.method = model.method,
       .materials = model.materials,
       .dt = model.dt,
@@ -279,16 +301,7 @@ void step_compiled(const Model& model, State& state, Workspace& work)
   if (!model.loads.empty() || model.held_row >= 0) set_load_pressures(model, state, work);
   if (model.water) set_water(model, state, work);
 
-  timed(work, points_to_cells, [&] {
-    for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums&, auto&) {
-      for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group, c);
-      scheme.gather(context, group);  // Eqs. (1) to (4)
-      for (int c = 0; work.outer[outer_load].acts && c < group.n(); ++c) map_loads(model, group, c, work);
-    });
-    if (scheme.integrate != nullptr)
-      for_each_group(
-          model, state, work, [&](const auto& group, CellSums&, auto&) { scheme.integrate(context, group); });
-  });
+  timed(work, points_to_cells, [&] { gather_points(model, context, state, work); });
   timed(work, nodes, [&] {
     for_each_node(work, [&](Index i, NodeSums& sums) {
       accelerate_node(model, state, sum_cells(model, state, work, i), i, work, sums);

@@ -43,7 +43,7 @@ void start_patches(const Model& model, const State& state, Index n_gauss_rows, P
 void fit_patches(const State& state, PatchValues& patches)
 {
   const auto n = static_cast<std::size_t>(state.points.n_blocks());
-  patches.partners.resize(n);
+  patches.partners.clear();
   patches.sums.resize(n_packs(n * Patch<Quad4>::n_slots * patches.sum_width));
   patches.gauss.resize(n_packs(n * Quad4::n_gauss * patches.gauss_width));
 }

@@ -97,7 +97,8 @@ void add_row(const Real* row, const StripShares& shares, int width, Real* sums)
 void sum_over_patch(
     const PointBlock<2>& block, const PatchSize& size, std::span<const int> others, int width, Real* sums)
 {
-  std::fill_n(sums, P::n_slots * width, 0.0);
+  static_assert(P::n_slots % pack_width == 0);
+  for (int k = 0; k < P::n_slots * width; k += pack_width) store_some(Pack(0.0), sums + k, pack_width);
   for (Index first = 0; first < block.n_padded(); first += strip_packs * pack_width) {
     StripShares shares;
     set_strip(block, first, size, shares);

@@ -100,6 +100,28 @@ TEST_P(Overlap, KeepsTheBalanceOfEnergyOfACollapse)
   EXPECT_LT(summarise(s.model, s.state).energy_balance_error, 0.02);
 }
 
+/// Which blocks reach into each other is kept from step to step while no block is made or left. Two soils that mix have
+/// new ones in cells that held the other soil already.
+TEST_P(Overlap, FindsPartnersAnewWhereverABlockIsMadeOrLeft)
+{
+  Case c = column();
+  c.materials.push_back(c.materials[0]);
+  c.materials[1].name = "upper";
+  c.bodies = {test::body("clay", {0.0, 0.0}, {8.0, 1.1}), test::body("upper", {0.0, 1.1}, {8.0, 2.0})};
+  Simulation kept(c), anew(c);
+  Index most = 0;
+  for (int k = 0; k < 40; ++k) {
+    for (int step = 0; step < 20; ++step) {
+      kept.step();
+      anew.work.patches.partners.clear();
+      anew.step();
+    }
+    most = std::max(most, kept.state.points.n_blocks());
+    ASSERT_EQ(test::first_difference(kept.save(), anew.save()), "") << k;
+  }
+  EXPECT_GT(most, Simulation(c).state.points.n_blocks());
+}
+
 /// What drives the strength never falls, in MPM-Mixed too: the points take what the law adds, and no mean of the cell.
 TEST_P(Overlap, LowersNoPlasticStrain)
 {
