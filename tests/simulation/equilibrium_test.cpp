@@ -164,8 +164,8 @@ TEST(Equilibrium, TooFewStepsAreRefused)
       "  where    the largest force is at [(][0-9., ]+[)] m, in `clay`; half of all lies within [0-9.]+ m of it\n"
       "           soil moved furthest from [(][0-9., ]+[)] m, in `clay`: by [0-9.]+ m\n"
       "  likely   the body cannot stand under its own weight, or needs more steps\n"
-      "  try      initial[.]stress = \"none\" or \"k0\", a stronger soil, or a larger initial[.]max_steps "
-      "[(]docs/troubleshooting[.]md#no-equilibrium[)]";
+      "  try      initial[.]stress = \"none\" or \"k0\", a stronger soil, a larger initial[.]max_steps, or at_strength "
+      "below 1 in a first stage, as `terp import --held` writes it [(]docs/troubleshooting[.]md#no-equilibrium[)]";
   EXPECT_THAT(seek(s), MatchesRegex(expected));
 }
 
