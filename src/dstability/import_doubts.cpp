@@ -12,10 +12,10 @@
 namespace terp {
 namespace {
 
-constexpr Real small = 0.1;       // of a cell: a smaller gap or overlap changes nothing
-constexpr Real outside = 0.01;    // [m] beyond an end: coordinates of drawings are in cm
-constexpr Real at_corner = 0.05;  // [m]: cleaning may have moved it
-constexpr Real no_pop = 1.0;      // [Pa]
+constexpr Real small = 0.1;        // of a cell: a smaller gap or overlap changes nothing
+constexpr Real beyond_end = 0.01;  // [m] beyond an end: coordinates of drawings are in cm
+constexpr Real at_corner = 0.05;   // [m]: cleaning may have moved it
+constexpr Real no_pop = 1.0;       // [Pa]
 constexpr std::size_t columns = 112;
 
 std::string names_of(const std::vector<int>& numbers, const std::vector<DrawnRegion>& drawn)
@@ -77,7 +77,7 @@ std::vector<std::string> doubts_of_embankment(const StixSection& section)
   for (const StixLayer& layer : section.stage().layers)
     for (const Vec<2>& x : layer.outline) left = std::min(left, x[0]), right = std::max(right, x[0]);
   for (const auto& [name, x] : given)
-    if (x < left - outside || x > right + outside)
+    if (x < left - beyond_end || x > right + beyond_end)
       doubts.push_back(
           fmt::format("The file has the {} of its embankment at x = {:.2f} m, where there is no ground.", name, x));
   const auto goes_back = [](Real sign) {
