@@ -120,7 +120,7 @@ void declare_converge(CLI::App& app, ConvergeOptions& options)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   converge
       ->add_option("--turn", options.turns,
-          "solve all sizes once more with cells in these directions\nagainst x [degrees]; the sides of the mesh stay")
+          "solve all sizes once more with cells in these\ndirections against x [degrees]; the sides of the mesh\nstay")
       ->option_text("A,B")
       ->delimiter(',')
       ->check(number_between(-89.9, 89.9));

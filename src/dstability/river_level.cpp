@@ -32,17 +32,11 @@ Vec<2> ends_of(const StixStage& stage)
 
 std::string rule_of(const RiverInStage& river, Real level)
 {
-  const std::string heads =
-      river.level > river.inland
-          ? fmt::format(
-                "The heads in the ground move in proportion to their height over the phreatic line at the "
-                "land's end ({:.2f} m), as in a steady state",
-                river.inland)
-          : "Heads as high as the river move with it, lower ones stay, as the river stood no higher than the land";
   return fmt::format(
-      "The river stands at {:.2f} m instead of the {:.2f} m of the file (--river). {}.{} Undrained "
-      "strengths are those of this water.",
-      level, river.level, heads,
+      "The river stands at {:.2f} m instead of the {:.2f} m of the file (--river). The heads in the ground move in "
+      "proportion to their height over the phreatic line at the land's end ({:.2f} m), as in a steady state.{} "
+      "Undrained strengths are those of this water.",
+      level, river.level, river.inland,
       level < river.level ? " After a fast fall the pressures in the outer slope would be higher." : "");
 }
 

@@ -1,17 +1,20 @@
 #include "dstability/trigger.hpp"
 
 #include "base/errors.hpp"
+#include "water/water_pressure.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace terp {
 namespace {
 
 constexpr Real ten_thousand = 1e4;  // a factor in the case has four decimals, rounded up
 constexpr Real step = 0.05;         // [m] along the section, in the search for the shore
+constexpr Real least_drop = 0.1;    // [m] from river to land, or back: less does not say how heads follow the river
 
 /// x at which the ground first stands at the level, from the river on. Throws InputError where it nowhere does.
 Real shore(const StixSection& section, const RiverInStage& river, Real level)
@@ -37,6 +40,29 @@ StixLine with_shore(StixLine line, const RiverInStage& river, Real shore, Real l
   const bool is_wet = std::abs(shore - far[0]) > step;  // else the ground stands above the river from its end on
   if (is_wet) line.insert(river.at_left ? line.begin() : line.end(), near);
   line.insert(river.at_left ? line.begin() : line.end(), far);
+  return line;
+}
+
+/// The line after its heads moved, below ground that was dry: also between its points, where the ground has corners.
+/// In the order of x.
+StixLine below_dry_ground(StixLine before, StixLine after, const StixSection& section)
+{
+  if (before.front()[0] > before.back()[0]) std::ranges::reverse(before), std::ranges::reverse(after);
+  const auto kept_at = [&](Real x) {  // not given: the moved line may stay
+    const Real ground = section.column(x).ground();
+    return elevation_at(before, x) <= ground && elevation_at(after, x) > ground ? ground : not_given;
+  };
+  std::set<Real> corners;
+  for (const StixLayer& layer : section.stage().layers)
+    for (const Vec<2>& x : layer.outline)
+      if (x[0] > after.front()[0] && x[0] < after.back()[0] && !std::isnan(kept_at(x[0]))) corners.insert(x[0]);
+  StixLine line;
+  for (const Vec<2>& x : after) {
+    for (; !corners.empty() && *corners.begin() <= x[0]; corners.erase(corners.begin()))
+      if (*corners.begin() < x[0]) line.push_back({*corners.begin(), kept_at(*corners.begin())});
+    const Real kept = kept_at(x[0]);
+    line.push_back({x[0], std::isnan(kept) ? x[1] : kept});
+  }
   return line;
 }
 
@@ -69,15 +95,19 @@ StixStage with_river_at(const StixSection& section, const RiverInStage& river, R
     throw InputError({stage.label, "its water is a mesh of pressures, in which no river can be moved",
         "Make a stage with the other river in D-Stability, and import that one.", ""});
   const Real rise = level - river.level, over_land = river.level - river.inland;
-  for (StixHeadLine& head : stage.water.head_lines)
-    for (Vec<2>& x : head.line) {
-      const Real share =
-          over_land > 0.0 ? std::clamp((x[1] - river.inland) / over_land, 0.0, 1.0) : (x[1] >= river.level ? 1.0 : 0.0);
-      const bool is_phreatic = &head == &stage.water.head_lines[*stage.water.phreatic];
-      const Real ground = is_phreatic ? section.column(x[0]).ground() : not_given;
-      const Real risen = x[1] + share * rise;
-      x[1] = x[1] <= ground && risen > ground ? ground : risen;
-    }
+  if (std::abs(over_land) < least_drop)
+    throw InputError({stage.label,
+        fmt::format(
+            "the river stands at {:.2f} m, the phreatic line at the land's end at {:.2f} m", river.level, river.inland),
+        "From water that is level nobody can tell how the heads in the ground follow the river. Make a stage with the "
+        "other river in D-Stability, and import that one.",
+        ""});
+  for (std::size_t k = 0; k < stage.water.head_lines.size(); ++k) {
+    StixLine& line = stage.water.head_lines[k].line;
+    const StixLine before = line;
+    for (Vec<2>& x : line) x[1] += rise * std::clamp((x[1] - river.inland) / over_land, 0.0, 1.0);
+    if (k == *stage.water.phreatic) line = below_dry_ground(before, line, section);
+  }
   StixLine& phreatic = stage.water.head_lines[*stage.water.phreatic].line;
   phreatic = with_shore(phreatic, river, shore(section, river, level), level);
   return stage;

@@ -43,8 +43,8 @@ struct RiverInStage {
 };
 
 /// The stage with its river at another level [m]. Each head rises by the same share of its height over `inland` as the
-/// river does: the answer of a linear aquifer. Ground that was dry stays so. Throws InputError for water of a mesh, or
-/// a level that no ground reaches.
+/// river does: the answer of a linear aquifer, also where the river is the lower one. Ground that was dry stays so.
+/// Throws InputError for water of a mesh, water that is level, or a level that no ground reaches.
 StixStage with_river_at(const StixSection& section, const RiverInStage& river, Real level);
 
 struct RaisedRiver {

@@ -123,7 +123,11 @@ StudySpread spread_of(const MeshStudy& study, std::size_t number)
   if (is_word) return spread;
   spread.range = differs ? high - low : 0.0;
   if (first.scale) spread.share = *spread.range / *first.scale;
-  if (spread.share) spread.matters |= *spread.share > study.tolerance && *spread.range > first.resolution;
+  if (!spread.share) return spread;
+  const StudySequence& base = study.sequences[0].sequence;
+  const StudyRun& run = base.runs[*solved_at(base, study.spread_cell)];  // the cells of the table, not coarser ones
+  const Real resolution = first.measure.resolution ? first.measure.resolution(run.results, run.size) : 0.0;
+  spread.matters |= *spread.share > study.tolerance && *spread.range > resolution;
   return spread;
 }
 

@@ -93,12 +93,32 @@ void refuse_lost_settings(const Study& study, const std::vector<Change>& changes
   }
 }
 
+/// What is drawn and a stage sets anew: from its start on no realisation has what was drawn.
+void refuse_draws_lost_in_stages(const Study& study, const std::vector<Change>& changes, std::vector<Problem>& problems)
+{
+  const Node& root = study.base.source.root;
+  for (const StageCase& stage : study.base.values.stages)
+    for (const auto& [key, value] : stage.changes) {
+      const Change set{.key = key, .path = "", .value = value};
+      const std::string alone = case_after(root, {&set});
+      for (const Change& change : changes) {
+        if (change.is_coarse || alone.empty() || !may_overlap(set, change)) continue;
+        const std::string drawn = case_after(root, {&change});
+        if (drawn.empty() || drawn == case_after(root, {}) || case_after(root, {&change, &set}) != alone) continue;
+        problems.push_back(
+            {change.path, fmt::format("`{}` is lost in the stage `{}`, which sets `{}`", change.key, stage.name, key),
+                "All realisations have the value of the stage from there on. Leave one of the two out.", ""});
+      }
+    }
+}
+
 }  // namespace
 
 void refuse_overlaps(const Study& study, std::vector<Problem>& problems)
 {
   const std::vector<Change> changes = changes_of(study.settings);
   refuse_lost_settings(study, changes, problems);
+  refuse_draws_lost_in_stages(study, changes, problems);
   for (std::size_t b = 1; b < changes.size(); ++b)
     for (std::size_t a = 0; a < b; ++a) {
       const Change &first = changes[a], &second = changes[b];

@@ -88,7 +88,7 @@ const OutcomeInfo outcomes[] = {
     {{"slides", "-", "slides", "how often the crest retreated by much (docs/formats.md)"},
         [](const Summary& s) { return static_cast<Real>(s.slides.size()); }, nullptr, true},
     {{"first_slide_time", "s", "time of the first slide", "when the crest began to retreat"},
-        of_summary<&Summary::first_slide_time>},
+        of_summary<&Summary::first_slide_time>, nullptr, true},
     {{"flood_time", "s", "time of the flood", "first time the ground no longer held the water"},
         [](const Summary& s) { return s.flood ? s.flood->first_time_below.value_or(none) : none; }},
     {{"still_moves", "-", "still moves", "1 where soil moves so fast at the end that I or F may change"}, nullptr,
@@ -157,6 +157,8 @@ void forget_the_end(Realisation& r)
 bool both_happened(const Simulation& s, const EventRule& event)
 {
   if (!s.model.stage.is_last()) return false;  // a later stage may count displacements anew
+  const auto is_dug_away = [&](const BodyCase& body) { return body.removed == s.model.stage.number + 1; };
+  if (std::ranges::any_of(s.model.description.bodies, is_dug_away)) return false;  // it counts no more at the end
   const Summary summary = summarise(s.model, s.state);
   return (!summary.flood || summary.flood->first_time_below) && moved_volume_of(s, summary, event) >= event.volume;
 }

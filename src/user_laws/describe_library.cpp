@@ -208,7 +208,7 @@ void check_roles(const LibraryCase& library, const LawRoles& roles)
         "Give its name as `strength`, or remove `residual_strength`.");
   if (roles.strength.empty()) return;
   const Real initial = known[number_of("strength", "state variable", known, roles.strength)].initial;
-  if (roles.strength == roles.plastic_strain)
+  if (roles.strength == (roles.plastic_strain.empty() ? std::string(plastic_strain_name) : roles.plastic_strain))
     refuse("strength", fmt::format("`{}` cannot be the strength and the plastic strain", roles.strength),
         "Give the name of another state variable, or remove one of the two keys.");
   if (!(initial > 0.0))

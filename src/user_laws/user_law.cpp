@@ -25,8 +25,6 @@ struct UserLaw final : MaterialType, std::enable_shared_from_this<UserLaw> {
   }
 };
 
-constexpr std::string_view plastic_strain_name = "eps_eq_p";  ///< as in Terp's own laws
-
 std::string_view word_of(Real stress_unit) { return stress_unit == 1e6 ? "MPa" : stress_unit == 1e3 ? "kPa" : "Pa"; }
 
 /// What the library says of itself, or the units that the case gives, in the order of the state; "": none.

@@ -11,6 +11,8 @@
 
 namespace terp {
 
+inline constexpr std::string_view plastic_strain_name = "eps_eq_p";  ///< as in Terp's own laws
+
 /// What the state variables of a library are to the rest of Terp: the case says it, since the library cannot.
 struct LawRoles {
   std::string plastic_strain = {};  ///< name of the state variable; empty: eps_eq_p, if the law has that

@@ -5,6 +5,7 @@
 #include "dstability/read_stix.hpp"
 #include "dstability/trigger.hpp"
 #include "river_dike.hpp"
+#include "water/water_pressure.hpp"
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
@@ -57,6 +58,46 @@ TEST(Trigger, GroundThatWasDryStaysSo)
   project.scenarios[0].stages[0].water.head_lines[0].line[2] = {14.0, 0.9};  // the slope is at 1 m there
   const StixStage stage = with_river_at(StixSection(project, 0, 0, StixBasis::deterministic), river, 3.5);
   EXPECT_NEAR(stage.water.head_lines[0].line[2][1], 1.0, 1e-9);
+}
+
+TEST(Trigger, GroundThatWasDryStaysSoBetweenPointsOfTheLine)
+{
+  StixProject project = dike();
+  StixStage& stage = project.scenarios[0].stages[0];
+  stage.layers[0].outline[4] = {14.0, 0.6};  // a dip of the inner slope above the line
+  stage.layers[0].outline.insert(stage.layers[0].outline.begin() + 5, {16.0, 0.5});
+  stage.water.head_lines[0].line = {{-20.0, 2.0}, {4.0, 2.0}, {15.0, 0.3}, {40.0, -1.0}};
+  const StixLine line =
+      with_river_at(StixSection(project, 0, 0, StixBasis::deterministic), river, 3.8).water.head_lines[0].line;
+  for (const Real x : {14.0, 15.0, 16.0})
+    EXPECT_LE(elevation_at(line, x), StixSection(project, 0, 0, StixBasis::deterministic).column(x).ground() + 1e-9)
+        << x;
+  EXPECT_GT(elevation_at(line, 20.0), elevation_at(stage.water.head_lines[0].line, 20.0));
+}
+
+TEST(Trigger, ARiverBelowTheLandThatRisesIsThatOfTheOtherWay)
+{
+  const StixProject project = dike();
+  StixProject low = project;
+  low.scenarios[0].stages[0] = with_river_at(StixSection(project, 0, 0, StixBasis::deterministic), river, -2.0);
+  RiverInStage lowered = river;
+  lowered.level = -2.0;
+  const StixSection before(project, 0, 0, StixBasis::deterministic), after(low, 0, 0, StixBasis::deterministic);
+  const StixLine direct = with_river_at(before, river, 3.0).water.head_lines[1].line;
+  const StixLine there_and_back = with_river_at(after, lowered, 3.0).water.head_lines[1].line;
+  for (std::size_t k = 0; k < direct.size(); ++k) EXPECT_NEAR(there_and_back[k][1], direct[k][1], 1e-12);
+}
+
+TEST(Trigger, WaterThatIsLevelDoesNotSayHowHeadsFollow)
+{
+  const StixProject project = dike();
+  RiverInStage level = river;
+  level.inland = 1.95;
+  EXPECT_THAT(
+      refusal<InputError>([&] { with_river_at(StixSection(project, 0, 0, StixBasis::deterministic), level, 3.0); }),
+      HasSubstr(
+          "daily: the river stands at 2.00 m, the phreatic line at the land's end at 1.95 m\n  From water that is "
+          "level nobody can tell how the heads in the ground follow the river."));
 }
 
 TEST(Trigger, ARiverThatNoGroundHoldsIsRefused)

@@ -191,6 +191,14 @@ TEST(MeshStudy, VariantsThatAgreeWithinTheToleranceDoNotMatter)
       "On cells of 0.2 m, as given and with 1 variant: nothing differs by more than 2.0 % or its resolution.");
 }
 
+TEST(MeshStudy, VariantsAreJudgedByTheResolutionOfTheirOwnCells)
+{
+  const MeshStudy study = study_mesh(
+      {sequence_with("as given", {2.0, 1.0}, {11.0, 12.0}), sequence_with("b", {2.0, 1.0}, {11.0, 12.4})}, 0.02);
+  EXPECT_NEAR(*front_of(study).share, 0.04, 1e-12);
+  EXPECT_TRUE(front_of(study).matters) << "0.4 m is more than a quarter of 1 m, and less than a quarter of 2 m";
+}
+
 TEST(MeshStudy, NothingIsSaidOfVariantsWhereThereIsOneOrNoSizeInCommon)
 {
   const Real none = std::numeric_limits<Real>::quiet_NaN();

@@ -195,6 +195,10 @@ TEST(ScaleWarnings, ACaseInWhichNothingMovesIsTold)
   Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
   EXPECT_THAT(
       warnings_of(c), ElementsAre(Field(&Problem::what, "there is no gravity, and nothing else moves the soil")));
+  Case loaded = c;
+  loaded.loads = {{.name = "strip", .from = 1.1, .to = 1.9, .pressure = 1e4}};
+  EXPECT_THAT(warnings_of(loaded),
+      testing::Not(Contains(Field(&Problem::what, "there is no gravity, and nothing else moves the soil"))));
   c.bodies[0].velocity = {0.1, 0.0};
   EXPECT_THAT(warnings_of(c), IsEmpty());
 }

@@ -121,6 +121,21 @@ TEST(StudyFile, ASettingThatEachDrawReplacesIsRefused)
   EXPECT_THAT(message(mean, own), HasSubstr("`material.clay.su_peak` of [set] is lost"));
 }
 
+TEST(StudyFile, ADrawThatAStageReplacesIsRefused)
+{
+  const auto message = [](const std::string& key) {
+    const ScratchFolder folder;
+    const std::string stage = "[[stage]]\nname = \"flood\"\nduration = 0.8\nset = { \"" + key + "\" = 4e2 }\n";
+    const std::string path =
+        write_study(folder.path(), column_study, changed(column_case, "[time]\nend = 0.8\n", stage));
+    return refusal<CaseError>([&] { prepare_study(read_study(path)); });
+  };
+  EXPECT_THAT(message("material.clay.su_peak"),
+      HasSubstr("`material.clay.su_peak` is lost in the stage `flood`, which sets `material.clay.su_peak`"));
+  EXPECT_THAT(message("material.*.su_peak"), HasSubstr("which sets `material.*.su_peak`"));
+  EXPECT_EQ(message("material.clay.eta"), "");
+}
+
 TEST(StudyFile, WhatIsDrawnTwiceOrNotAtAllIsTold)
 {
   const std::string pair = "\n[[correlation]]\nbetween = [\"material.clay.su_peak\", \"material.clay.eta\"]\nvalue = ";

@@ -160,6 +160,8 @@ TEST(Library, WhoseStrainAndStrengthCannotBeMeantIsRefused)
   refused({.strength = "c"}, "strength", "the library has no state variable `c`", "in its order: k, cu, p_0.");
   refused({.plastic_strain = "k", .strength = "k"}, "strength", "`k` cannot be the strength and the plastic strain",
       "Give the name of another state variable");
+  refused({.strength = "eps_eq_p"}, "strength", "`eps_eq_p` cannot be the strength and the plastic strain",
+      "Give the name of another state variable", [](LibraryCase& c) { c.state[1].name = "eps_eq_p"; });
   refused({.strength = "cu"}, "strength", "the strength `cu` is 0 at t = 0", "state = { cu = VALUE }",
       [](LibraryCase& c) { c.state[1].value = 0.0; });
   refused({.residual_strength = 2e3}, "residual_strength", "nothing says which state variable is the strength",
