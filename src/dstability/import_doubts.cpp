@@ -14,7 +14,6 @@ namespace {
 
 constexpr Real small = 0.1;        // of a cell: a smaller gap or overlap changes nothing
 constexpr Real beyond_end = 0.01;  // [m] beyond an end: coordinates of drawings are in cm
-constexpr Real at_corner = 0.05;   // [m]: cleaning may have moved it
 constexpr Real no_pop = 1.0;       // [Pa]
 constexpr std::size_t columns = 112;
 
@@ -26,16 +25,66 @@ std::string names_of(const std::vector<int>& numbers, const std::vector<DrawnReg
   return text;
 }
 
-/// The regions that have a corner at this place.
-std::vector<int> regions_at(Vec<2> x, const std::vector<CleanRegion>& regions)
+/// What no region covers below one of them.
+struct EmptyPlace {
+  Real left = 1e30, right = -1e30, height = 0.0, area = 0.0;  ///< [m, m^2]
+};
+
+struct EdgeOver {
+  Real left = 0.0, right = 0.0;  ///< elevation at both ends of an interval [m]
+  int drawn = -1;
+  std::size_t region = 0;
+};
+
+/// The edges of all outlines over an interval without corners, from below.
+std::vector<EdgeOver> edges_over(const std::vector<CleanRegion>& regions, Real left, Real right)
 {
-  const auto is_at = [x](const Vec<2>& corner) { return std::hypot(corner[0] - x[0], corner[1] - x[1]) < at_corner; };
-  std::set<int> found;
-  for (const CleanRegion& region : regions)
-    if (std::ranges::any_of(region.polygon, is_at) ||
-        std::ranges::any_of(region.holes, [&](const Polygon& hole) { return std::ranges::any_of(hole, is_at); }))
-      found.insert(region.drawn);
-  return {found.begin(), found.end()};
+  std::vector<EdgeOver> edges;
+  const auto add = [&](const Polygon& outline, std::size_t region) {
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      Vec<2> a = outline[k], b = outline[(k + 1) % outline.size()];
+      if (a[0] > b[0]) std::swap(a, b);
+      if (a[0] > left || b[0] < right) continue;
+      const auto at = [&](Real x) { return std::lerp(a[1], b[1], (x - a[0]) / (b[0] - a[0])); };
+      edges.push_back({at(left), at(right), regions[region].drawn, region});
+    }
+  };
+  for (std::size_t k = 0; k < regions.size(); ++k) {
+    add(regions[k].polygon, k);
+    for (const Polygon& hole : regions[k].holes) add(hole, k);
+  }
+  std::ranges::sort(edges, {}, [](const EdgeOver& edge) { return edge.left + edge.right; });
+  return edges;
+}
+
+/// By the drawn region above, also where the place is open at an end of the section or under an overhang.
+std::map<int, EmptyPlace> empty_places(const std::vector<CleanRegion>& regions)
+{
+  std::set<Real> corners;
+  for (const CleanRegion& region : regions) {
+    for (const Vec<2>& x : region.polygon) corners.insert(x[0]);
+    for (const Polygon& hole : region.holes)
+      for (const Vec<2>& x : hole) corners.insert(x[0]);
+  }
+  std::map<int, EmptyPlace> places;
+  if (corners.empty()) return places;
+  for (auto left = corners.begin(), right = std::next(left); right != corners.end(); left = right++) {
+    std::set<std::size_t> inside;
+    const EdgeOver* below = nullptr;
+    const std::vector<EdgeOver> edges = edges_over(regions, *left, *right);
+    for (const EdgeOver& edge : edges) {
+      if (below && inside.empty() && edge.left + edge.right > below->left + below->right) {
+        EmptyPlace& place = places[edge.drawn];
+        place.left = std::min(place.left, *left);
+        place.right = std::max(place.right, *right);
+        place.height = std::max({place.height, edge.left - below->left, edge.right - below->right});
+        place.area += 0.5 * (edge.left + edge.right - below->left - below->right) * (*right - *left);
+      }
+      if (!inside.erase(edge.region)) inside.insert(edge.region);
+      below = &edge;
+    }
+  }
+  return places;
 }
 
 }  // namespace
@@ -118,10 +167,12 @@ std::vector<std::string> doubts_of_outlines(
     const CleanSection& clean, const std::vector<DrawnRegion>& drawn, const std::vector<CleanRegion>& fills, Real cell)
 {
   std::vector<std::string> doubts;
-  for (const DrawingFault& gap : clean.gaps)
-    if (gap.drawn.empty() && gap.area > small * cell * cell)
-      doubts.push_back(fmt::format("No layer covers {:.3g} m2 at {:.2f}, {:.2f} m, between the layers {}: it is empty.",
-          gap.area, gap.x[0], gap.x[1], names_of(regions_at(gap.x, clean.regions), drawn)));
+  for (const auto& [above, empty] : empty_places(clean.regions))
+    if (empty.area > small * cell * cell)
+      doubts.push_back(fmt::format(
+          "Below the layer `{}` no layer covers {:.3g} m2, up to {:.2f} m high, between x = {:.2f} and {:.2f} m: it is "
+          "empty. Is a layer missing?",
+          drawn[above].name, empty.area, empty.height, empty.left, empty.right));
   for (const DrawingFault& both : clean.overlaps)
     if (both.area > small * cell * cell)
       doubts.push_back(fmt::format(

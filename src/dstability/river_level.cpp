@@ -6,12 +6,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace terp {
 namespace {
 
-constexpr Real inside = 1e-6;  // [m] from an end
+constexpr Real inside = 1e-6;   // [m] from an end
+constexpr Real beneath = 0.01;  // [m]: coordinates of drawings are in cm
 
 RiverInStage river_in(const StixSection& section, const StixRiver& river, Vec<2> ends)
 {
@@ -22,12 +25,29 @@ RiverInStage river_in(const StixSection& section, const StixRiver& river, Vec<2>
   return {.at_left = at_left, .ends = ends, .level = level_at(at_left), .inland = level_at(!at_left)};
 }
 
-Vec<2> ends_of(const StixStage& stage)
+std::vector<DrawnRegion> drawn_of(const StixStage& stage)
 {
   std::vector<DrawnRegion> drawn;
   for (const StixLayer& layer : stage.layers) drawn.push_back({layer.label, layer.outline});
-  const BoundingBox box = box_around(drawn);
+  return drawn;
+}
+
+Vec<2> ends_of(const StixStage& stage)
+{
+  const BoundingBox box = box_around(drawn_of(stage));
   return {box.low[0], box.high[0]};
+}
+
+/// A level below all ground is no river: it is mistyped, or of another datum.
+void check_level(const StixStage& stage, Real level)
+{
+  std::vector<DrawnExcavation> pits;
+  for (const StixLine& pit : stage.excavations) pits.push_back({"", pit});
+  const Real lowest = std::ranges::min(ground_line(drawn_of(stage), pits), {}, [](const Vec<2>& x) { return x[1]; })[1];
+  if (level < lowest - beneath)
+    throw InputError(
+        {"", fmt::format("no river stands at {:.2f} m: the lowest ground of the section is at {:.2f} m", level, lowest),
+            "Give the level in the datum of the file, not below its lowest ground: --river LEVEL.", ""});
 }
 
 std::string rule_of(const RiverInStage& river, Real level)
@@ -66,6 +86,7 @@ RiverLevel with_river_level(
   const Vec<2> ends = ends_of(section.stage());
   RiverLevel moved{project, stage == 0 ? 1 : stage, find_river(section, ends), ""};
   check_river_to_move(section, moved.river, moved.river.side == "right" ? ends[1] - inside : ends[0] + inside);
+  check_level(section.stage(), level);
   const RiverInStage river = river_in(section, moved.river, ends);
   StixStage changed = with_river_at(section, river, level);
   changed.label = fmt::format("{}, river at {:.2f} m", changed.label, level);

@@ -14,7 +14,8 @@ struct RiverLevel {
 };
 
 /// A first stage stays as history, and one with the river follows it; of a later stage the water is another one.
-/// level: [m]. Throws InputError where the side of the river is not known, or no ground is as high as the level.
+/// level: [m]. Throws InputError where the side of the river is not known, or no ground is as high as the level
+/// or all of it is higher.
 RiverLevel with_river_level(
     const StixProject& project, std::size_t scenario, std::size_t stage, StixBasis basis, Real level);
 

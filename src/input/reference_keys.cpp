@@ -104,6 +104,10 @@ bool read_doubts(const Entry& entry, Findings& findings)
   if (entry.node.kind != NodeKind::list || !std::ranges::all_of(entry.node.items, is_text))
     return refuse(entry, entry.path, fmt::format("`doubts` must be {}", list_of_texts),
         fmt::format("Got {}.", describe_value(entry.node)), findings);
+  if (std::ranges::any_of(entry.node.items,
+          [](const Node& item) { return item.text.find_first_not_of(" \t\r\n") == std::string::npos; }))
+    return refuse(entry, entry.path, "a text of `doubts` is empty",
+        "Write what is in doubt, or take the text out of the list.", findings);
   std::string all;
   for (const Node& item : entry.node.items) all += (all.empty() ? "" : "\n") + item.text;
   if (!all.empty())

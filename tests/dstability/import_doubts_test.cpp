@@ -78,12 +78,26 @@ TEST(ImportDoubts, SayWhichLayersLeaveAGapOrOverlap)
   gap.layers.push_back(box_layer("right", {9.0, -10.0}, {20.0, -6.0}, 0));
   gap.layers.push_back(box_layer("bottom", {8.0, -10.0}, {9.0, -9.0}, 0));
   EXPECT_THAT(folder_of(project_of({gap})).notes,
-      ElementsAre(ContainsRegex("^No layer covers 3 m2 at .* m, between the layers .*: it is empty[.]$")));
+      ElementsAre("Below the layer `clay (clay)` no layer covers 3 m2, up to 3.00 m high, between x = 8.00 and "
+                  "9.00 m: it is empty. Is a layer missing?"));
   StixStage both = with_state(pop_10);
   both.layers[1] = box_layer("sand", {0.0, -10.0}, {20.0, -5.0}, 0);
   EXPECT_THAT(folder_of(project_of({both})).notes,
       ElementsAre(ContainsRegex("^The layers `clay [(]clay[)]`, `sand [(]sand[)]` overlap by 20 m2 at .*: the one "
                                 "with the smaller outline")));
+}
+
+TEST(ImportDoubts, SayWhereAMissingLayerLeavesAGapThatIsOpenAtTheEnds)
+{
+  StixStage open = with_state(pop_10);
+  open.layers[1] = box_layer("sand", {0.0, -10.0}, {20.0, -7.0}, 0);
+  EXPECT_THAT(folder_of(project_of({open})).notes,
+      ElementsAre("Below the layer `clay (clay)` no layer covers 20 m2, up to 1.00 m high, between x = 0.00 and "
+                  "20.00 m: it is empty. Is a layer missing?"));
+  open.layers.push_back(box_layer("left", {0.0, -7.0}, {11.0, -6.0}, 0));
+  EXPECT_THAT(folder_of(project_of({open})).notes,
+      ElementsAre("Below the layer `clay (clay)` no layer covers 9 m2, up to 1.00 m high, between x = 11.00 and "
+                  "20.00 m: it is empty. Is a layer missing?"));
 }
 
 TEST(ImportDoubts, SayWhichPointOfTheEmbankmentIsWrong)

@@ -83,7 +83,7 @@ TEST(RiverLevel, IsSaidInTheCaseAndAsksWhetherItFloods)
   EXPECT_THAT(text, testing::Not(HasSubstr("factor_of_safety")));
   EXPECT_THAT(folder.notes, Contains(HasSubstr("The river stands at 3.00 m instead of the 2.00 m of the file")));
   EXPECT_THAT(folder.files.back().second, HasSubstr("- The river stands at 3.00 m instead of the 2.00 m of the file"));
-  const CaseFolder dry = case_folder_of(dike(2), {.stage = 1, .kinds = kinds, .river = -0.5});
+  const CaseFolder dry = case_folder_of(dike(2), {.stage = 1, .kinds = kinds, .river = 0.0});
   EXPECT_THAT(dry.files.front().second, testing::Not(HasSubstr("[flood]")));
   EXPECT_THAT(
       dry.notes, Contains(HasSubstr("No water stands on the ground at the river's end (left) of the section: the "
@@ -93,6 +93,9 @@ TEST(RiverLevel, IsSaidInTheCaseAndAsksWhetherItFloods)
 TEST(RiverLevel, NeedsARiverAndGroundThatHoldsIt)
 {
   EXPECT_THAT(refusal<InputError>([] { moved_to(4.5, dike(2), 1); }), HasSubstr("would flood the whole section"));
+  EXPECT_THAT(refusal<InputError>([] { moved_to(-50.0, dike(2), 1); }),
+      HasSubstr("no river stands at -50.00 m: the lowest ground of the section is at 0.00 m"));
+  EXPECT_THAT(refusal<InputError>([] { moved_to(-0.02, dike(1), 0); }), HasSubstr("no river stands at -0.02 m"));
   StixProject none = dike(1);
   none.scenarios[0].stages[0].water.head_lines[0].line = {{0.0, -2.0}};
   EXPECT_THAT(refusal<InputError>([&] { moved_to(1.0, none, 0); }),
