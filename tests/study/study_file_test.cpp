@@ -123,9 +123,10 @@ TEST(StudyFile, ASettingThatEachDrawReplacesIsRefused)
 
 TEST(StudyFile, ADrawThatAStageReplacesIsRefused)
 {
-  const auto message = [](const std::string& key) {
+  const auto message = [](const std::string& key, const char* value = "4e3") {
     const ScratchFolder folder;
-    const std::string stage = "[[stage]]\nname = \"flood\"\nduration = 0.8\nset = { \"" + key + "\" = 4e2 }\n";
+    const std::string stage =
+        "[[stage]]\nname = \"flood\"\nduration = 0.8\nset = { \"" + key + "\" = " + value + " }\n";
     const std::string path =
         write_study(folder.path(), column_study, changed(column_case, "[time]\nend = 0.8\n", stage));
     return refusal<CaseError>([&] { prepare_study(read_study(path)); });
@@ -133,7 +134,7 @@ TEST(StudyFile, ADrawThatAStageReplacesIsRefused)
   EXPECT_THAT(message("material.clay.su_peak"),
       HasSubstr("`material.clay.su_peak` is lost in the stage `flood`, which sets `material.clay.su_peak`"));
   EXPECT_THAT(message("material.*.su_peak"), HasSubstr("which sets `material.*.su_peak`"));
-  EXPECT_EQ(message("material.clay.eta"), "");
+  EXPECT_EQ(message("material.clay.eta", "6.0"), "");
 }
 
 TEST(StudyFile, WhatIsDrawnTwiceOrNotAtAllIsTold)
