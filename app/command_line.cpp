@@ -78,7 +78,7 @@ void declare_stability(CLI::App& app, CommandLine& line)
       ->check(number_between(1e-3, 1e3));
   stability->add_option("--windows", rules.most_windows, "time that a trial has (default 200)")
       ->option_text("N")
-      ->check(CLI::Range(3, 100000));
+      ->check(whole_number_between(3, 100000));
   stability
       ->add_option(
           "--stiffening", rules.stiffening, "displacements are kept so many times smaller\n(1 to 1e6; default 1000)")
@@ -129,7 +129,7 @@ void declare_converge(CLI::App& app, ConvergeOptions& options)
           "--points", options.points, "solve all sizes once more with so many points per cell\nin each direction")
       ->option_text("N,M")
       ->delimiter(',')
-      ->check(CLI::Range(1, 16));
+      ->check(whole_number_between(1, 16));
   converge->add_option("--tolerance", options.tolerance, "share from which on a change counts (default 0.02)")
       ->option_text("T")
       ->check(number_between(1e-6, 1.0));
@@ -176,14 +176,14 @@ void declare_study(CLI::App& app, StudyCommand& command)
       ->delimiter(',');
   study->add_option("--samples", command.samples, "of sample: how many (default 1000)")
       ->option_text("N")
-      ->check(CLI::Range(1, 1000000));
+      ->check(whole_number_between(1, 1000000));
   study->add_flag("--force", command.force, "of run: remove what is solved, and begin anew");
   study
       ->add_option("-j,--threads", command.threads,
           "realisations at a time (default: what this job may\nuse); results "
           "have the same bits on any number")
       ->option_text("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number_between(1, 1024));
   study->add_flag("-q,--quiet", command.quiet, "no progress, no result; warnings stay");
 }
 
@@ -286,10 +286,10 @@ void declare_guides(CLI::App& app, CommandLine& line)
   add_case(bench, line.options, false);
   bench->add_option("--steps", line.options.steps, "steps in each of five trials")
       ->option_text("N")
-      ->check(CLI::Range(1, 1000000));
+      ->check(whole_number_between(1, 1000000));
   bench->add_option("--warm", line.options.warm_steps, "steps before them")
       ->option_text("N")
-      ->check(CLI::Range(0, 1000000));
+      ->check(whole_number_between(0, 1000000));
   bench->add_flag("--json", line.options.json, "numbers for a program");
   for (CLI::App* command : {check, bench}) {
     add_set(command, line.options);

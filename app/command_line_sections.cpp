@@ -8,7 +8,7 @@ namespace {
 /// What both commands ask of a stage. which: its default scenario.
 void add_stage_options(CLI::App* command, ImportCommand& options, const char* which)
 {
-  const auto number = CLI::Range(1, 100000);
+  const auto number = whole_number_between(1, 100000);
   command->add_option("--scenario", options.scenario, which)->option_text("N")->check(number);
   command->add_option("--stage", options.stage, "of the scenario, from 1 (default: its last)")
       ->option_text("N")
@@ -91,10 +91,10 @@ void declare_assess(CLI::App& app, AssessCommand& command)
       ->add_option("-j,--sections", command.sections,
           "solve so many at once, each in a process of its own\n(default: as many as there are processors)")
       ->option_text("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number_between(1, 1024));
   assess->add_option("--threads", command.threads, "CPU threads of each (default: processors over sections)")
       ->option_text("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number_between(1, 1024));
   add_language(assess, command.language);
   assess->add_flag("--force", command.force, "import and solve all anew");
 }

@@ -54,18 +54,28 @@ class HelpPage : public CLI::Formatter {
 
 std::shared_ptr<CLI::Formatter> help_page() { return std::make_shared<HelpPage>(); }
 
-CLI::Validator number_between(double least, double most)
+namespace {
+
+/// Number: that of the option. What is no number at all is told apart from what is out of range.
+template <class Number>
+CLI::Validator between(Number least, Number most, const char* kind)
 {
-  const CLI::Validator range = CLI::Range(least, most);
   return CLI::Validator(
-      [range, least, most](std::string& text) {
-        double value = 0.0;
-        if (CLI::detail::lexical_cast(text, value) && std::isnan(value))
-          return fmt::format("Value {} not in range {:f} to {:f}", text, least, most);
-        return range(text);
+      [least, most, kind](std::string& text) -> std::string {
+        Number value{};
+        if (!CLI::detail::lexical_cast(text, value))
+          return fmt::format("`{}` is no {}; allowed are {:g} to {:g}", text, kind, double(least), double(most));
+        if (value >= least && value <= most) return "";
+        return fmt::format("{} is out of range; allowed are {:g} to {:g}", text, double(least), double(most));
       },
-      range.get_description());
+      CLI::Range(least, most).get_description());
 }
+
+}  // namespace
+
+CLI::Validator number_between(double least, double most) { return between(least, most, "number"); }
+
+CLI::Validator whole_number_between(int least, int most) { return between(least, most, "whole number"); }
 
 CLI::App* add_command(CLI::App& app, const char* name, const char* group, const char* what, const std::string& example)
 {
@@ -90,7 +100,7 @@ void add_threads(CLI::App* command, int& threads)
       ->add_option("-j,--threads", threads,
           "CPU threads (default: what this job may use);\nresults have the same bits on any number")
       ->option_text("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number_between(1, 1024));
 }
 
 void add_loudness(CLI::App* command, RunOptions& options)

@@ -16,8 +16,9 @@ inline constexpr const char* exit_statuses =
 /// CLI11's page with our layout.
 std::shared_ptr<CLI::Formatter> help_page();
 
-/// A number from `least` to `most`. CLI::Range alone lets "nan" through, as no comparison with it holds.
+/// A number from `least` to `most`, of which "nan" is none. The message says what is no number at all.
 CLI::Validator number_between(double least, double most);
+CLI::Validator whole_number_between(int least, int most);
 
 CLI::App* add_command(CLI::App& app, const char* name, const char* group, const char* what, const std::string& example);
 void add_case(CLI::App* command, RunOptions& options, bool required = true);

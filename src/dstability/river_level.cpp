@@ -15,6 +15,7 @@ namespace {
 
 constexpr Real inside = 1e-6;   // [m] from an end
 constexpr Real beneath = 0.01;  // [m]: coordinates of drawings are in cm
+constexpr Real same = 0.005;    // [m]: the same in cm
 
 RiverInStage river_in(const StixSection& section, const StixRiver& river, Vec<2> ends)
 {
@@ -88,6 +89,12 @@ RiverLevel with_river_level(
   check_river_to_move(section, moved.river, moved.river.side == "right" ? ends[1] - inside : ends[0] + inside);
   check_level(section.stage(), level);
   const RiverInStage river = river_in(section, moved.river, ends);
+  if (std::abs(level - river.level) < same) {
+    moved.stage = stage;
+    moved.comment =
+        fmt::format("The river stands at {:.2f} m in the file already: --river changes nothing.", river.level);
+    return moved;
+  }
   StixStage changed = with_river_at(section, river, level);
   changed.label = fmt::format("{}, river at {:.2f} m", changed.label, level);
   moved.comment = rule_of(river, level);

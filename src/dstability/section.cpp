@@ -39,6 +39,24 @@ Real pop_of(const StixPreload& preload, Real effective_stress, StixBasis basis)
 
 bool needs_stress(const StixPreload& preload) { return preload.kind != StixPreload::Kind::pop; }
 
+constexpr Real most_pop = 1e6;     // [Pa]; the tables of the Schematiseringshandleiding have 10 to 30 kPa
+constexpr Real near_layer = 0.05;  // [m]; coordinates of drawings are in cm
+
+/// Whether its place is in its layer, or next to it. Beyond the ends of the section there is none.
+bool is_in_its_layer(const StixStage& stage, const StixStatePoint& point)
+{
+  const auto layer = std::ranges::find(stage.layers, point.layer, &StixLayer::id);
+  if (layer == stage.layers.end() || layer->outline.empty()) return false;
+  const auto [left, right] = std::ranges::minmax(layer->outline, {}, [](const Vec<2>& x) { return x[0]; });
+  if (point.place[0] < left[0] - near_layer || point.place[0] > right[0] + near_layer) return false;
+  for (const Vec<2> aside : {Vec<2>{0, 0}, {0, near_layer}, {0, -near_layer}, {near_layer, 0}, {-near_layer, 0}}) {
+    const std::vector<SoilBand> bands = soil_bands(stage, point.place[0] + aside[0]);
+    const SoilBand* const band = band_at(bands, point.place[1] + aside[1]);
+    if (band != nullptr && stage.layers[band->layer].id == point.layer) return true;
+  }
+  return false;
+}
+
 /// Of a state that is below what the soil carries [Pa], which counts as none; empty: it is not.
 std::string doubt_of(const StixPreload& preload, Real effective_stress)
 {
@@ -165,8 +183,11 @@ void StixSection::set_preloads()
     const Real stress =
         needs_stress(preload) ? StixStageColumn(*project_, stage, place[0]).effective_stress(place[1]) : 0.0;
     const Real pop = pop_of(preload, stress, basis_);
-    if (const std::string doubt = doubt_of(preload, stress); !doubt.empty())
-      state_doubts_.push_back(fmt::format("Stage `{}`, {}: {}.", stage.label, state, doubt));
+    const auto add_doubt = [&](const std::string& doubt) {
+      if (!doubt.empty()) state_doubts_.push_back(fmt::format("Stage `{}`, {}: {}.", stage.label, state, doubt));
+    };
+    add_doubt(doubt_of(preload, stress));
+    if (pop > most_pop) add_doubt(fmt::format("its POP is {:.0f} kPa; soft soil has tens of kPa", pop / 1e3));
     if (!(pop >= 0.0 && std::isfinite(pop)))
       problems.push_back({fmt::format("{}, stage `{}`, {}", project_->path, stage.label, state),
           std::isnan(pop) ? "its POP has no value" : fmt::format("its POP is {:g} kPa", pop / 1e3),
@@ -175,9 +196,16 @@ void StixSection::set_preloads()
   };
   for (const StixStage* stage : stages_) {
     auto& points = point_pops_.emplace_back();
-    for (const StixStatePoint& point : stage->state_points)
-      points.push_back(pop_at(*stage, point.preload, point.place,
-          fmt::format("state `{}` of the layer {}", point.label, name_of_layer(*project_, *stage, point.layer))));
+    for (const StixStatePoint& point : stage->state_points) {
+      const std::string state =
+          fmt::format("state `{}` of the layer {}", point.label, name_of_layer(*project_, *stage, point.layer));
+      points.push_back(pop_at(*stage, point.preload, point.place, state));
+      if (!is_in_its_layer(*stage, point))
+        state_doubts_.push_back(
+            fmt::format("Stage `{}`, {}: it lies at {:.2f}, {:.2f} m, outside of that layer. Its POP holds there all "
+                        "the same.",
+                stage->label, state, point.place[0], point.place[1]));
+    }
     auto& lines = line_pops_.emplace_back();
     for (const StixStateLine& line : stage->state_lines) {
       LinePops& pops = lines.emplace_back();

@@ -74,6 +74,17 @@ void check_holes(const BodyCase& body, const std::string& path, Problems& warnin
     }
 }
 
+/// Whether a section of that case has the name, but not the material: its own name is unknown, as [materials.clay].
+bool is_in_unknown_section(const Node& root, const std::string& name, const Problems& problems)
+{
+  return std::ranges::any_of(root.items, [&](const Node& section) {
+    return section.kind == NodeKind::table && find_item(section, name) != nullptr &&
+           std::ranges::any_of(problems, [&](const Problem& problem) {
+             return problem.key == section.name && problem.what.starts_with("unknown key");
+           });
+  });
+}
+
 void check_bodies(const Node& root, const Case& values, Findings& findings)
 {
   Problems& problems = findings.problems;
@@ -100,6 +111,7 @@ void check_bodies(const Node& root, const Case& values, Findings& findings)
           "body.name"});
     const bool named = !name.empty() && values.bodies[k].points_file.empty();
     if (!named || names.empty() || std::ranges::find(names, name) != names.end()) continue;
+    if (is_in_unknown_section(root, name, problems)) continue;
     const std::string nearest = closest(name, names);
     const std::string hint = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
     problems.push_back({path + ".material", fmt::format("there is no material `{}`", name),

@@ -208,7 +208,7 @@ TEST(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
       "  Give two or more, and three for an order and an error, each half of the one before: --cells 1,0.5,0.25\n");
   EXPECT_EQ(refused({"--cells", "1,0.5,1"}), "error: --cells: the size 1 m is given twice\n  Give each size once.\n");
   EXPECT_THAT(refused({}), HasSubstr("`terp converge` needs --cells"));
-  EXPECT_THAT(refused({"--cells", "1,-1"}), HasSubstr("Value -1 not in range"));
+  EXPECT_THAT(refused({"--cells", "1,-1"}), HasSubstr("--cells: -1 is out of range; allowed are 1e-06 to 1e+06\n"));
   EXPECT_THAT(refused({"--cells", "1,0.5", "--variant", "shceme=mpm_mixed"}), HasSubstr("Did you mean `scheme`?"));
   EXPECT_EQ(refused({"--cells", "1,0.5", "--variant", " ;"}),
       "error: --variant: there is no change in it\n  As in --variant scheme=mpm_mixed\n");
@@ -223,10 +223,12 @@ TEST(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
     EXPECT_EQ(refused({"--cells", "1,0.5", option, value}),
         "error: --turn and --points name nothing but what the case has\n  As in --turn 10,22.5,45 --points 3,4,5\n");
   EXPECT_EQ(refused({"--cells", "1,0.5", "--turn", "10,10"}), "error: --turn 10 is given twice\n");
-  EXPECT_THAT(refused({"--cells", "1,0.5", "--turn", "91"}), HasSubstr("Value 91 not in range"));
+  EXPECT_THAT(refused({"--cells", "1,0.5", "--turn", "91"}), HasSubstr("--turn: 91 is out of range"));
+  EXPECT_THAT(refused({"--cells", "1,0.5", "--turn", "abc"}),
+      HasSubstr("--turn: `abc` is no number; allowed are -89.9 to 89.9\n"));
   EXPECT_THAT(refused({"--cells", "1.5,0.5", "--turn", "10", "--set", "mesh.size=[16.5, 3.0]"}),
       HasSubstr("error: cells of 1.5 m, turned by 10 degrees: no square of 3 m, two by two cells, fits"));
-  EXPECT_THAT(refused({"--cells", "1,0.5", "--points", "0"}), HasSubstr("Value 0 not in range"));
+  EXPECT_THAT(refused({"--cells", "1,0.5", "--points", "0"}), HasSubstr("--points: 0 is out of range; allowed are 1 to 16\n"));
   EXPECT_THAT(refused({"--cells", "1,0.4"}), HasSubstr("cells of 0.4 m: the mesh is not a whole number of such cells"));
 }
 

@@ -106,13 +106,21 @@ TEST(CommandLine, NamesWhatIsMissingAndTheNearestOption)
       test::terp({"list", "all"}).err, StartsWith("error: `terp list` does not take a further argument, got `all`\n"));
 }
 
-TEST(CommandLine, WhatIsNotANumberIsNotInRange)
+TEST(CommandLine, SaysWhatIsNoNumberAndWhatIsOutOfRange)
 {
   for (const char* option : {"--from", "--to", "--tolerance", "--rest", "--failure", "--damping"}) {
     const Finished f = test::terp({"stability", "case.toml", option, "nan"});
     EXPECT_EQ(f.status, 2) << option;
-    EXPECT_THAT(f.err, StartsWith(std::string("error: ") + option + ": Value nan not in range "));
+    EXPECT_THAT(f.err, StartsWith(std::string("error: ") + option + ": nan is out of range; allowed are "));
   }
+  const auto refused = [](const char* option, const char* value) {
+    return test::terp({"stability", "case.toml", option, value}).err;
+  };
+  EXPECT_THAT(
+      refused("--damping", "much"), StartsWith("error: --damping: `much` is no number; allowed are 0 to 0.99\n"));
+  EXPECT_THAT(refused("--damping", "1"), StartsWith("error: --damping: 1 is out of range; allowed are 0 to 0.99\n"));
+  EXPECT_THAT(refused("--threads", "1.5"),
+      StartsWith("error: --threads: `1.5` is no whole number; allowed are 1 to 1024\n"));
 }
 
 TEST(CommandLine, PagesAreInEnglishOrDutch)

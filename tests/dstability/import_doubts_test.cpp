@@ -60,6 +60,29 @@ TEST(ImportDoubts, SayWhichStateIsBelowWhatTheSoilCarries)
                "effective stress there, 33.0 kPa: the soil counts as normally consolidated."));
 }
 
+TEST(ImportDoubts, SayWhichStateIsTooLargeOrOutsideOfItsLayer)
+{
+  const StixPreload huge{.kind = StixPreload::Kind::pop, .pop = {.value = 10e6}};
+  EXPECT_THAT(folder_of(project_of({with_state(huge)})).notes,
+      ElementsAre("Stage `daily`, state `SP` of the layer `clay (clay)`: its POP is 10000 kPa; soft soil has tens of "
+                  "kPa."));
+  StixStage outside = with_state(pop_10);
+  outside.state_points[0].place = {10.0, 1.0};
+  EXPECT_THAT(folder_of(project_of({outside})).notes,
+      ElementsAre("Stage `daily`, state `SP` of the layer `clay (clay)`: it lies at 10.00, 1.00 m, outside of that "
+                  "layer. Its POP holds there all the same."));
+  outside.state_points[0].place = {10.0, -7.0};
+  EXPECT_THAT(folder_of(project_of({outside})).notes, ElementsAre(HasSubstr("outside of that layer")))
+      << "in the sand";
+  outside.state_points[0].place = {25.0, -3.0};
+  EXPECT_THAT(folder_of(project_of({outside})).notes, ElementsAre(HasSubstr("outside of that layer")))
+      << "beyond the end";
+  for (const Vec<2> edge : {Vec<2>{10.0, 0.02}, {10.0, -6.0}, {-0.02, -3.0}, {20.0, -3.0}}) {
+    outside.state_points[0].place = edge;
+    EXPECT_THAT(folder_of(project_of({outside})).notes, IsEmpty()) << edge[0] << ", " << edge[1];
+  }
+}
+
 TEST(ImportDoubts, SayWhereALayerIsMissing)
 {
   StixStage stage = with_state(pop_10);

@@ -72,6 +72,19 @@ TEST(RiverLevel, LeavesStoredPlanesWithoutFactorsOfAnotherWater)
   EXPECT_EQ(moved_to(3.0, dike(1), 0).project.scenarios[0].calculations[0].stage, 1u);
 }
 
+TEST(RiverLevel, OfTheFileChangesNothing)
+{
+  for (const std::size_t stage : {0u, 1u}) {
+    const RiverLevel moved = moved_to(2.004, dike(2), stage);
+    EXPECT_EQ(moved.stage, stage);
+    EXPECT_EQ(moved.comment, "The river stands at 2.00 m in the file already: --river changes nothing.");
+    EXPECT_EQ(moved.project.scenarios[0].stages.size(), 2u);
+    EXPECT_EQ(moved.project.scenarios[0].stages[1].label, "high");
+    EXPECT_EQ(moved.project.scenarios[0].calculations[0].result->factor_of_safety, 1.25);
+  }
+  EXPECT_NE(moved_to(2.006, dike(2), 1).project.scenarios[0].stages[1].label, "high");
+}
+
 TEST(RiverLevel, IsSaidInTheCaseAndAsksWhetherItFloods)
 {
   static const auto kinds = read_soil_defaults("table", soil_defaults_table());
