@@ -206,12 +206,16 @@ void print_strength_beside(const Model& model, const State& state)
 }
 
 /// Numbers as they are handed to a law: by name, or by their place.
-std::string numbers_text(const std::vector<NamedNumber>& numbers)
+/// units: of each, or none; "-": none.
+std::string numbers_text(const std::vector<NamedNumber>& numbers, std::span<const StateInfo> units = {})
 {
   std::string text;
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-    text += fmt::format("{}{} = {:g}", k == 0 ? ": " : ", ",
-        numbers[k].name.empty() ? fmt::format("({})", k + 1) : numbers[k].name, numbers[k].value);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const std::string_view unit = k < units.size() ? units[k].unit : "-";
+    text += fmt::format("{}{} = {:g}{}{}", k == 0 ? ": " : ", ",
+        numbers[k].name.empty() ? fmt::format("({})", k + 1) : numbers[k].name, numbers[k].value,
+        unit == "-" ? "" : " ", unit == "-" ? "" : unit);
+  }
   return text;
 }
 
@@ -221,7 +225,7 @@ void print_given(const MaterialCase& material)
   fmt::print("  {} is given  {}{}\n", printable(material.name), count(std::ssize(library.parameters), "parameter"),
       printable(numbers_text(library.parameters)));
   fmt::print("  {} remembers {}{}\n", printable(material.name), count(std::ssize(library.state), "state variable"),
-      printable(numbers_text(library.state)));
+      printable(numbers_text(library.state, material.from_library->state)));
 }
 
 /// What laws from libraries are given and what they cost, which Terp cannot know.

@@ -1,7 +1,9 @@
-// How much of the soil has lost more than half of what softening can take from its strength, at each frame.
+// How much of the soil has lost more than half of what softening can take from its strength, at each frame; and the
+// lowest strength that a law of a library returned, which Terp does not hold above zero.
 
 #include "followers/followers.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/ledger_context.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/summary.hpp"
 #include "user_laws/user_law.hpp"
@@ -13,13 +15,14 @@ namespace terp {
 namespace {
 
 constexpr Real round_off = 1e-9;  // of a strength, relative [-]
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
 /// S_u in the middle between peak and least; 0 for soil that does not soften [Pa].
 Real half_softened(const SoilMaterial& material, const PointBlock<2>& block, Index lane)
 {
   constexpr Real all = std::numeric_limits<Real>::infinity();
   const Real peak = strength_at(material, block, lane, 0.0);
-  const LawRoles* const of_library = roles_of(*material.type);
+  const LawTerms* const of_library = terms_of(*material.type);
   const Real least = of_library != nullptr ? of_library->residual_strength : strength_at(material, block, lane, all);
   return peak - least > round_off * peak ? 0.5 * (peak + least) : 0.0;
 }
@@ -29,7 +32,7 @@ bool is_known(const Model& model, const State& state)
 {
   bool known = true;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
-    const LawRoles* const of_library = roles_of(*model.materials[block.material].type);
+    const LawTerms* const of_library = terms_of(*model.materials[block.material].type);
     known = known && (of_library == nullptr || !std::isnan(of_library->residual_strength));
   });
   return known;
@@ -51,9 +54,27 @@ Real softened_fraction(const Model& model, const State& state)
   return all > 0.0 ? soft / all : 0.0;
 }
 
+/// Of soil of libraries whose strength the case names [Pa]; NaN: there is none.
+Real lowest_of_libraries(const Model& model, const State& state)
+{
+  Real lowest = nan;
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    const SoilMaterial& material = model.materials[block.material];
+    if (!material.type->by_library || !has_strength(material)) return;
+    for (Index lane = 0; lane < block.n; ++lane) lowest = std::fmin(lowest, strength_of(material, block, lane));
+  });
+  return lowest;
+}
+
 class SoftenedSoil : public Follower {
   std::vector<Real> time_, fraction_;  ///< [s], [-]; by frame
+  Real lowest_ = nan;                  ///< lowest_of_libraries at the rows of the ledger so far
 
+  void start(const Model& model, const State& state) override { lowest_ = lowest_of_libraries(model, state); }
+  void row(const LedgerContext& context, std::span<Real>) override
+  {
+    lowest_ = std::fmin(lowest_, lowest_of_libraries(context.model, context.state));
+  }
   void frame(const Model& model, const State& state) override
   {
     if (!is_known(model, state)) return;
@@ -63,21 +84,28 @@ class SoftenedSoil : public Follower {
   void summarise(const Model&, const State&, Summary& summary) const override
   {
     for (std::size_t k = 0; k < time_.size(); ++k) summary.softened_fraction.emplace_back(time_[k], fraction_[k]);
+    summary.numbers["lowest_library_strength"] = lowest_;
   }
   void save(ArrayWriter& arrays) const override
   {
     arrays.refer("time", time_);
     arrays.refer("fraction", fraction_);
+    if (!std::isnan(lowest_)) arrays.copy("lowest", std::vector<Real>{lowest_});
   }
   void load(const Model&, const State&, const ArrayReader& arrays) override
   {
     time_ = arrays.reals("time");
     fraction_ = arrays.reals("fraction", time_.size());
+    lowest_ = arrays.has("lowest") ? arrays.reals("lowest", 1)[0] : nan;
   }
 };
 
 }  // namespace
 
-const FollowerType softened_soil_follower{.name = "softened_soil", .make = make_follower<SoftenedSoil>};
+const FollowerType softened_soil_follower{.name = "softened_soil",
+    .summary = {{"lowest_library_strength", "Pa", "lowest strength of soil of a library",
+        "smallest strength that a law of a library returned, at the rows of the ledger; `null`: there is no soil of a "
+        "library with the key `strength`"}},
+    .make = make_follower<SoftenedSoil>};
 
 }  // namespace terp

@@ -49,6 +49,20 @@ Json text_schema(const KeyInfo& key)
   return text;
 }
 
+/// Of a value with a form of its own, by the words that say it; where they say more than one kind, any.
+Json schema_of_form(const std::string& form, const KeyInfo& key)
+{
+  if (form.find("; or") != std::string::npos) return Json::object();
+  if (form.starts_with("text")) return text_schema(key);
+  if (form == "a number") return number_schema(key);
+  if (form == "an integer") return count_schema(key);
+  if (form.starts_with("a list") || form.starts_with("one or more")) return {{"type", "array"}};
+  if (form.starts_with("a table")) return {{"type", "object"}};
+  if (form.starts_with("numbers [")) return {{"type", {"array", "object"}}};
+  if (form.starts_with("the number of")) return {{"type", {"integer", "array", "object"}}};
+  return Json::object();
+}
+
 /// What a value may be, by the kind of its key.
 Json value_schema(const KeyInfo& key)
 {
@@ -78,7 +92,7 @@ Json value_schema(const KeyInfo& key)
       [&](const VelocityPair&) { return place; },
       [&](const NameList&) { return list_of(text_schema(key), 0); },
       [&](const NamedPlaces&) { return table_of(place); },
-      [](const OwnForm&) { return Json::object(); },
+      [&](const OwnForm& form) { return schema_of_form(form.type, key); },
   };
   return std::visit(schema, example_of(key));
 }

@@ -2,6 +2,7 @@
 
 #include "input/document.hpp"
 #include "input/key_text.hpp"
+#include "input/units.hpp"
 #include "schemes/scheme.hpp"
 #include "simulation/frame_fields.hpp"
 #include "user_laws/interface.hpp"
@@ -105,10 +106,14 @@ WordField interface_field(LawInterface& value)
 constexpr Real stress_units[] = {1.0, 1e3, 1e6};
 std::vector<std::string> stress_unit_words() { return {"Pa", "kPa", "MPa"}; }
 
+int word_of_stress_unit(Real value)
+{
+  return static_cast<int>(std::ranges::find(stress_units, value) - std::begin(stress_units));
+}
+
 WordField stress_unit_field(Real& value)
 {
-  return {[&value] { return static_cast<int>(std::ranges::find(stress_units, value) - std::begin(stress_units)); },
-      [&value](int word) { value = stress_units[word]; }};
+  return {[&value] { return word_of_stress_unit(value); }, [&value](int word) { value = stress_units[word]; }};
 }
 
 std::vector<KeyInfo> keys_of_law_itself()
@@ -156,46 +161,52 @@ std::vector<KeyInfo> keys_of_law_itself()
 
 /// A key of which only the law of the material knows, once it was loaded.
 template <class T>
-OwnForm role_field(const MaterialCase& material, const char* form, T LawRoles::*role)
+OwnForm term_field(const MaterialCase& material, const char* form, T LawTerms::*term)
 {
   const auto read = [](const Entry& entry, Findings& findings) {
     T value{};
     return store_value(entry, &value, findings);
   };
-  const auto text = [&material, role] {
-    const LawRoles* roles = material.from_library != nullptr ? roles_of(*material.from_library) : nullptr;
-    return roles != nullptr ? fmt::format("{}", roles->*role) : std::string();
+  const auto text = [&material, term] {
+    const LawTerms* terms = material.from_library != nullptr ? terms_of(*material.from_library) : nullptr;
+    return terms != nullptr && terms->*term != LawTerms{}.*term ? fmt::format("{}", terms->*term) : std::string();
   };
   return {form, read, text};
 }
 
 constexpr std::string_view plastic_strain = "material.NAME.plastic_strain", strength = "material.NAME.strength",
-                           residual_strength = "material.NAME.residual_strength";
+                           residual_strength = "material.NAME.residual_strength",
+                           components = "material.NAME.components";
 
-std::vector<KeyInfo> keys_of_roles()
+std::vector<KeyInfo> keys_of_terms()
 {
   return {
       {.path = std::string(plastic_strain),
-          .field = [](Case& c, std::size_t i) { return role_field(c.materials[i], "text", &LawRoles::plastic_strain); },
+          .field = [](Case& c, std::size_t i) { return term_field(c.materials[i], "text", &LawTerms::plastic_strain); },
           .meaning = "name of the state variable that is the equivalent plastic strain: max_eps_eq_p, the audit of the "
                      "history, where the soil shears",
           .default_text = "eps_eq_p, if the law has a state variable of this name"},
       {.path = std::string(strength),
-          .field = [](Case& c, std::size_t i) { return role_field(c.materials[i], "text", &LawRoles::strength); },
+          .field = [](Case& c, std::size_t i) { return term_field(c.materials[i], "text", &LawTerms::strength); },
           .meaning = "name of the state variable that is the strength that is left, in the unit of `stress_unit`: the "
                      "field su, the audit of the history, named points. Its value at t = 0 is that of soil that has "
                      "not softened",
           .default_text = "not known"},
       {.path = std::string(residual_strength),
-          .field =
-              [](Case& c, std::size_t i) {
-                return role_field(c.materials[i], "a number, at least 0", &LawRoles::residual_strength);
-              },
+          .field = [](Case& c,
+                       std::size_t i) { return term_field(c.materials[i], "a number", &LawTerms::residual_strength); },
           .unit = "Pa",
           .range = not_negative,
           .meaning = "what softening leaves of `strength`, for the share of the soil that has softened. The law is not "
                      "given it",
           .default_text = "not known: no share is reported"},
+      {.path = std::string(components),
+          .field = [](Case& c,
+                       std::size_t i) { return term_field(c.materials[i], "an integer", &LawTerms::n_components); },
+          .range = between(4.0, 6.0),
+          .meaning = "of stress and strain that a UMAT or ESM is given, NTENS: 4, or 6 for a law of three dimensions "
+                     "alone, whose 13 and 23 are then zero",
+          .default_text = "4"},
   };
 }
 
@@ -205,28 +216,30 @@ T given(const Node& root, const std::string& material, std::string_view path, T 
 {
   const Node* node = find_node(root, join_path(material, last_part(std::string(path))));
   if (node == nullptr) return value;
-  const std::vector<KeyInfo> keys = keys_of_roles();
+  const std::vector<KeyInfo> keys = keys_of_terms();
   Findings known;  // since the key was read
   store_value({*node, material, *std::ranges::find(keys, path, &KeyInfo::path)}, &value, known);
   return value;
 }
 
-LawRoles given_roles(const Node& root, const std::string& material)
+LawTerms given_terms(const Node& root, const std::string& material)
 {
-  const LawRoles none;
+  const LawTerms none;
   return {.plastic_strain = given(root, material, plastic_strain, none.plastic_strain),
       .strength = given(root, material, strength, none.strength),
-      .residual_strength = given(root, material, residual_strength, none.residual_strength)};
+      .residual_strength = given(root, material, residual_strength, none.residual_strength),
+      .n_components = given(root, material, components, none.n_components)};
 }
 
-bool same_roles(const MaterialCase& a, const MaterialCase& b)
+bool same_terms(const MaterialCase& a, const MaterialCase& b)
 {
-  const LawRoles *x = a.from_library != nullptr ? roles_of(*a.from_library) : nullptr,
-                 *y = b.from_library != nullptr ? roles_of(*b.from_library) : nullptr;
+  const LawTerms *x = a.from_library != nullptr ? terms_of(*a.from_library) : nullptr,
+                 *y = b.from_library != nullptr ? terms_of(*b.from_library) : nullptr;
   if (x == nullptr || y == nullptr) return true;
   const bool same_residual = x->residual_strength == y->residual_strength ||
                              (std::isnan(x->residual_strength) && std::isnan(y->residual_strength));
-  return x->plastic_strain == y->plastic_strain && x->strength == y->strength && same_residual;
+  return x->plastic_strain == y->plastic_strain && x->strength == y->strength && same_residual &&
+         x->n_components == y->n_components;
 }
 
 std::vector<KeyInfo> keys_of_surroundings()
@@ -285,6 +298,36 @@ void check_names_of_state(const MaterialCase& material, std::vector<Problem>& pr
   }
 }
 
+/// The number of a strength is taken in the unit of the stresses.
+void check_unit_of_strength(const MaterialCase& material, std::vector<Problem>& problems)
+{
+  const auto& state = material.from_library->state;
+  const std::string& name = terms_of(*material.from_library)->strength;
+  const auto found = std::ranges::find(state, name, &StateInfo::name);
+  if (name.empty() || found->unit == "-") return;
+  const std::optional<NumberWithUnit> one = parse_quantity(fmt::format("1 {}", found->unit));
+  const Real stress_unit = material.library.stress_unit;
+  const bool is_stress = one && one->unit != nullptr && one->unit->of_key == "Pa";
+  if (is_stress && one->value() == stress_unit) return;
+  const std::string word = stress_unit_words()[static_cast<std::size_t>(word_of_stress_unit(stress_unit))];
+  problems.push_back({join_path(material_path(material), "strength"),
+      fmt::format("the strength `{}` is in {}, the stresses of the library in {}", name, found->unit, word),
+      is_stress ? "A law has both in one unit. Correct `stress_unit`, or the unit of the state variable."
+                : "Allowed: a state variable in the unit of `stress_unit`.",
+      "library", false, {join_path(material_path(material), "stress_unit")}});
+}
+
+void check_components(const Node& root, const std::string& path, LawInterface interface, std::vector<Problem>& problems)
+{
+  const Index n = given_terms(root, path).n_components;
+  if (n != 4 && n != 6)
+    problems.push_back({join_path(path, "components"), fmt::format("a law cannot have {} components", n),
+        "Allowed: 4 of plane strain, or 6.", "library"});
+  else if (n == 6 && interface == LawInterface::native)
+    problems.push_back(
+        {join_path(path, "components"), "a native library has 4 components", "Remove `components`.", "library", true});
+}
+
 void load_library(const Node& root, const Case& values, MaterialCase& material, std::vector<Problem>& problems)
 {
   const std::string path = material_path(material);
@@ -298,10 +341,12 @@ void load_library(const Node& root, const Case& values, MaterialCase& material, 
   if (material.library.interface != LawInterface::esm && !std::isnan(material.library.porosity))
     problems.push_back({join_path(path, "porosity"), "only an ESM is told a porosity",
         "Remove `porosity`, or give it as one of the `parameters`.", "library", true});
+  check_components(root, path, material.library.interface, problems);
   try {
     material.from_library = load_user_law(
-        material.name, values.folder, material.parameters, material.library, given_roles(root, path), takes_turns);
+        material.name, values.folder, material.parameters, material.library, given_terms(root, path), takes_turns);
     check_names_of_state(material, problems);
+    check_unit_of_strength(material, problems);
   } catch (const InputError& error) {
     for (Problem problem : error.problems()) {
       problem.key = join_path(path, problem.key);
@@ -325,7 +370,7 @@ bool sets_state_in_first_call(const Case& values, const std::string& name)
 std::vector<KeyInfo> library_keys()
 {
   std::vector<KeyInfo> keys = keys_of_law_itself();
-  std::ranges::move(keys_of_roles(), std::back_inserter(keys));
+  std::ranges::move(keys_of_terms(), std::back_inserter(keys));
   std::ranges::move(keys_of_surroundings(), std::back_inserter(keys));
   return keys;
 }
@@ -355,7 +400,7 @@ void check_libraries_of_stage(const Case& before, const Case& now, std::vector<P
     const bool same_porosity = a.porosity == b.porosity || (std::isnan(a.porosity) && std::isnan(b.porosity));
     if (a.file == b.file && a.interface == b.interface && a.symbol == b.symbol && a.kinematics == b.kinematics &&
         a.stress_unit == b.stress_unit && a.thread_safe == b.thread_safe && same_porosity &&
-        same_roles(before.materials[m], now.materials[m]) && std::ranges::equal(a.state, b.state, same))
+        same_terms(before.materials[m], now.materials[m]) && std::ranges::equal(a.state, b.state, same))
       continue;
     problems.push_back({join_path("material", now.materials[m].name), "a stage cannot change where a law comes from",
         "Its `parameters` and moduli may change; all else that the law is given is that of the whole run.", "stage.set",

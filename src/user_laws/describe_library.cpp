@@ -198,27 +198,27 @@ std::vector<std::string> take_units(LibraryCase& library)
   return units;
 }
 
-void check_roles(const LibraryCase& library, const LawRoles& roles)
+void check_terms(const LibraryCase& library, const LawTerms& terms)
 {
   Variables known;
   for (const NamedNumber& number : library.state) known.push_back({number.name, "", "", number.value});
-  if (!roles.plastic_strain.empty()) number_of("plastic_strain", "state variable", known, roles.plastic_strain);
-  if (roles.strength.empty() && !std::isnan(roles.residual_strength))
+  if (!terms.plastic_strain.empty()) number_of("plastic_strain", "state variable", known, terms.plastic_strain);
+  if (terms.strength.empty() && !std::isnan(terms.residual_strength))
     refuse("residual_strength", "nothing says which state variable is the strength",
         "Give its name as `strength`, or remove `residual_strength`.");
-  if (roles.strength.empty()) return;
-  const Real initial = known[number_of("strength", "state variable", known, roles.strength)].initial;
-  if (roles.strength == (roles.plastic_strain.empty() ? std::string(plastic_strain_name) : roles.plastic_strain))
-    refuse("strength", fmt::format("`{}` cannot be the strength and the plastic strain", roles.strength),
+  if (terms.strength.empty()) return;
+  const Real initial = known[number_of("strength", "state variable", known, terms.strength)].initial;
+  if (terms.strength == (terms.plastic_strain.empty() ? std::string(plastic_strain_name) : terms.plastic_strain))
+    refuse("strength", fmt::format("`{}` cannot be the strength and the plastic strain", terms.strength),
         "Give the name of another state variable, or remove one of the two keys.");
   if (!(initial > 0.0))
-    refuse("strength", fmt::format("the strength `{}` is {:g} at t = 0", roles.strength, initial),
+    refuse("strength", fmt::format("the strength `{}` is {:g} at t = 0", terms.strength, initial),
         fmt::format("Give the strength of soil that has not softened as its value at t = 0: state = {{ {} = VALUE }}.",
-            roles.strength));
-  if (roles.residual_strength > initial * library.stress_unit)
+            terms.strength));
+  if (terms.residual_strength > initial * library.stress_unit)
     refuse("residual_strength", "the residual strength is above that at t = 0",
-        fmt::format("Got {:g} Pa; `{}` begins at {:g} Pa. Allowed: at most that.", roles.residual_strength,
-            roles.strength, initial * library.stress_unit));
+        fmt::format("Got {:g} Pa; `{}` begins at {:g} Pa. Allowed: at most that.", terms.residual_strength,
+            terms.strength, initial * library.stress_unit));
 }
 
 }  // namespace terp

@@ -22,7 +22,7 @@ FoundLibrary find_library(const std::string& folder, const LibraryCase& library)
 std::vector<std::string> take_units(LibraryCase& library);
 
 /// Refuses roles that state variables of these names and values at t = 0 cannot have. Throws InputError.
-void check_roles(const LibraryCase& library, const LawRoles& roles);
+void check_terms(const LibraryCase& library, const LawTerms& terms);
 
 /// Completes `library` with what the library says of its parameters and state: an order, names, initial values.
 /// Returns nothing where it cannot say anything. Throws InputError.

@@ -1,6 +1,6 @@
 // ESM, the external soil model of Anura3D, in plane strain: NTENS 4, components 11 22 33 12, engineering shear, tension
-// positive; with room for six, as in umat.cpp. One call for each point. It has no way to ask for a smaller step, and is
-// not told of rotations.
+// positive; or NTENS 6, and room for six in any case, as in umat.cpp. One call for each point. It has no way to ask for
+// a smaller step, and is not told of rotations.
 //
 // Laws set their state variables when IStep and TimeStep are 1, which Anura3D has in its very first step. Here a point
 // has it in the first call for its soil, which a row of its own remembers.
@@ -23,8 +23,11 @@ constexpr Real not_known = std::numeric_limits<Real>::quiet_NaN();
 
 class EsmCalls final : public LawCalls {
  public:
-  EsmCalls(void* symbol, const LibraryCase& library, const std::string& material)
-      : esm_(reinterpret_cast<Esm>(symbol)), n_state_(library.state.size()), porosity_(library.porosity)
+  EsmCalls(void* symbol, const LibraryCase& library, const std::string& material, int n_components)
+      : esm_(reinterpret_cast<Esm>(symbol)),
+        n_components_(n_components),
+        n_state_(library.state.size()),
+        porosity_(library.porosity)
   {
     for (const NamedNumber& number : library.parameters) parameters_.push_back(number.value);
     name_.fill(' ');
@@ -57,18 +60,20 @@ class EsmCalls final : public LawCalls {
     double additional[n_additional] = {
         porosity_, not_known, not_known, 0.0, 0.0, 1.0, points.time, points.time, points.dt, 1.0, step, not_known};
     int npt = int(points.id[p]) + 1, noel = points.cell[p] + 1, idset = 1, nstatev = int(n_state_);
-    int naddvar = n_additional, nprops = int(parameters_.size()), phases = 1, ntens = n_tens;
+    int naddvar = n_additional, nprops = int(parameters_.size()), phases = 1, ntens = n_components_;
     char name[name_length];
     std::copy_n(name_.data(), name_length, name);
     esm_(&npt, &noel, &idset, stress, &unloading, &multiplier, dstran, &nstatev, state, &naddvar, additional, name,
         &nprops, props, &phases, &ntens, name_length);
     arrays.check(points);
+    if (!is_plane({stress, std::size_t(n_components_)}, points)) return;
     for (int k = 0; k < n_tens; ++k) points.sigma[k][p] = stress[k];
     for (std::size_t k = 0; k < n_state_; ++k) points.state[k][p] = state[k];
     was_called = 1.0;
   }
 
   Esm esm_;
+  int n_components_;
   std::size_t n_state_;
   Real porosity_;
   std::vector<Real> parameters_;
@@ -77,9 +82,10 @@ class EsmCalls final : public LawCalls {
 
 }  // namespace
 
-std::unique_ptr<LawCalls> make_esm(void* symbol, const LibraryCase& library, const std::string& material)
+std::unique_ptr<LawCalls> make_esm(
+    void* symbol, const LibraryCase& library, const std::string& material, int n_components)
 {
-  return std::make_unique<EsmCalls>(symbol, library, material);
+  return std::make_unique<EsmCalls>(symbol, library, material, n_components);
 }
 
 }  // namespace terp

@@ -1,4 +1,4 @@
-// The arrays that a law in Fortran is given, with numbers between them that it must leave alone: a law that takes an
+// What a law in Fortran gave back. Its arrays have numbers between them that it must leave alone: a law that takes an
 // array for longer than it was told is noticed where it writes, and gets no number where it reads.
 // Not for: other memory (parallel/guarded_call.hpp).
 #pragma once
@@ -54,5 +54,22 @@ class FencedArrays {
   double* first_;
   std::size_t n_state_, n_parameters_;
 };
+
+/// False, and says so in `points`, where the law returned shear stress out of the plane, beyond round-off: 13 or 23 of
+/// six components. It would be lost.
+inline bool is_plane(std::span<const double> stress, LawPoints& points)
+{
+  constexpr double round_off = 1e-9;  // of the largest component, and in the unit of the library
+  double largest = 1.0;
+  for (const double component : stress.first(4)) largest = std::max(largest, std::abs(component));
+  for (const double component : stress.subspan(4)) {
+    if (std::abs(component) <= round_off * largest || points.failed) continue;
+    points.failed = true;
+    std::snprintf(points.why.data(), points.why.size(),
+        "the law returned a shear stress out of the plane, 13 or 23, of %g: plane strain has no place for it",
+        component);
+  }
+  return !points.failed;
+}
 
 }  // namespace terp

@@ -82,7 +82,9 @@ struct InterfaceInfo {
   std::string_view meaning;
   /// What the library says of itself; none: it cannot say anything. Throws InputError with a problem without key.
   std::optional<LawVariables> (*describe)(void* symbol);
-  std::unique_ptr<LawCalls> (*make)(void* symbol, const LibraryCase& library, const std::string& material);
+  /// n_components: of stress and strain, 4 or 6; a native library has 4.
+  std::unique_ptr<LawCalls> (*make)(
+      void* symbol, const LibraryCase& library, const std::string& material, int n_components);
 };
 
 /// In the order of LawInterface.

@@ -198,7 +198,7 @@ std::optional<LawVariables> describe_native(void* symbol)
   return said;
 }
 
-std::unique_ptr<LawCalls> make_native(void* symbol, const LibraryCase& library, const std::string&)
+std::unique_ptr<LawCalls> make_native(void* symbol, const LibraryCase& library, const std::string&, int)
 {
   return std::make_unique<NativeCalls>(description_of(symbol), library);
 }

@@ -1,6 +1,7 @@
 // UMAT of Abaqus/Standard in plane strain: NTENS 4, NDI 3, NSHR 1, components 11 22 33 12, engineering shear, tension
-// positive. Its arrays have room for six components, 13 and 23 zero: many laws count to six, whatever NTENS is. One
-// call for each point. Where the law answers with PNEWDT < 1 the increment is taken in parts.
+// positive. A law of three dimensions alone has NTENS 6, NSHR 3: 13 and 23 follow, and are zero. The arrays have room
+// for six in any case: many laws count to six, whatever NTENS is. One call for each point. Where the law answers with
+// PNEWDT < 1 the increment is taken in parts.
 //
 // DROT is what Terp turned the stress by before the call: with method.objective_rate = "none" the unit tensor. DFGRD0
 // and STRAN are kept for laws that ask for them, and are not a number for others. DDSDDE is not used.
@@ -54,8 +55,9 @@ Tensor moved(const PointOfUmat& point, Real part)
 
 class UmatCalls final : public LawCalls {
  public:
-  UmatCalls(void* symbol, const LibraryCase& library, const std::string& material)
+  UmatCalls(void* symbol, const LibraryCase& library, const std::string& material, int n_components)
       : umat_(reinterpret_cast<Umat>(symbol)),
+        n_components_(n_components),
         n_state_(library.state.size()),
         keeps_strain_(keeps(library, "strain")),
         keeps_gradient_(keeps(library, "deformation_gradient"))
@@ -141,6 +143,7 @@ class UmatCalls final : public LawCalls {
       const Real answer = call(points, arrays, point, done, part, stress);
       if (points.failed) return;
       if (answer >= 1.0) {
+        if (!is_plane({stress, std::size_t(n_components_)}, points)) return;
         if (point.knows_gradient) point.gradient = moved(point, part);
         for (int k = 0; k < n_tens; ++k) point.strain[k] += part * point.d_strain[k];
         done = is_last ? 1.0 : done + part;
@@ -183,7 +186,7 @@ class UmatCalls final : public LawCalls {
     Tensor turn = done == 0.0 ? point.turn : unit, dfgrd0 = point.gradient, dfgrd1 = point.gradient;
     if (point.knows_gradient) dfgrd1 = moved(point, part);
     for (int k = 0; k < n_tens; ++k) stran[k] = point.strain[k], dstran[k] = part * point.d_strain[k];
-    int ndi = 3, nshr = 1, ntens = n_tens, nstatv = int(n_state_), nprops = int(parameters_.size());
+    int ndi = 3, ntens = n_components_, nshr = ntens - ndi, nstatv = int(n_state_), nprops = int(parameters_.size());
     int noel = points.cell[p] + 1, npt = int(points.id[p]) + 1, layer = 1, kspt = 1, jstep[4] = {1, 0, 0, 0};
     int kinc = int(points.step) + 1;
     char name[name_length];
@@ -202,6 +205,7 @@ class UmatCalls final : public LawCalls {
   }
 
   Umat umat_;
+  int n_components_;
   std::size_t n_state_;
   bool keeps_strain_, keeps_gradient_;
   std::vector<Real> parameters_;
@@ -210,9 +214,10 @@ class UmatCalls final : public LawCalls {
 
 }  // namespace
 
-std::unique_ptr<LawCalls> make_umat(void* symbol, const LibraryCase& library, const std::string& material)
+std::unique_ptr<LawCalls> make_umat(
+    void* symbol, const LibraryCase& library, const std::string& material, int n_components)
 {
-  return std::make_unique<UmatCalls>(symbol, library, material);
+  return std::make_unique<UmatCalls>(symbol, library, material, n_components);
 }
 
 }  // namespace terp

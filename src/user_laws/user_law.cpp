@@ -14,7 +14,7 @@ namespace {
 struct UserLaw final : MaterialType, std::enable_shared_from_this<UserLaw> {
   std::vector<StateInfo> own_state;
   std::vector<DerivedInfo> own_derived;
-  LawRoles roles;
+  LawTerms terms;
   std::vector<std::unique_ptr<std::string>> texts;
   LibraryInUse in_use;
 
@@ -33,22 +33,22 @@ struct SaidOfState {
   std::vector<std::string> units;
 };
 
-std::string unit_of(const LibraryCase& library, const SaidOfState& said, const LawRoles& roles, std::size_t k)
+std::string unit_of(const LibraryCase& library, const SaidOfState& said, const LawTerms& terms, std::size_t k)
 {
   const std::string& unit = said.library ? said.library->state[k].unit : said.units[k];
   if (!unit.empty()) return unit;
-  return std::string(library.state[k].name == roles.strength ? word_of(library.stress_unit) : "-");
+  return std::string(library.state[k].name == terms.strength ? word_of(library.stress_unit) : "-");
 }
 
 void add_state(const LibraryCase& library, const SaidOfState& said, UserLaw& law)
 {
   const std::string_view strain =
-      law.roles.plastic_strain.empty() ? plastic_strain_name : std::string_view(law.roles.plastic_strain);
+      law.terms.plastic_strain.empty() ? plastic_strain_name : std::string_view(law.terms.plastic_strain);
   for (std::size_t k = 0; k < library.state.size(); ++k) {
     const NamedNumber& number = library.state[k];
     const std::string meaning = said.library ? said.library->state[k].meaning : "";
     law.own_state.push_back({.name = law.keep(number.name),
-        .unit = law.keep(unit_of(library, said, law.roles, k)),
+        .unit = law.keep(unit_of(library, said, law.terms, k)),
         .averaging = Averaging::cell,
         .meaning = law.keep(meaning.empty() ? fmt::format("state variable {} of the library", k + 1) : meaning),
         .role = number.name == strain ? Role::plastic_strain : Role::none,
@@ -75,18 +75,18 @@ void add_state(const LibraryCase& library, const SaidOfState& said, UserLaw& law
 /// The field `su` of Terp's own laws.
 void add_strength(UserLaw& law)
 {
-  if (law.roles.strength.empty()) return;
+  if (law.terms.strength.empty()) return;
   law.own_derived.push_back({.name = "su",
       .unit = "Pa",
-      .meaning = law.keep(fmt::format("current strength, the state variable {} of the library", law.roles.strength)),
+      .meaning = law.keep(fmt::format("current strength, the state variable {} of the library", law.terms.strength)),
       .role = Role::strength});
 }
 
 /// Number of the state variable that is the strength, of a law that has one.
-std::size_t strength_row(const LibraryCase& library, const LawRoles& roles)
+std::size_t strength_row(const LibraryCase& library, const LawTerms& terms)
 {
   return static_cast<std::size_t>(
-      std::ranges::find(library.state, roles.strength, &NamedNumber::name) - library.state.begin());
+      std::ranges::find(library.state, terms.strength, &NamedNumber::name) - library.state.begin());
 }
 
 std::unique_ptr<Material> make_library_law(const MaterialType& type, std::span<const Real> values, std::span<const int>)
@@ -98,17 +98,17 @@ std::unique_ptr<Material> make_library_law(const MaterialType& type, std::span<c
 }  // namespace
 
 std::shared_ptr<const MaterialType> load_user_law(const std::string& material, const std::string& folder,
-    std::span<const Real> moduli, LibraryCase& library, const LawRoles& roles, bool takes_turns)
+    std::span<const Real> moduli, LibraryCase& library, const LawTerms& terms, bool takes_turns)
 {
   const FoundLibrary found = find_library(folder, library);
   const std::vector<std::string> units = take_units(library);
   const std::optional<LawVariables> said = describe_library(found, library);
-  check_roles(library, roles);
+  check_terms(library, terms);
   if (takes_turns) library.thread_safe = false;
   const auto law = std::make_shared<UserLaw>();
   static_cast<MaterialType&>(*law) = *find_material("library");
   law->maker = &make_library_law;
-  law->roles = roles;
+  law->terms = terms;
   add_state(library, {said, units}, *law);
   add_strength(*law);
   law->state = law->own_state;
@@ -116,18 +116,18 @@ std::shared_ptr<const MaterialType> load_user_law(const std::string& material, c
   law->in_use = {.material = material,
       .title = fmt::format("{} ({}, {})", library.file, info_of(library.interface).name, found.symbol),
       .library = found.library,
-      .calls = info_of(library.interface).make(found.function, library, material),
+      .calls = info_of(library.interface).make(found.function, library, material, static_cast<int>(terms.n_components)),
       .turns = library.thread_safe ? nullptr : turns_of(found.path),
       .n_state = law->own_state.size(),
-      .strength_row = strength_row(library, roles),
+      .strength_row = strength_row(library, terms),
       .stress_unit = library.stress_unit,
       .shear_modulus = moduli[0]};
   return law;
 }
 
-const LawRoles* roles_of(const MaterialType& type)
+const LawTerms* terms_of(const MaterialType& type)
 {
-  return type.maker == &make_library_law ? &static_cast<const UserLaw&>(type).roles : nullptr;
+  return type.maker == &make_library_law ? &static_cast<const UserLaw&>(type).terms : nullptr;
 }
 
 }  // namespace terp

@@ -13,11 +13,13 @@ namespace terp {
 
 inline constexpr std::string_view plastic_strain_name = "eps_eq_p";  ///< as in Terp's own laws
 
-/// What the state variables of a library are to the rest of Terp: the case says it, since the library cannot.
-struct LawRoles {
+/// What the case says of a library that the library cannot say: what its state variables are to the rest of Terp, and
+/// how long the arrays are that it is given.
+struct LawTerms {
   std::string plastic_strain = {};  ///< name of the state variable; empty: eps_eq_p, if the law has that
   std::string strength = {};        ///< name of the state variable; empty: not known
   Real residual_strength = std::numeric_limits<Real>::quiet_NaN();  ///< that softening leaves [Pa]; NaN: not known
+  Index n_components = 4;  ///< of stress and strain, NTENS: 4 of plane strain, or 6
 };
 
 /// Opens the library of a material and asks it what it knows. folder: of the case file. moduli: shear modulus [Pa] and
@@ -25,9 +27,9 @@ struct LawRoles {
 /// problems have the last part of the key alone: "library", "symbol", "parameters", "state". takes_turns: threads do,
 /// whatever the library says of itself.
 std::shared_ptr<const MaterialType> load_user_law(const std::string& material, const std::string& folder,
-    std::span<const Real> moduli, LibraryCase& library, const LawRoles& roles = {}, bool takes_turns = false);
+    std::span<const Real> moduli, LibraryCase& library, const LawTerms& terms = {}, bool takes_turns = false);
 
 /// Of a law that load_user_law returned; nullptr: of a law of Terp.
-const LawRoles* roles_of(const MaterialType& type);
+const LawTerms* terms_of(const MaterialType& type);
 
 }  // namespace terp

@@ -43,6 +43,36 @@ TEST_F(UserLawProgram, SaysWhatTheLawIsGiven)
   EXPECT_THAT(check.out,
       HasSubstr("  clay is given  6 parameters: (1) = 2e+06, (2) = 0.3, (3) = 0, (4) = 0.5, (5) = -1, (6) = 0\n"));
   EXPECT_THAT(check.out, HasSubstr("  clay remembers 1 state variable: calls = 3\n"));
+  const Finished units =
+      test::terp({"check", case_with(0, 0.5), "--set", "material.clay.state={\"calls [1/m]\" = 3.0}"});
+  EXPECT_THAT(units.out, HasSubstr("  clay remembers 1 state variable: calls = 3 1/m\n")) << units.err;
+}
+
+TEST_F(UserLawProgram, RefusesAStrengthThatIsNotInTheUnitOfTheStresses)
+{
+  const auto said = [&](const std::string& state, const std::string& stress_unit) {
+    return test::terp({"check", case_with(0, 0.0), "-q", "--set", "material.clay.state={" + state + " = 8.0}", "--set",
+        "material.clay.strength=\"cu\"", "--set", "material.clay.stress_unit=\"" + stress_unit + "\""});
+  };
+  const Finished pascal = said("\"cu [kPa]\"", "Pa"), angle = said("\"cu [deg]\"", "Pa");
+  EXPECT_EQ(pascal.status, 2);
+  EXPECT_THAT(pascal.err, HasSubstr("the strength `cu` is in kPa, the stresses of the library in Pa"));
+  EXPECT_THAT(pascal.err, HasSubstr("Correct `stress_unit`, or the unit of the state variable."));
+  EXPECT_THAT(angle.err, HasSubstr("the strength `cu` is in deg, the stresses of the library in Pa"));
+  EXPECT_THAT(angle.err, HasSubstr("Allowed: a state variable in the unit of `stress_unit`."));
+  for (const char* good : {"\"cu [Pa]\"", "\"cu [N/m^2]\"", "cu"}) EXPECT_EQ(said(good, "Pa").status, 0) << good;
+}
+
+TEST_F(UserLawProgram, WarnsOfAStrengthBelowZero)
+{
+  const auto err = [&](int kind, const char* folder) {
+    return test::terp(
+        {"run", case_with(kind, 0.1), "-q", "-o", path(folder), "--set", "material.clay.strength=\"calls\""})
+        .err;
+  };
+  EXPECT_THAT(err(23, "run"), HasSubstr(": a law of a library returned a strength of -0.5 Pa, below zero; see "
+                                        "docs/user_laws.md#the-keys\n"));
+  EXPECT_THAT(err(0, "other"), Not(HasSubstr("below zero")));
 }
 
 TEST_F(UserLawProgram, NamesTheInterfaceThatTheLibraryHas)

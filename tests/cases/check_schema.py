@@ -19,6 +19,16 @@ MISTAKES = {  # what an editor should mark: KEY of a good case, and the value th
     ("forces", "damping", "local"): 1.5,
     ("method", "shares"): "overlapping",
     ("output", "fields", "names"): ["stresses"],
+    ("material", "clay", "plastic_strain"): 3,
+    ("material", "clay", "strength"): ["cu"],
+    ("material", "clay", "residual_strength"): -1.0,
+    ("material", "clay", "components"): 7,
+    ("material", "clay", "parameters"): 3.0,
+    ("material", "clay", "state"): "cu",
+    ("material", "clay", "color"): 3,
+    ("stage",): [{"set": "time.end=3"}],
+    ("water", "phreatic_line"): 2.0,
+    ("water", "head_lines"): [[0.0, 1.0]],
 }
 
 

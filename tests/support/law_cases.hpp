@@ -33,17 +33,18 @@ enum Kind {
   has_size,
   crashes_in_c,
   tensorial_shear,
-  counts_to_six
+  counts_to_six,
+  no_strength
 };
 
 inline constexpr Real shear = 3.0e6, poisson = 0.3;
 
-inline MaterialCase of_library(LibraryCase library)
+inline MaterialCase of_library(LibraryCase library, const LawTerms& terms = {})
 {
   MaterialCase material = elastic(shear, poisson, 1900.0);
   material.model = "library";
   material.library = std::move(library);
-  material.from_library = load_user_law("soft clay", law_folder(), material.parameters, material.library);
+  material.from_library = load_user_law("soft clay", law_folder(), material.parameters, material.library, terms);
   return material;
 }
 

@@ -134,6 +134,61 @@ TEST(Umat, ThatCountsToSixIsElasticToo)
   }
 }
 
+/// six_components.f90 in soil that falls. only: NTENS that the law takes, 0: any. oblique: its stress 13 over that of
+/// the strain 12.
+MaterialCase of_components(LawInterface interface, Index n_components, Real only, Real oblique = 0.0)
+{
+  LibraryCase library{.file = "six_components.so", .interface = interface, .state = {{"eps_eq_p", 0.0}, {"k", 4e3}}};
+  for (const Real value : {shear, poisson, 4e3, 1e5, only, oblique}) library.parameters.push_back({"", value});
+  return of_library(library, {.n_components = n_components});
+}
+
+/// Stress of all points after 200 steps; stops if no point has yielded.
+std::vector<Real> stresses_of(LawInterface interface, Index n_components)
+{
+  Simulation s(moving_box("mpm_gp", of_components(interface, n_components, 0.0)), 1);
+  s.step(200);
+  std::vector<Real> all;
+  Real strain = 0.0;
+  for (const Point& p : points_by_id(s.state)) {
+    all.insert(all.end(), p.sigma.begin(), p.sigma.end());
+    strain = std::max(strain, p.values[0]);
+  }
+  EXPECT_GT(strain, 1e-3);
+  return all;
+}
+
+TEST(SixComponents, GiveTheResultsOfFour)
+{
+  if (!is_built("six_components.so")) GTEST_SKIP() << "there is no gfortran";
+  for (const LawInterface interface : {LawInterface::umat, LawInterface::esm}) {
+    const std::vector<Real> six = stresses_of(interface, 6), four = stresses_of(interface, 4);
+    const Real scale = std::abs(*std::ranges::max_element(four, {}, [](Real s) { return std::abs(s); }));
+    ASSERT_EQ(six.size(), four.size());
+    for (std::size_t k = 0; k < six.size(); ++k) ASSERT_NEAR(six[k], four[k], 1e-12 * scale) << k;
+  }
+}
+
+TEST(SixComponents, AreGivenToALawThatTakesNoOther)
+{
+  if (!is_built("six_components.so")) GTEST_SKIP() << "there is no gfortran";
+  for (const LawInterface interface : {LawInterface::umat, LawInterface::esm}) {
+    EXPECT_EQ(fault_of("mpm_gp", of_components(interface, 6, 6.0)), "");
+    EXPECT_THAT(fault_of("mpm_gp", of_components(interface, 4, 6.0)), HasSubstr("a stress that is not a number"));
+  }
+}
+
+TEST(SixComponents, WhoseShearLeavesThePlaneStopTheRun)
+{
+  if (!is_built("six_components.so")) GTEST_SKIP() << "there is no gfortran";
+  for (const LawInterface interface : {LawInterface::umat, LawInterface::esm}) {
+    EXPECT_THAT(fault_of("mpm_gp", of_components(interface, 6, 0.0, 0.1)),
+        AllOf(HasSubstr("the law returned a shear stress out of the plane, 13 or 23, of "),
+            HasSubstr("plane strain has no place for it"), HasSubstr("material `soft clay`")));
+    EXPECT_EQ(fault_of("mpm_gp", of_components(interface, 6, 0.0, 1e-13)), "") << "round-off is none";
+  }
+}
+
 TEST(Umat, TurnsItsStateByTheUtilityRoutinesOfAbaqus)
 {
   if (!is_built("calls_abaqus.so")) GTEST_SKIP() << "there is no gfortran";

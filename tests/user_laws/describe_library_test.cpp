@@ -131,8 +131,8 @@ TEST(Library, IsAskedForTheStrainAndTheStrengthThatTheCaseNames)
   EXPECT_EQ(law->state[2].unit, "kN/m^2");
   std::vector<Real> state{0.1, 3.0, 50.0};
   EXPECT_EQ(law->make(moduli)->derived(0, {.state = {.data = state.data()}, .parameters = {}}), 3e3);
-  EXPECT_TRUE(std::isnan(roles_of(*law)->residual_strength));
-  EXPECT_EQ(roles_of(*find_material("tresca_softening")), nullptr);
+  EXPECT_TRUE(std::isnan(terms_of(*law)->residual_strength));
+  EXPECT_EQ(terms_of(*find_material("tresca_softening")), nullptr);
 }
 
 TEST(Library, OfWhichNothingIsSaidHasThePlasticStrainOfItsNameAlone)
@@ -148,11 +148,11 @@ TEST(Library, OfWhichNothingIsSaidHasThePlasticStrainOfItsNameAlone)
 TEST(Library, WhoseStrainAndStrengthCannotBeMeantIsRefused)
 {
   const auto refused = [](
-                           const LawRoles& roles, const char* key, const char* what, const char* detail,
+                           const LawTerms& terms, const char* key, const char* what, const char* detail,
                            std::function<void(LibraryCase&)> change = [](LibraryCase&) {}) {
     LibraryCase library = softening_law();
     change(library);
-    EXPECT_THAT(problems_of([&] { load_user_law("clay", law_folder(), moduli, library, roles); }),
+    EXPECT_THAT(problems_of([&] { load_user_law("clay", law_folder(), moduli, library, terms); }),
         ElementsAre(told(key, what, HasSubstr(detail))));
   };
   refused({.plastic_strain = "kk"}, "plastic_strain", "the library has no state variable `kk`",

@@ -167,6 +167,24 @@ TEST(UserLawRoles, MayHardenAsTheyStrain)
   }
 }
 
+TEST(UserLawRoles, KeepTheLowestStrengthForTheSummary)
+{
+  const auto lowest = [](const Simulation& s) {
+    return summarise(s.model, s.state).numbers.at("lowest_library_strength");
+  };
+  Simulation s = followed(cell_of_library(2e3));
+  EXPECT_EQ(lowest(s), 8e3);
+  set_one(s, 0.3, -0.5);
+  keep_ledger(s.model, s.state, s.work);
+  set_one(s, 0.4, 1.0);
+  keep_ledger(s.model, s.state, s.work);
+  EXPECT_EQ(lowest(s), -500.0);
+  Simulation later = followed(cell_of_library(2e3));
+  later.restore(s.save());
+  EXPECT_EQ(lowest(later), -500.0);
+  EXPECT_TRUE(std::isnan(lowest(followed(clamped_cell("mpm_gp"))))) << "Terp keeps its own strengths above zero";
+}
+
 TEST(UserLawRoles, ShowTheStrengthInPascal)
 {
   Simulation s = followed(cell_of_library(2e3));

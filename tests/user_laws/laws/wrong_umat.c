@@ -7,7 +7,7 @@
 
 enum { elastic, nan_stress, nan_state, bad_memory, divides, aborts, leaves, never_small, small_parts, overflows,
        counts, turns, changes_rounding, tenths, nan_answer, beyond_state, beyond_props, reads_props, has_strength,
-       has_size, crashes_in_c, tensorial_shear, counts_to_six };
+       has_size, crashes_in_c, tensorial_shear, counts_to_six, no_strength };
 
 static volatile int zero = 0;
 static int calls = 0;
@@ -83,6 +83,7 @@ void umat_(double* stress, double* statev, double* ddsdde, double* sse, double* 
       }
       if (props[5] > 0 && *dtime > props[5]) *pnewdt = 0.1;
       break;
+    case no_strength: statev[0] = -0.5; break;
     case crashes_in_c: puts((const char*)(size_t)(8 * zero + 8)); break;
     default: break;
   }

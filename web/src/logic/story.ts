@@ -193,11 +193,18 @@ function tellMotion(run: Run): string[] {
   return texts;
 }
 
+/** The list is empty if there is soil of a library of which nobody said what softening leaves. */
+function tellSoftening(meta: RunMeta): string[] {
+  const softened = meta.summary.softened_fraction as { fraction: number }[] | undefined;
+  if (softened?.length === 0) return [say("story_softening_unknown")];
+  const share = softened?.[softened.length - 1]?.fraction ?? 0;
+  if (share > 0) return [say("story_softened", { percent: percent(share) })];
+  const bySoilOfLibrary = typeof meta.summary.lowest_library_strength === "number";
+  return meta.summary.softened_strain === null && !bySoilOfLibrary ? [say("story_no_softening")] : [];
+}
+
 function tellStrength(meta: RunMeta): string[] {
-  const softened = listOf<{ fraction: number }>(meta, "softened_fraction");
-  const share = softened[softened.length - 1]?.fraction ?? 0;
-  const texts = share > 0 ? [say("story_softened", { percent: percent(share) })]
-    : meta.summary.softened_strain === null ? [say("story_no_softening")] : [];
+  const texts = tellSoftening(meta);
   const water = (name: string) => (name === "start" ? say("water_start") : say("water_situation", { name }));
   const groups = new Map<string, { of: StrengthWater; soils: string[] }>();
   for (const of of listOf<StrengthWater>(meta, "strength_water")) {
@@ -266,14 +273,17 @@ export function listChecks(run: Run): Check[] {
   ];
 }
 
-/** What the program said at the end of the run: no rest, sides that were reached, damping, a short softening length. */
+/** What the program said at the end of the run: no rest, sides that were reached, damping, a short softening length, a
+ * strength below zero. */
 function warnOfSoil(run: Run): string[] {
   const restless = listOf<StageOfSummary>(run.meta, "stages").filter(isRestless);
   const rest = restless.map(({ name, end, fastest_node: fastest }) =>
     say(name ? "warn_rest" : "warn_rest_run", { name, end: seconds(end), speed: withUnit(fastest, "m/s", 2) }));
   const damping = numberOf(run, "damping_over_promised");
   const cells = numberOf(run, "softening_length_over_cell");
+  const strength = numberOf(run, "lowest_library_strength");
   const texts = [...rest, ...sideDoubts(run),
+    strength < 0 ? say("warn_strength", { strength: withUnit(strength, "Pa", 3) }) : "",
     damping > MUCH_DAMPING && numberOf(run, "damping_fraction") > MUCH_IMBALANCE
       ? say("warn_damping", { factor: numberText(damping, 2) }) : "",
     cells > 0 && cells < LEAST_CELLS * (1 - 1e-9) ? say("warn_length", { cells: numberText(cells, 3) }) : ""];

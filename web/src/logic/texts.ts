@@ -286,8 +286,12 @@ export const TEXTS = {
     "Aan het einde beweegt de grond nog, met {percent} van de grootste kinetische energie."],
   story_softened: ["{percent} of the soil has lost more than half of what softening takes from its strength.",
     "{percent} van de grond heeft meer dan de helft verloren van wat ontsterking van zijn sterkte neemt."],
-  story_no_softening: ["No soil of this case softens by a law of Terp: such soil keeps its strength at any strain.",
-    "Geen grond van deze invoer ontsterkt volgens een wet van Terp: zulke grond houdt altijd zijn sterkte."],
+  story_no_softening: ["No soil of this case softens: it keeps its strength at any strain.",
+    "Geen grond van deze invoer ontsterkt: de grond houdt altijd zijn sterkte."],
+  story_softening_unknown: ["It is not known how much of the soil has softened: of a law of the user's own the case " +
+    "does not say what softening leaves.",
+  "Het is niet bekend hoeveel grond is ontsterkt: van een eigen wet van de gebruiker zegt de invoer niet wat " +
+    "ontsterking overlaat."],
   story_strength: ["Strength of {soils}: {parameter} follows from sigma'_v in the water {water}.",
     "Sterkte van {soils}: {parameter} volgt uit sigma'_v bij de waterspanningen {water}."],
   story_strength_daily: ["Strength of {soils}: {parameter} follows from sigma'_v in the water {water}, and from " +
@@ -326,6 +330,8 @@ export const TEXTS = {
     "De berekening eindigde op {end} voordat de grond in rust was: de snelste knoop bewoog met {speed}."],
   warn_damping: ["Local damping took {factor} times the energy that its factor promises: noise brakes the soil.",
     "De lokale demping nam {factor} keer de energie die haar factor belooft: ruis remt de grond."],
+  warn_strength: ["A law of the user's own returned a strength below zero: {strength}.",
+    "Een eigen wet van de gebruiker gaf een sterkte kleiner dan nul: {strength}."],
   warn_length: ["The softening length is {cells} times the size of a cell, less than twice: a slip surface takes up " +
     "to 14 % more energy than on fine cells.",
   "De ontsterkingslengte is {cells} keer de celgrootte, minder dan tweemaal: een glijvlak neemt tot 14 % meer " +

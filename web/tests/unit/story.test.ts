@@ -76,9 +76,21 @@ describe("the story", () => {
   });
 
   it("says that no soil of the case softens", () => {
-    const sentence = "No soil of this case softens by a law of Terp: such soil keeps its strength at any strain.";
-    expect(tellStory(sampleRun({}, { softened_strain: null }))).toContain(sentence);
-    expect(tellStory(sampleRun({}, { softened_strain: 0.06 }))).not.toContain(sentence);
+    const sentence = "No soil of this case softens: it keeps its strength at any strain.";
+    const of = (summary: object) => tellStory(sampleRun({}, summary));
+    expect(of({ softened_strain: null })).toContain(sentence);
+    expect(of({ softened_strain: null, softened_fraction: [{ time: 4, fraction: 0 }] })).toContain(sentence);
+    expect(of({ softened_strain: 0.06 })).not.toContain(sentence);
+  });
+
+  it("does not say of soil of a library that it keeps its strength", () => {
+    const unknown = "It is not known how much of the soil has softened: of a law of the user's own the case does not " +
+      "say what softening leaves.";
+    const of = (summary: object) => tellStory(sampleRun({}, { softened_strain: null, ...summary })).join(" ");
+    expect(of({ softened_fraction: [] })).toContain(unknown);
+    expect(of({ softened_fraction: [] })).not.toContain("No soil");
+    const known = of({ softened_fraction: [{ time: 4, fraction: 0 }], lowest_library_strength: 7e3 });
+    expect(known).not.toContain("soften");
   });
 
   it("of a run that goes on waits for its summary", () => {
@@ -152,5 +164,8 @@ describe("warnings and checks", () => {
       "The softening length is 1 times the size of a cell, less than twice: a slip surface takes up to 14 % more energy than on fine cells."]);
     expect(listWarnings(sampleRun({}, { damping_over_promised: 8, damping_fraction: 0.01, softening_length_over_cell: 2 }))).toEqual([]);
     expect(listWarnings(sampleRun({}, { softening_length_over_cell: null }))).toEqual([]);
+    expect(plain(listWarnings(sampleRun({}, { lowest_library_strength: -500 })))).toEqual([
+      "A law of the user's own returned a strength below zero: −500 Pa."]);
+    expect(listWarnings(sampleRun({}, { lowest_library_strength: 0 }))).toEqual([]);
   });
 });
