@@ -23,7 +23,6 @@
 #include "simulation/stages.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/state_image.hpp"
-#include "simulation/verdict_words.hpp"
 #include "system/stop.hpp"
 
 #include <charconv>
@@ -45,7 +44,8 @@ void print_summary(const Summary& s, const Model& model, const std::string& fold
       readable_duration(s.wall_s), s.n_points, s.n_steps, s.dt, s.point_steps_per_s / 1e6, s.threads,
       s.threads == 1 ? "" : "s");
   if (s.at_strength != 1.0) fmt::print("  strengths        divided by {:g}\n", s.at_strength);
-  if (s.flood) fmt::print("  water            {}\n                   {}\n", verdict_clause(s) + '.', flood_caution);
+  if (s.flood)
+    fmt::print("  water            {}\n                   {}\n", flood_clause(*s.flood) + '.', flood_caution);
   fmt::print("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("x = {:.2f} m", s.front_x) : "-");
   fmt::print("  crest            {}\n", s.crest_x ? fmt::format("x = {:.2f} m", *s.crest_x) : "-");
   fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));

@@ -170,6 +170,9 @@ class Flood : public Follower {
     f.first_time_below = known(time_below_);
     f.first_time_damaged =  // the slopes are asked before
         known(std::fmin(time_damaged_, s.first_slide_time.value_or(never)));
+    f.stage_damaged = stage_at(s.stages, f.first_time_damaged);
+    f.stage_below = stage_at(s.stages, f.first_time_below);
+    f.stage = s.stages.empty() ? "" : s.stages.back().name;
     f.fastest_node = known(fastest_node_);
     const bool rests = !state.stages_done.empty() && state.stages_done.back().at_rest;
     f.still_moves = !rests && f.fastest_node && *f.fastest_node * time_to_look_ahead(model, state) > settles_;

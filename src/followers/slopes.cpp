@@ -260,15 +260,6 @@ std::vector<SlideSummary> load_slides(const ArrayReader& arrays)
   return slides;
 }
 
-/// Name of the stage in which a time lies, its end included; empty: it lies in none of this case.
-std::string stage_at(const Model& model, const State& state, Real time)
-{
-  const auto& stages = model.description.stages;
-  for (std::size_t k = 0; k < std::min(stages.size(), state.stages_done.size()); ++k)
-    if (time > state.stages_done[k].start && time <= state.stages_done[k].end) return stages[k].name;
-  return time > model.time_of(state.stage_start) ? model.stage.name : "";
-}
-
 class Slopes : public Follower {
   Followed all_;
   std::vector<SlideSummary> before_;  ///< that began before displacement was last counted anew
@@ -349,7 +340,7 @@ class Slopes : public Follower {
     const Fronts fronts = find_fronts(model, state, all_, moved_of(state));
     if (const SlopeFailure* main = main_slope(all_, fronts)) summarise_slope(model, state, fronts, *main, s);
     s.slides = all_slides(fronts);
-    for (SlideSummary& slide : s.slides) slide.stage = stage_at(model, state, slide.slide.begins);
+    for (SlideSummary& slide : s.slides) slide.stage = stage_at(s.stages, slide.slide.begins);
     if (!s.slides.empty()) s.first_slide_time = s.slides.front().slide.begins;
   }
 

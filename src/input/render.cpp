@@ -137,6 +137,7 @@ std::string render_one(const std::string& word, std::span<const Problem> same, c
   const Problem& problem = same.front();
   const Spot spot = find_spot(problem, document);
   std::string out = fmt::format("{}: {}: {}\n", word, location(document.path, spot), problem.what);
+  if (problem.detail.empty() && word != "error") return printable(out);  // a warning in one line
   if (spot.override_text.empty() && spot.place.line > 0) out += frame(document.text, spot.place);
   std::string elsewhere;
   for (const Problem& other : same.subspan(1))

@@ -18,6 +18,8 @@ namespace terp {
 inline constexpr Real width = 1200.0, left = 92.0, right = 92.0, top = 96.0;  // of the page and its margins [px]
 inline constexpr Real highest = 640.0;                                        // of the section [px]
 inline constexpr const char* ink = "#1f2933";
+/// Of words that lie on lines.
+inline constexpr const char* white_edge = "stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"";
 
 class SectionCanvas {
  public:
@@ -78,7 +80,7 @@ class SectionCanvas {
     put("<path d=\"M{0:.1f} {2:.1f}H{1:.1f}M{3:.1f} {4:.1f}V{5:.1f}\" stroke=\"#5c6670\" fill=\"none\"/>", px(low_[0]),
         px(high_[0]), bottom, side, py(low_[1]), py(high_[1]));
     const auto each = [&](int d, auto&& f) {
-      constexpr Real between_ticks = 55.0;  // at least [px]
+      const Real between_ticks = d == 0 ? 55.0 : 28.0;  // at least [px]
       const Real range = high_[d] - low_[d], step = nice_step(range, std::max(1.0, scale_ * range / between_ticks));
       for (Real k = std::ceil(low_[d] / step - 1e-9); k * step <= high_[d] + 1e-9 * step; ++k) f(k * step + 0.0);
     };

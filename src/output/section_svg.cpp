@@ -274,9 +274,10 @@ class SectionDrawing : SectionWater {
       for (int k = 0; k <= n; ++k)
         path += fmt::format("M{0:.2f} {1:.2f}v{2:.2f}m-3 -6l3 6l3 -6", a + (b - a) * k / n, foot - height, height);
       put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"/>", path, load_colour);
-      text(0.5 * (a + b), foot - height - 6.0,
-          load.name + ", " + describe_pressures(model_.whole ? *model_.whole : model_.description, l), "middle",
-          fmt::format("font-size=\"12\" fill=\"{}\"", load_colour));
+      const bool has_room = foot - height > py(high_[1]) + 12.0;  // below the name of the upper side; else beside it
+      text(has_room ? 0.5 * (a + b) : b + 8.0, has_room ? foot - height - 6.0 : foot - 0.5 * height,
+          load.name + ", " + describe_pressures(model_.whole ? *model_.whole : model_.description, l),
+          has_room ? "middle" : "start", fmt::format("font-size=\"12\" fill=\"{}\" {}", load_colour, white_edge));
     }
   }
 
@@ -285,8 +286,7 @@ class SectionDrawing : SectionWater {
     for (const auto& [name, place] : model_.description.output.history_points) {
       put("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.6\" fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.6\"/>",
           px(place[0]), py(place[1]), ink);
-      text(px(place[0]) + 6.0, py(place[1]) - 5.0, name, "start",
-          "font-size=\"12\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"");
+      text(px(place[0]) + 6.0, py(place[1]) - 5.0, name, "start", fmt::format("font-size=\"12\" {}", white_edge));
     }
   }
 

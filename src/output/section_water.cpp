@@ -4,6 +4,7 @@
 #include "water/water_pressure.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace terp {
@@ -67,17 +68,12 @@ void SectionWater::first_water()
 /// Each head with its name: those at t = 0 named at the right end, those of another situation at the left.
 void SectionWater::heads(const WaterSituation& of, bool is_first)
 {
-  constexpr Real least = 72.0;  // below the title [px]
   for (const HeadLine& line : of.head_lines) {
     if (!is_first && has_head(terp::first_water(model_.description.water), line)) continue;
     put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\"/>",
         over_section(line.places), head_colour, is_first ? 1.8 : 1.2, head_dashes);
-    const Real x = is_first ? high_[0] : low_[0];
-    const std::string words = "head `" + line.name + (is_first ? "`" : "`, " + name_of(of));
-    text(px(x) + (is_first ? -4.0 : 6.0), std::max(py(elevation_at(line.places, x)) - 5.0, least), words,
-        is_first ? "end" : "start",
-        fmt::format(
-            "font-size=\"12\" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"", head_colour));
+    name_line(is_first, elevation_at(line.places, is_first ? high_[0] : low_[0]),
+        "head `" + line.name + (is_first ? "`" : "`, " + name_of(of)), head_colour);
   }
 }
 
@@ -90,15 +86,35 @@ void SectionWater::heads_and_later_water()
     if (of.phreatic_line.empty() || of.phreatic_line == terp::first_water(water).phreatic_line) continue;
     put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" stroke-dasharray=\"3 3\"/>",
         over_section(of.phreatic_line), later_colour);
-    text(px(low_[0]) + 6.0, py(elevation_at(of.phreatic_line, low_[0])) - 5.0, name_of(of), "start",
-        fmt::format("font-size=\"12\" fill=\"{}\"", later_colour));
+    name_line(false, elevation_at(of.phreatic_line, low_[0]), name_of(of), later_colour);
   }
-  if (!model_.flood_level.is_known()) return;
-  const Real y = py(model_.flood_level.value);
-  put("<path d=\"M{:.2f} {:.2f}H{:.2f}\" stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"12 3 2 3\"/>",
-      px(low_[0]), y, px(high_[0]), level_colour);
-  text(px(high_[0]) - 4.0, y - 5.0, fmt::format("level of [flood] {:.4g} m", model_.flood_level.value), "end",
-      fmt::format("font-size=\"12\" fill=\"{}\"", level_colour));
+  if (const FloodLevel& level = model_.flood_level; level.is_known()) {
+    put("<path d=\"M{:.2f} {:.2f}H{:.2f}\" stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"12 3 2 3\"/>",
+        px(low_[0]), py(level.value), px(high_[0]), level_colour);
+    name_line(true, level.value, fmt::format("level of [flood] {:.4g} m", level.value), level_colour);
+  }
+  put_names();
+}
+
+void SectionWater::name_line(bool at_right, Real y, std::string words, const char* colour)
+{
+  constexpr Real least = 72.0;  // below the title [px]
+  names_.push_back({at_right, std::max(py(y) - 5.0, least), std::move(words), colour});
+}
+
+/// From above to below; one that would lie on another is moved down.
+void SectionWater::put_names()
+{
+  constexpr Real apart = 14.0;  // [px]
+  std::ranges::stable_sort(names_, {}, &Name::y);
+  Real lowest[2] = {-INFINITY, -INFINITY};  // so far, at each end [px]
+  for (const Name& name : names_) {
+    Real& above = lowest[name.at_right ? 1 : 0];
+    above = std::max(name.y, above + apart);
+    text(name.at_right ? px(high_[0]) - 4.0 : px(low_[0]) + 6.0, above, name.words, name.at_right ? "end" : "start",
+        fmt::format("font-size=\"12\" fill=\"{}\" {}", name.colour, white_edge));
+  }
+  names_.clear();
 }
 
 void SectionWater::water_legend(

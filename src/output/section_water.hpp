@@ -29,6 +29,17 @@ class SectionWater : protected SectionCanvas {
  private:
   std::string over_section(const std::vector<Vec<2>>& line) const;
   void heads(const WaterSituation& of, bool is_first);
+  /// Names a line at an end of the section, once all lines are drawn.
+  void name_line(bool at_right, Real y, std::string words, const char* colour);
+  void put_names();
+
+  struct Name {
+    bool at_right;
+    Real y;  ///< [px]
+    std::string words;
+    const char* colour;
+  };
+  std::vector<Name> names_;
 };
 
 }  // namespace terp

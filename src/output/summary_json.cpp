@@ -79,6 +79,7 @@ void each(FloodSummary& flood, F&& f)
   f("residual_height", flood.residual_height), f("freeboard", flood.freeboard);
   f("width_at_level", flood.width_at_level), f("intact_width", flood.intact_width);
   f("first_time_damaged", flood.first_time_damaged), f("first_time_below", flood.first_time_below);
+  f("stage_damaged", flood.stage_damaged), f("stage_below", flood.stage_below), f("stage", flood.stage);
   f("fastest_node", flood.fastest_node), f("still_moves", flood.still_moves);
   f("criterion", flood.criterion), f("trigger", flood.trigger);
 }

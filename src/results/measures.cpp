@@ -185,6 +185,30 @@ Value softened_at(Run run, Real time)
   return std::nullopt;
 }
 
+/// The stage in which a time of the verdict lies, as a word; none: the run has no stages, or there is no such time.
+void add_stage_of(Measures& all, const std::vector<RunResults>& runs, const char* name, const char* label,
+    std::string FloodSummary::*of)
+{
+  std::vector<std::string> words;
+  const auto stage_in = [of](Run run) {
+    const auto& flood = run.summary.values.flood;
+    return flood && !summary_is_behind(run) ? (*flood).*of : std::string();
+  };
+  for (Run run : runs)
+    if (const std::string stage = stage_in(run); !stage.empty() && std::ranges::find(words, stage) == words.end())
+      words.push_back(stage);
+  if (words.empty()) return;
+  all.push_back({.name = name,
+      .label = label,
+      .unit = "-",
+      .kind = MeasureKind::word,
+      .value = [=](Run run) -> Value {
+        const auto found = std::ranges::find(words, stage_in(run));
+        return found == words.end() ? std::nullopt : Value(static_cast<Real>(found - words.begin()));
+      },
+      .words = words});
+}
+
 /// Whether the ground holds the water.
 void add_flood(Measures& all, const std::vector<RunResults>& runs)
 {
@@ -227,7 +251,9 @@ void add_flood(Measures& all, const std::vector<RunResults>& runs)
         of);
   };
   time("first_time_damaged", "damaged from", [](const FloodSummary& f) { return f.first_time_damaged; });
+  add_stage_of(all, runs, "stage_damaged", "stage in which it is damaged", &FloodSummary::stage_damaged);
   time("first_time_below", "floods from", [](const FloodSummary& f) { return f.first_time_below; });
+  add_stage_of(all, runs, "stage_below", "stage in which it floods", &FloodSummary::stage_below);
 }
 
 void add_softened_soil(Measures& all, const std::vector<RunResults>& runs)

@@ -6,7 +6,6 @@
 #include "output/run_folder.hpp"
 #include "output/summary_json.hpp"
 #include "results/section_export.hpp"
-#include "simulation/verdict_words.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -321,7 +320,7 @@ std::string sentence_on(const ReachSection& section)
 {
   if (!section.is_solved) return fmt::format("{}: {}", state_of(section), section.record.fault);
   const std::string hints = hints_text(section);
-  return (section.summary.flood ? verdict_clause(section.summary)
+  return (section.summary.flood ? flood_clause(*section.summary.flood)
                                 : "solved; the case asks for no verdict on the water") +
          (hints.empty() ? "" : fmt::format(" ({})", hints));
 }

@@ -16,6 +16,17 @@ std::string trigger_phrase(const std::optional<FloodTrigger>& trigger)
          (trigger->before ? fmt::format(" (before that: {}): ", info_of(*trigger->before).words) : ": ");
 }
 
+/// "; it began in the stage `daily`, before `flood`": a slide in daily water is no flood of the river.
+std::string stage_phrase(const FloodSummary& flood)
+{
+  const std::string& began = flood.stage_damaged.empty() ? flood.stage_below : flood.stage_damaged;
+  if (began.empty()) return "";
+  if (!flood.stage_below.empty() && flood.stage_below != began)
+    return fmt::format("; the damage began in the stage `{}`, the flood in `{}`", began, flood.stage_below);
+  return fmt::format(
+      "; it began in the stage `{}`{}", began, flood.stage != began ? fmt::format(", before `{}`", flood.stage) : "");
+}
+
 }  // namespace
 
 std::string trigger_words(const FloodTrigger& trigger)
@@ -44,7 +55,8 @@ std::string flood_clause(const FloodSummary& flood)
       std::string(flood.verdict ? info_of(*flood.verdict).words : "no verdict before the end of the run");
   const std::string since =
       floods ? from("from", flood.first_time_below) : from("damaged from", flood.first_time_damaged);
-  if (!std::isfinite(flood.residual_height)) return fmt::format("{}{}: no ground remains", verdict, since);
+  if (!std::isfinite(flood.residual_height))
+    return fmt::format("{}{}: no ground remains{}", verdict, since, stage_phrase(flood));
   const std::string width = flood.width_at_level > 0.0
                                 ? fmt::format("; the ground is {:.2f} m wide there, {:.2f} m of it intact",
                                       flood.width_at_level, flood.intact_width)
@@ -52,9 +64,9 @@ std::string flood_clause(const FloodSummary& flood)
   const std::string motion = flood.still_moves && flood.verdict && !floods
                                  ? fmt::format("; the soil still moves, {:.2g} m/s", *flood.fastest_node)
                                  : "";
-  return fmt::format("{}{}: {} the highest ground stands at {:.2f} m, {:.2f} m {} the water at {:.2f} m{}{}", verdict,
+  return fmt::format("{}{}: {} the highest ground stands at {:.2f} m, {:.2f} m {} the water at {:.2f} m{}{}{}", verdict,
       since, flood.verdict ? "at the end" : "so far", flood.residual_height, std::abs(flood.freeboard),
-      flood.freeboard < 0.0 ? "below" : "above", flood.water_level, width, motion);
+      flood.freeboard < 0.0 ? "below" : "above", flood.water_level, width, motion, stage_phrase(flood));
 }
 
 }  // namespace terp

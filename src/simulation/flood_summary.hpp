@@ -50,6 +50,9 @@ struct FloodSummary {
   Real intact_width = none;                ///< of that, with eps_eq_p below the limit [m]
   std::optional<Real> first_time_damaged;  ///< [s]
   std::optional<Real> first_time_below;    ///< of the flood [s]
+  std::string stage_damaged = {};          ///< name of the stage in which the first of these times lies; empty: of none
+  std::string stage_below = {};            ///< of the second
+  std::string stage = {};                  ///< the last one so far, to whose end heights and widths belong
   std::optional<Real> fastest_node;        ///< at the end [m/s]
   bool still_moves = false;                ///< so fast that, for as long again, the soil would go far enough to matter
   std::string criterion = {};              ///< by which it floods, in words
@@ -59,8 +62,8 @@ struct FloodSummary {
 /// A run that has not ended has a verdict only where that is for good: it floods.
 void withhold_verdict(FloodSummary& flood);
 
-/// The verdict, with its numbers and the times at which it was first true: a clause, without the stop at its
-/// end. What triggered it stands first.
+/// The verdict, with its numbers, the times at which it was first true and the stage in which that was: a clause,
+/// without the stop at its end. What triggered it stands first.
 std::string flood_clause(const FloodSummary& flood);
 
 /// What the verdict does not know.

@@ -13,6 +13,7 @@ namespace {
 constexpr Real resolved = 2.0;         // cells in a length
 constexpr Real part_of_height = 20.0;  // of the section over the length, at least
 constexpr Real most_cells = 100.0;     // in a length: spreading then takes 7000 sub-steps in each step
+constexpr Real halo_widths = 2.0;      // lengths beside a slip surface within which soil softens
 constexpr Real half_spacing = 0.02;    // of the height, by which the outermost points fall short of it
 constexpr Real round_off = 1e-9;       // of cells of a mesh that ought to be equal
 
@@ -137,10 +138,13 @@ void find_odd_softening_lengths(const Model& model, const State& state, std::vec
               "{}. A slip surface takes up to 14 % more energy than on fine cells.\nUsual: at least {:.4g} m, or "
               "cells of at most {:.4g} m.",
               cells, resolved * scale.width, scale.length / resolved));
-    else if (is_long)
-      warn("the softening length is long beside the section",
-          fmt::format("usual: at most H/{:g} = {:.4g} m, as {}.\nSoil within about 2 l of a slip surface softens, too.",
-              part_of_height, longest, height));
+    else if (is_long)  // in one line: every run of such a case says it
+      warnings.push_back({key_of(model, scale.material),
+          fmt::format("{}: soil within {:.3g} m of a slip surface softens, too, as the length of {:.3g} m is more than "
+                      "H/{:g}; give {:.3g} m{} (docs/softening_length.md)",
+              soils, halo_widths * scale.length, scale.length, part_of_height, longest,
+              longest < resolved * scale.width ? fmt::format(" on cells of at most {:.3g} m", longest / resolved) : ""),
+          "", "", false, {"mesh.cell", "mesh"}});
   }
 }
 

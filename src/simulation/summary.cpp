@@ -73,6 +73,13 @@ const SummaryQuantity quantities[] = {
 
 }  // namespace
 
+std::string stage_at(const std::vector<StageSummary>& stages, std::optional<Real> time)
+{
+  for (const auto& [name, record] : stages)  // one without an end runs
+    if (time && (record.start == 0.0 || *time > record.start) && !(*time > record.end)) return name;
+  return "";
+}
+
 std::span<const SummaryQuantity> summary_quantities() { return quantities; }
 
 const SummaryQuantity* find_summary_quantity(std::string_view name)

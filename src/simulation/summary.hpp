@@ -37,6 +37,9 @@ struct StageSummary {
   StageRecord record{.end = none, .fastest = none};  ///< without an end: it runs
 };
 
+/// Name of the stage in which a time lies, its end included; empty: it lies in none of them.
+std::string stage_at(const std::vector<StageSummary>& stages, std::optional<Real> time);
+
 /// A slide, and where the soil sheared when it sheared fastest, and when the slide was first seen.
 struct SlideSummary {
   Slide slide;

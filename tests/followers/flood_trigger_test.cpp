@@ -102,6 +102,8 @@ TEST(Flood, BeforeATriggerTheGroundIsJudgedAgainstItsOwnRiver)
       "it floods where no ground between river and land stands at 4.8 m or higher (before the trigger: 2 m)");
   EXPECT_EQ(after_settling_to(1.0).verdict, FloodVerdict::stands);
   EXPECT_EQ(after_settling_to(0.1).trigger->before, FloodVerdict::floods);
+  EXPECT_EQ(after_settling_to(0.1).stage_below, "as_it_is");
+  EXPECT_EQ(settled.stage_damaged, "as_it_is");
 }
 
 TEST(Flood, BeforeATriggerThereIsNoVerdictOnSoilThatHadNotComeToRest)

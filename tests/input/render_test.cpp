@@ -118,4 +118,11 @@ TEST(Render, ShowsWarningsBesideErrors)
   EXPECT_THAT(seen, HasSubstr("error: case.toml:16:7: softening is too steep\n"));
 }
 
+TEST(Render, AWarningThatSaysAllInItsFirstLineHasNoOther)
+{
+  EXPECT_EQ(render_warnings(
+                {{"body[0].box", "the box is wide; give half of it", "", ""}}, read_case_text(small_case, "case.toml")),
+      "warning: case.toml:8:7: the box is wide; give half of it\n");
+}
+
 }  // namespace

@@ -45,6 +45,22 @@ TEST(SectionWater, NamesTheHeadsOfTheStartAndThoseThatAFloodChanges)
   EXPECT_THAT(svg, AllOf(HasSubstr("head of a layer"), HasSubstr(">reference line</text>")));
 }
 
+/// Height of the words on the page [px].
+double height_of(const std::string& svg, const std::string& words)
+{
+  const std::size_t end = svg.find(">" + words + "</text>"), y = svg.rfind(" y=\"", end);
+  return end == std::string::npos ? NAN : std::stod(svg.substr(y + 4));
+}
+
+TEST(SectionWater, NamesOfLinesThatLieCloseDoNotLieOnEachOtherOrUnderALine)
+{
+  Case c = two_layers();
+  c.water.situations[0].phreatic_line = {{0.0, 1.91}, {8.0, 1.0}};  // the head of the sand is 1.9 m there
+  const std::string svg = drawing_of(c);
+  EXPECT_EQ(height_of(svg, "head `sand`, flood"), height_of(svg, "flood") + 14.0);
+  EXPECT_GT(svg.find(">flood</text>"), svg.rfind("stroke-dasharray=\"10 3 2 3\"/>", svg.find("reference line<")));
+}
+
 TEST(SectionWater, ShowsWithAResultOnlyWhatHoldsThen)
 {
   SectionOverlay overlay;

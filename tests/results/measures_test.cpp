@@ -104,6 +104,22 @@ TEST(Measures, TheVerdictOnTheWaterIsAWord)
   EXPECT_FALSE(verdict.value(stopped));
 }
 
+TEST(Measures, TheStageOfTheVerdictIsAWord)
+{
+  const ScratchFolder scratch;
+  std::vector<RunResults> runs;
+  for (const char* name : {"/a", "/b", "/c"})
+    runs.push_back(flooding(scratch.path() + name, FloodVerdict::floods, 3.5));
+  EXPECT_THAT(
+      measures_of(runs), Each(testing::Field(&RunMeasure::name, testing::Ne("stage_below"))));  // runs without stages
+  runs[0].summary.values.flood->stage_below = "daily", runs[1].summary.values.flood->stage_below = "flood";
+  const auto all = measures_of(runs);
+  const RunMeasure& stage = measure(all, "stage_below");
+  EXPECT_EQ(stage.words[static_cast<std::size_t>(*stage.value(runs[0]))], "daily");
+  EXPECT_EQ(stage.words[static_cast<std::size_t>(*stage.value(runs[1]))], "flood");
+  EXPECT_FALSE(stage.value(runs[2]));
+}
+
 TEST(Measures, OfSizesWhoseVerdictDiffersSayItLoudly)
 {
   const ScratchFolder scratch;

@@ -50,9 +50,10 @@ TEST(SofteningScales, ALengthOfLessThanTwoCellsIsDoubted)
 TEST(SofteningScales, ALengthThatIsLongBesideTheSectionIsDoubted)
 {
   EXPECT_THAT(with_length(0.2),
-      ElementsAre(told("material.\"clay\".softening.length", "the softening length is long beside the section",
-          "Got 0.2 m for `clay`; usual: at most H/20 = 0.0995 m, as the soil is H = 1.99 m high.\nSoil within about 2 "
-          "l of a slip surface softens, too.")));
+      ElementsAre(told("material.\"clay\".softening.length",
+          "`clay`: soil within 0.4 m of a slip surface softens, too, as the length of 0.2 m is more than H/20; give "
+          "0.0995 m on cells of at most 0.0498 m (docs/softening_length.md)",
+          "")));
 }
 
 TEST(SofteningScales, ALengthThatSuitsNeitherCellsNorSectionIsToldOnceForAllSoils)

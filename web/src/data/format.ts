@@ -93,6 +93,9 @@ export interface Flood {
   intact_width: number | null; // m, of that
   first_time_damaged: number | null; // s
   first_time_below: number | null; // s
+  stage_damaged?: string; // in which it became so; empty: of none
+  stage_below?: string;
+  stage?: string; // the last one, to whose end the numbers belong
   fastest_node?: number | null; // m/s, at the end
   still_moves?: boolean; // so fast that the verdict may change
   trigger?: Trigger | null; // null: the verdict is that of the section as it is

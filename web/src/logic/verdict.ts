@@ -1,5 +1,6 @@
 // What is said of the water, and what must be read with it.
 
+import type { Flood } from "../data/format";
 import type { Run } from "../data/run";
 import { metres } from "./numbers";
 import { restDoubt, sideDoubts } from "./story";
@@ -20,4 +21,14 @@ export function doubts(run: Run): string[] {
   const holds = run.meta.events?.flood && kindOf(run) !== "floods";
   return [...restDoubt(run), ...sideDoubts(run), depth && holds ? say("note_gap", { depth: metres(depth) }) : ""]
     .filter(Boolean);
+}
+
+/** In which stage the ground came down: a slide in daily water is no flood of the river. */
+export function stageWords(flood: Flood | null | undefined): string {
+  const { stage_damaged: damaged, stage_below: below, stage: last } = flood ?? {};
+  const began = damaged || below;
+  if (!began) return "";
+  if (below && below !== began) return ` ${say("began_in_two_stages", { damaged: began, below })}`;
+  return ` ${began === last || !last ? say("began_in_stage", { stage: began })
+    : say("began_before_stage", { stage: began, last })}`;
 }

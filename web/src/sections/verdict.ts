@@ -8,7 +8,7 @@ import { columnPlace, fixed, metres } from "../logic/numbers";
 import { slidesBySlope } from "../logic/slides";
 import { byColumns, crestFrom, lastTime, seconds, sideOf, triggerWords, zoneText } from "../logic/story";
 import type { Store } from "../logic/store";
-import { doubts, kindOf, type Kind } from "../logic/verdict";
+import { doubts, kindOf, stageWords, type Kind } from "../logic/verdict";
 import { say, type TextKey } from "../logic/texts";
 import { element } from "../shell/element";
 import { coloured } from "./summary";
@@ -39,7 +39,7 @@ function verdictOf(run: Run, name: HTMLElement | null, store: Store): HTMLElemen
   return element("article", { class: `card verdict ${kind}` },
     element("div", { class: "verdict-head" }, name,
       element("h2", { class: "verdict-word" }, say(`verdict_${kind}`), triggerWords(trigger)),
-      element("p", {}, beforeTrigger(trigger), sentence(run, kind)),
+      element("p", {}, beforeTrigger(trigger), sentence(run, kind), stageWords(events?.flood)),
       ...notes.map((note) => element("p", { class: "verdict-note" }, note))),
     events ? element("dl", { class: "tiles" }, ...tilesOf(run).map((tile) => tileElement(tile, store))) : null);
 }

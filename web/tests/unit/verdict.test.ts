@@ -1,11 +1,12 @@
 // The verdict on the water: what may be said of it, and what must be read with it.
 
 import { afterEach, describe, expect, it } from "vitest";
+import type { Flood } from "../../src/data/format";
 import type { Run } from "../../src/data/run";
 import { slidesBySlope } from "../../src/logic/slides";
 import { columnPlace } from "../../src/logic/numbers";
 import { chooseLanguage } from "../../src/logic/texts";
-import { doubts, kindOf } from "../../src/logic/verdict";
+import { doubts, kindOf, stageWords } from "../../src/logic/verdict";
 
 afterEach(() => chooseLanguage("en"));
 
@@ -22,6 +23,18 @@ describe("the verdict", () => {
     expect(kindOf(runWith("stands", true))).toBe("stands");
     expect(kindOf(runWith("no level", true))).toBe("none");
     expect(kindOf(runWith("stands", true, { events: null }))).toBe("running");
+  });
+
+  it("says in which stage it came true", () => {
+    const words = (damaged: string, below: string) =>
+      stageWords({ stage_damaged: damaged, stage_below: below, stage: "flood" } as Flood);
+    expect(words("daily", "daily")).toBe(" It began in stage “daily”, before “flood”.");
+    expect(words("flood", "")).toBe(" It began in stage “flood”.");
+    expect(words("", "flood")).toBe(" It began in stage “flood”.");
+    expect(words("daily", "flood")).toBe(" The damage began in stage “daily”, the flood in “flood”.");
+    expect(words("", "")).toBe("");
+    expect(stageWords({} as Flood)).toBe(""); // of an older run
+    expect(stageWords(null)).toBe("");
   });
 
   it("comes with what speaks against it", () => {
