@@ -12,6 +12,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The edge of the crest as it was drawn: a corner near by, else one a little higher up, since all within a twentieth
+/// of the height below the highest ground is seen as crest.
+std::optional<Real> crest_edge(const FirstGround& first, Real seen)
+{
+  constexpr Real gentlest = 4.0, level = 0.05;  // slope 1:4; of the height
+  if (const auto corner = corner_near(first.outline, seen, first.column)) return corner;
+  const std::vector<Vec<2>> ground = places_of(first.surface);
+  if (ground.empty()) return std::nullopt;
+  const auto [lowest, highest] = std::ranges::minmax(ground, {}, [](const Vec<2>& x) { return x[1]; });
+  return corner_near(first.outline, seen, first.column + gentlest * level * (highest[1] - lowest[1]));
+}
+
 /// The slides of summary.json, each with the place at which it enters the ground. The first of each slope with the edge
 /// of the crest as it was drawn.
 Json slides_of(const Summary& s, const FirstGround& first)
@@ -24,7 +36,7 @@ Json slides_of(const Summary& s, const FirstGround& first)
     slides[k]["entry"] = entry ? Json{{"x", entry->x}, {"y", entry->y}, {"zone", entry->zone}} : Json();
     const bool is_first = std::none_of(s.slides.begin(), s.slides.begin() + static_cast<std::ptrdiff_t>(k),
         [&](const SlideSummary& before) { return before.slide.facing == slide.facing; });
-    const auto edge = is_first ? corner_near(first.outline, slide.crest_from, first.column) : std::nullopt;
+    const auto edge = is_first ? crest_edge(first, slide.crest_from) : std::nullopt;
     slides[k]["crest_edge"] = edge ? Json(*edge) : Json();
   }
   return slides;

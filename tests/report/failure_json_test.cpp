@@ -35,6 +35,11 @@ TEST(FailureJson, HasTheEventsUnderTheirNames)
   EXPECT_EQ(json["events"]["slides"][0]["entry"]["zone"], "crest");
   EXPECT_EQ(json["events"]["slides"][0]["entry"]["y"], 2.0);
   EXPECT_FLOAT_EQ(json["events"]["slides"][0]["crest_edge"].get<float>(), 7.6f);  // near 8
+  s.slides[0].slide.crest_from = 8.4;  // seen farther down the slope: 2 m of height allow 0.4 m more
+  EXPECT_FLOAT_EQ(written(run)["events"]["slides"][0]["crest_edge"].get<float>(), 7.6f);
+  s.slides[0].slide.crest_from = 9.0;
+  EXPECT_TRUE(written(run)["events"]["slides"][0]["crest_edge"].is_null());
+  s.slides[0].slide.crest_from = 8.0;
   s.slides.push_back(s.slides[0]);
   EXPECT_TRUE(written(run)["events"]["slides"][1]["crest_edge"].is_null());
   s.slides[1].slide.facing = Facing::left;

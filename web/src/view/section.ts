@@ -176,8 +176,9 @@ export function drawSlip(drawing: Drawing): void {
   const acting = slip?.phase === "acting";
   if (!slip || (!acting && options.bare)) return;
   path(drawing, slip.surface.points.flat());
-  if (acting) line(context, theme.slipEdge, options.bare ? 3 : 5);
-  line(context, theme.slip, options.bare || !acting ? 1.5 : 2.5, acting ? [] : [3, 6]);
+  const dash = acting ? [] : [3, 6]; // with an edge: it lies on soil of its own colour
+  line(context, theme.slipEdge, options.bare ? 3 : acting ? 5 : 4, dash);
+  line(context, theme.slip, options.bare || !acting ? 1.5 : 2.5, dash);
 }
 
 /** Slip planes of other methods; the key at the head of the view names them. */

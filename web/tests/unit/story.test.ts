@@ -32,7 +32,7 @@ describe("the story", () => {
       "The first slide begins at 0.18 s: the crest retreats from x = 8.00 m to 6.00 m. At 2.16 s it has slowed to a tenth of its largest kinetic energy.",
       "The second slide begins at 2.52 s: the crest retreats from x = 8.00 m to 6.00 m. It still moves at 4.00 s, with 20 % of its largest kinetic energy.",
       "By 4.00 s, 6.47 m² of soil (40.4 % of the section) have moved by more than 0.1 m. The front has run out by 5.07 m, to x = 13.06 m.",
-      "The first surface still stands up to x = 4.10 m, y = 1.96 m.",
+      "The initial ground still stands up to x = 4.10 m, y = 1.96 m.",
     ]);
   });
 
@@ -72,7 +72,7 @@ describe("the story", () => {
     run.meta.cell = 0.5;
     const texts = plain(tellStory(run));
     expect(texts[0]).toContain("from x = 7.60 m to 6.0 m (by columns of 0.5 m).");
-    expect(texts).toContain("The first surface still stands up to x = 4.1 m (by columns of 0.5 m), y = 1.96 m.");
+    expect(texts).toContain("The initial ground still stands up to x = 4.1 m (by columns of 0.5 m), y = 1.96 m.");
   });
 
   it("says that no soil of the case softens", () => {
