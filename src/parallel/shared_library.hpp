@@ -10,8 +10,8 @@ namespace terp {
 /// Closed when nobody uses it any more.
 class SharedLibrary {
  public:
-  /// Opening a library runs code of it; the floating-point environment is put back afterwards. Throws FileError with
-  /// the words of the system.
+  /// Opening a library runs code of it; the floating-point environment is put back afterwards. Throws FileError:
+  /// what is wrong with the file, or the words of the system.
   explicit SharedLibrary(const std::string& path);
   ~SharedLibrary();
   SharedLibrary(const SharedLibrary&) = delete;

@@ -17,7 +17,7 @@ SharedLibrary::SharedLibrary(const std::string& path)
   handle_ = LoadLibraryW(std::filesystem::absolute(std::filesystem::path(path)).c_str());
   const auto error = GetLastError();
   std::fesetenv(&environment);
-  if (handle_ == nullptr) throw FileError("LoadLibrary: error " + std::to_string(error));
+  if (handle_ == nullptr) throw FileError("The system says: LoadLibrary, error " + std::to_string(error));
 }
 
 SharedLibrary::~SharedLibrary() { FreeLibrary(static_cast<HMODULE>(handle_)); }

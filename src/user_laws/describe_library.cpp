@@ -135,7 +135,7 @@ FoundLibrary find_library(const std::string& folder, const LibraryCase& library)
     found.library = std::make_shared<const SharedLibrary>(found.path);
   } catch (const FileError& error) {
     refuse("library", "the library cannot be opened",
-        fmt::format("The system says: {}\n{}", error.what(), advice_on_opening(error.what())));
+        fmt::format("{}\n{}", error.what(), advice_on_opening(error.what())));
   }
   const InterfaceInfo& interface = info_of(library.interface);
   std::vector<std::string> symbols(interface.usual_symbols.begin(), interface.usual_symbols.end());

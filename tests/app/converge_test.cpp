@@ -228,7 +228,8 @@ TEST(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
       HasSubstr("--turn: `abc` is no number; allowed are -89.9 to 89.9\n"));
   EXPECT_THAT(refused({"--cells", "1.5,0.5", "--turn", "10", "--set", "mesh.size=[16.5, 3.0]"}),
       HasSubstr("error: cells of 1.5 m, turned by 10 degrees: no square of 3 m, two by two cells, fits"));
-  EXPECT_THAT(refused({"--cells", "1,0.5", "--points", "0"}), HasSubstr("--points: 0 is out of range; allowed are 1 to 16\n"));
+  EXPECT_THAT(
+      refused({"--cells", "1,0.5", "--points", "0"}), HasSubstr("--points: 0 is out of range; allowed are 1 to 16\n"));
   EXPECT_THAT(refused({"--cells", "1,0.4"}), HasSubstr("cells of 0.4 m: the mesh is not a whole number of such cells"));
 }
 

@@ -119,8 +119,8 @@ TEST(CommandLine, SaysWhatIsNoNumberAndWhatIsOutOfRange)
   EXPECT_THAT(
       refused("--damping", "much"), StartsWith("error: --damping: `much` is no number; allowed are 0 to 0.99\n"));
   EXPECT_THAT(refused("--damping", "1"), StartsWith("error: --damping: 1 is out of range; allowed are 0 to 0.99\n"));
-  EXPECT_THAT(refused("--threads", "1.5"),
-      StartsWith("error: --threads: `1.5` is no whole number; allowed are 1 to 1024\n"));
+  EXPECT_THAT(
+      refused("--threads", "1.5"), StartsWith("error: --threads: `1.5` is no whole number; allowed are 1 to 1024\n"));
 }
 
 TEST(CommandLine, PagesAreInEnglishOrDutch)

@@ -72,8 +72,7 @@ TEST(ImportDoubts, SayWhichStateIsTooLargeOrOutsideOfItsLayer)
       ElementsAre("Stage `daily`, state `SP` of the layer `clay (clay)`: it lies at 10.00, 1.00 m, outside of that "
                   "layer. Its POP holds there all the same."));
   outside.state_points[0].place = {10.0, -7.0};
-  EXPECT_THAT(folder_of(project_of({outside})).notes, ElementsAre(HasSubstr("outside of that layer")))
-      << "in the sand";
+  EXPECT_THAT(folder_of(project_of({outside})).notes, ElementsAre(HasSubstr("outside of that layer"))) << "in the sand";
   outside.state_points[0].place = {25.0, -3.0};
   EXPECT_THAT(folder_of(project_of({outside})).notes, ElementsAre(HasSubstr("outside of that layer")))
       << "beyond the end";

@@ -24,6 +24,26 @@ TEST(Library, ThatIsNoLibraryIsRefused)
       ElementsAre(told("library", "the library cannot be opened", HasSubstr("This is no shared library"))));
 }
 
+TEST(Library, ThatThisMachineCannotLoadIsRefusedInWords)
+{
+  const ScratchFolder scratch;
+  std::ifstream file(law_folder() + "/elastic.so", std::ios::binary);
+  const std::string good{std::istreambuf_iterator<char>(file), {}};
+  const auto said = [&](const char* why, auto change) {
+    std::string bytes = good;
+    change(bytes);
+    const std::string path = scratch.path() + "/law.so";
+    std::ofstream(path, std::ios::binary) << bytes;
+    EXPECT_THAT(problems_with({.file = path}),
+        ElementsAre(told("library", "the library cannot be opened", HasSubstr(path + ": " + why))));
+  };
+  constexpr std::size_t bits = 4, type = 16, machine = 18;  // in the head of an ELF file
+  said("it is a library of 32 bits, and this program has 64", [](std::string& b) { b[bits] = 1; });
+  said("it was built for another processor", [](std::string& b) { b[machine] ^= 1; });
+  said("it is an object file: link it with -shared", [](std::string& b) { b[type] = 1; });
+  said("the end of the file is missing", [](std::string& b) { b.resize(b.size() / 3); });
+}
+
 TEST(Library, ThatLacksAUtilityRoutineOfAbaqusIsToldWhereItIs)
 {
   EXPECT_THAT(problems_with({.file = "calls_sinv.so", .interface = LawInterface::umat}),
