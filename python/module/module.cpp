@@ -10,7 +10,7 @@
 #include "simulation/simulation.hpp"
 #include "simulation/stages.hpp"
 
-#include <mutex>
+#include <atomic>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -78,7 +78,12 @@ class PythonSimulation {
   }
 
   const Simulation& run() const { return *run_; }
-  bool has_ended() const { return run_->model.stage.is_last() && terp::has_ended(run_->model, run_->state); }
+  /// False while another thread makes steps.
+  bool has_ended()
+  {
+    const Turn turn(in_use_);
+    return turn.is_mine && ended();
+  }
 
   void start()
   {
@@ -100,27 +105,27 @@ class PythonSimulation {
   py::array_t<double> field(const std::string& name)
   {
     PointField found;
-    alone([&] { found = run_->field(name); });
+    alone([&] { answer([&] { found = run_->field(name); }); });
     return as_array(std::move(found.values), found.n_components);
   }
 
   void set_field(const std::string& name, const py::array_t<double, py::array::c_style | py::array::forcecast>& values)
   {
     const std::vector<Real> copy(values.data(), values.data() + values.size());
-    alone([&] { run_->set_field(name, copy); });
+    alone([&] { answer([&] { run_->set_field(name, copy); }); });
   }
 
   /// Views of a row of the points, one for each block, in the order of cells.
   std::vector<py::array> blocks(const std::string& name)
   {
+    const MyTurn turn(in_use_);
     const RowInfo* row = nullptr;
     std::string names;
     for (const RowInfo& entry : run_->model.rows.entries()) {
       if (entry.name == name) row = &entry;
       names += (names.empty() ? "" : ", ") + entry.name;
     }
-    if (row == nullptr)
-      throw InputError(Problem{name, "points carry no row of this name", "They carry: " + names + ".", ""});
+    if (row == nullptr) throw CaseError("points carry no row `" + name + "`\n  They carry: " + names + ".");
     std::vector<py::array> views;
     for_each_block(run_->state.points, [&](const PointBlock<2>& block) {
       if (!row->is_of(block.material)) return;
@@ -133,7 +138,11 @@ class PythonSimulation {
     return views;
   }
 
-  StateImage save() const { return run_->save(); }
+  StateImage save()
+  {
+    const MyTurn turn(in_use_);
+    return run_->save();
+  }
   void restore(const StateImage& image)
   {
     if (views_.use_count() > 1)
@@ -141,26 +150,80 @@ class PythonSimulation {
     alone([&] { run_->restore(image); });
   }
 
-  std::string summary() const
+  std::string summary()
   {
-    return summary_text(summarise(run_->model, run_->state), has_ended(), {file_->values.name, file_->text});
+    const MyTurn turn(in_use_);
+    return summary_text(summarise(run_->model, run_->state), ended(), {file_->values.name, file_->text});
   }
-  std::string warnings() const { return render_warnings(find_warnings(run_->model, run_->state), *file_); }
+  std::string warnings()
+  {
+    const MyTurn turn(in_use_);
+    return render_warnings(find_warnings(run_->model, run_->state), *file_);
+  }
+  std::string stage()
+  {
+    const MyTurn turn(in_use_);
+    return run_->model.stage.name;
+  }
+  Real end_time()
+  {
+    const MyTurn turn(in_use_);
+    return run_->model.time_of(last_step_of_run(run_->model, run_->state));
+  }
 
   /// The files of the run as far as it is, with a checkpoint from which `terp resume` goes on.
   void finish()
   {
-    if (files_) alone([&] { files_->finish(has_ended()); });
+    if (files_) alone([&] { files_->finish(ended()); });
   }
 
  private:
+  /// Holds the simulation, if nobody else does: another thread, or the function of a signal that comes during steps.
+  class Turn {
+   public:
+    explicit Turn(std::atomic<bool>& in_use) : is_mine(!in_use.exchange(true)), in_use_(in_use) {}
+    ~Turn()
+    {
+      if (is_mine) in_use_ = false;
+    }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+    const bool is_mine;
+
+   private:
+    std::atomic<bool>& in_use_;
+  };
+
+  /// Throws if it is not.
+  class MyTurn : public Turn {
+   public:
+    explicit MyTurn(std::atomic<bool>& in_use) : Turn(in_use)
+    {
+      if (!is_mine)
+        throw std::runtime_error("this simulation is in use by another thread: give each thread one of its own");
+    }
+  };
+
+  bool ended() const { return run_->model.stage.is_last() && terp::has_ended(run_->model, run_->state); }
+
+  /// What is wrong with what Python asked for, which is no fault of the case.
+  template <class F>
+  void answer(F&& f)
+  {
+    try {
+      f();
+    } catch (const InputError& error) {
+      const Problem& problem = error.problems().front();
+      throw CaseError(problem.key + ": " + problem.what + "\n  " + problem.detail);
+    }
+  }
+
   /// Without Python's lock, by one thread at a time. What is wrong with the case is told in the words of its file.
   template <class F>
   void alone(F&& f)
   {
-    const std::unique_lock lock(in_use_, std::try_to_lock);
-    if (!lock.owns_lock())
-      throw std::runtime_error("this simulation is in use by another thread: give each thread one of its own");
+    const MyTurn turn(in_use_);
     const py::gil_scoped_release others_go_on;
     try {
       f();
@@ -188,7 +251,7 @@ class PythonSimulation {
   std::unique_ptr<Simulation> run_;
   std::unique_ptr<RunFiles> files_;
   SignalWatch watch_;
-  std::mutex in_use_;
+  std::atomic<bool> in_use_ = false;
   std::shared_ptr<int> views_ = std::make_shared<int>(0);  // shared by views of the points' memory
 };
 
@@ -267,9 +330,8 @@ void bind_simulation(py::module_& module)
       .def_property_readonly("time", [](const S& s) { return s.run().state.time; })
       .def_property_readonly("n_steps", [](const S& s) { return s.run().state.step; })
       .def_property_readonly("dt", [](const S& s) { return s.run().model.dt; })
-      .def_property_readonly("stage", [](const S& s) { return s.run().model.stage.name; })
-      .def_property_readonly(
-          "end_time", [](const S& s) { return s.run().model.time_of(last_step_of_run(s.run().model, s.run().state)); })
+      .def_property_readonly("stage", &S::stage)
+      .def_property_readonly("end_time", &S::end_time)
       .def_property_readonly("n_points", [](const S& s) { return s.run().state.n_ids(); })
       .def_property_readonly(
           "nodes", [](const S& s) { return of_mesh<double>(s.run().model.mesh, s.run().model.mesh->nodes, 2); })

@@ -1,9 +1,11 @@
 """Cases and runs in memory, from the compiled part of the package: docs/python.md."""
 
 import json
+import math
+import operator
 import os
 import pathlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy
 import numpy.typing
@@ -12,18 +14,40 @@ from terp import _core
 from terp.errors import CaseError
 from terp.toml import toml_text, toml_value
 
+MOST_THREADS = 1024  # as of the program
+
+
+class _Text(str):
+    """The text of a case, not its path."""
+
 
 class Case:
-    """A case: the path of a case file, or a dictionary with the keys of one.
+    """A case: the path of a case file, or a dictionary with the keys of one; Case.from_text takes TOML.
 
     changes: values by dotted key, as `--set` takes them: {"material.clay.eta": 40, "mesh.cell": "0.5 m"}.
     folder: of a dictionary; where the files lie that it names.
     Raises CaseError with the program's message, which says where, what, and what to do."""
 
     def __init__(self, source: str | os.PathLike | dict, changes: dict | None = None, folder: str = "."):
-        self._source, self._folder, self._changes = source, folder, dict(changes or {})
+        if not isinstance(changes, (Mapping, type(None))):
+            raise CaseError('changes are a dictionary by dotted key: {"mesh.cell": 0.5}')
+        if isinstance(source, str) and "\n" in source:
+            raise CaseError("a path has one line; terp.Case.from_text takes the text of a case")
+        self._set(source, folder, dict(changes or {}))
+
+    @classmethod
+    def from_text(cls, text: str, changes: dict | None = None, folder: str = ".") -> "Case":
+        """A case from the text of a case file. folder: where the files lie that it names."""
+        case = cls.__new__(cls)
+        case._set(_Text(text), folder, dict(changes or {}))
+        return case
+
+    def _set(self, source, folder, changes):
+        self._source, self._folder, self._changes = source, folder, changes
         words = [f"{key}={toml_value(value)}" for key, value in self._changes.items()]
-        if isinstance(source, (str, os.PathLike)):
+        if isinstance(source, _Text):
+            self._file = _core.read_case_text(source, str(pathlib.Path(folder) / "text"), words)
+        elif isinstance(source, (str, os.PathLike)):
             self._file = _core.read_case(os.fspath(source), words)
         elif isinstance(source, dict):
             self._file = _core.read_case_text(toml_text(source), str(pathlib.Path(folder) / "dictionary"), words)
@@ -32,7 +56,9 @@ class Case:
 
     def changed(self, changes: dict) -> "Case":
         """The same case with further changes; this one stays as it is."""
-        return Case(self._source, {**self._changes, **changes}, self._folder)
+        case = Case.__new__(Case)
+        case._set(self._source, self._folder, {**self._changes, **changes})
+        return case
 
     @property
     def text(self) -> str:
@@ -62,6 +88,10 @@ class Simulation:
     def __init__(self, case: Case | str | os.PathLike | dict, threads: int = 1,
                  output: str | os.PathLike | None = None, force: bool = False, mesh_of: "Simulation | None" = None):
         self.case = case if isinstance(case, Case) else Case(case)
+        if not isinstance(mesh_of, (Simulation, type(None))):
+            raise TypeError(f"mesh_of is another Simulation, not {type(mesh_of).__name__}")
+        if not 1 <= operator.index(threads) <= MOST_THREADS:
+            raise CaseError(f"threads: {threads} is out of range; allowed are 1 to {MOST_THREADS}")
         self._run = _core.Simulation(self.case._file, threads, mesh_of and mesh_of._run,
                                      "" if output is None else os.fspath(output), force)
 
@@ -83,6 +113,8 @@ class Simulation:
         every `every` seconds of its time, and at the end; where it returns False the run ends there."""
         if (every is None) != (call is None):
             raise ValueError("give both `every` and `call`, or none of them")
+        if math.isnan(until):
+            raise ValueError("until must be a time, not nan")
         if call is None:
             self._run.run_until(until)
             return
@@ -91,7 +123,7 @@ class Simulation:
         self.start()
         first, k = self.time, 0
         while call(self) is not False and not self.has_ended and self.time < until:
-            k += 1
+            k = max(k, math.floor((self.time - first) / every)) + 1  # a step may be longer than `every`
             self._run.run_until(min(first + k * every, until))
 
     def field(self, name: str) -> numpy.ndarray:
@@ -100,8 +132,16 @@ class Simulation:
         return self._run.field(name)
 
     def set_field(self, name: str, values: numpy.typing.ArrayLike) -> None:
-        """Sets velocity, stress, strain, volume or a variable of the laws; shape and order as field() gives them."""
-        self._run.set_field(name, numpy.asarray(values, dtype=float))
+        """Sets velocity, stress, strain, volume or a variable of the laws; shape and order as field() gives them.
+        Does what start() does before, which would set some of them."""
+        self.start()
+        given, shape = numpy.ma.asarray(values), self.field(name).shape
+        if given.dtype.kind not in "buif" or numpy.ma.is_masked(given):
+            raise CaseError(f"{name}: real numbers are needed, none of them masked; got {given.dtype}")
+        if given.shape != shape:
+            raise CaseError(f"{name}: values of shape {given.shape} were given\n"
+                            f"  Its shape is {shape}, sorted by number of the point.")
+        self._run.set_field(name, numpy.asarray(given, dtype=float))
 
     def blocks(self, name: str) -> list[numpy.ndarray]:
         """A row of the points without a copy: views of memory, one for each block of points of a cell, which change as

@@ -82,6 +82,9 @@ void check_value(const Model& model, const State& state, const std::string& name
   if (place.first_row == Rows::volume && !(*value > 0.0))
     refuse(
         name, fmt::format("the volume of material point {} is not positive", id), fmt::format("Got {} m^2.", *value));
+  if (place.first_row == row_of(material, Role::plastic_strain) && *value < 0.0)
+    refuse(
+        name, fmt::format("the plastic strain of material point {} is below zero", id), fmt::format("Got {}.", *value));
   const std::span<const int> of_law = std::span(material.rows).subspan(static_cast<std::size_t>(material.n_state()));
   if (std::ranges::find(of_law, place.first_row) != of_law.end())
     check_point_parameter(model, state, block, lane, place.first_row, *value);

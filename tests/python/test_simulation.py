@@ -71,6 +71,31 @@ class SimulationInMemory(unittest.TestCase):
         self.same_bits(run)
         self.assertEqual(tomllib.loads(terp.Case(keys).text)["material"], keys["material"])
 
+    def test_the_text_of_a_file_is_a_case(self):
+        run = terp.Simulation(terp.Case.from_text(CASE.read_text()).changed(COARSE))
+        run.run()
+        self.same_bits(run)
+        with self.assertRaisesRegex(terp.CaseError, "text:1:8: "):
+            terp.Case.from_text("time = { end = 1.0")
+        with self.assertRaisesRegex(terp.CaseError, "from_text takes the text of a case"):
+            terp.Case(CASE.read_text())
+
+    def test_wrong_arguments_are_refused(self):
+        for wrong in (0, -1, 100000):
+            with self.assertRaisesRegex(terp.CaseError, f"{wrong} is out of range; allowed are 1 to 1024"):
+                terp.Simulation(self.case, threads=wrong)
+        with self.assertRaisesRegex(TypeError, "mesh_of is another Simulation, not Case"):
+            terp.Simulation(self.case, mesh_of=self.case)
+        with self.assertRaisesRegex(ValueError, "not nan"):
+            self.solved.run(until=float("nan"))
+        with self.assertRaisesRegex(terp.CaseError, "a dictionary by dotted key"):
+            terp.Case(CASE, ["mesh.cell=0.5"])
+
+    def test_a_function_is_called_once_a_step_at_most(self):
+        run, steps = terp.Simulation(self.case), []
+        run.run(until=0.05, every=1e-9, call=lambda s: steps.append(s.n_steps))
+        self.assertEqual(steps, list(range(run.n_steps + 1)))
+
     def test_a_function_is_called_at_times_and_may_end_the_run(self):
         times = []
         run = terp.Simulation(self.case)
@@ -122,8 +147,18 @@ class SimulationInMemory(unittest.TestCase):
         velocity[:, 0] = 0.5
         run.set_field("velocity", velocity)
         np.testing.assert_array_equal(run.field("velocity"), velocity)
-        with self.assertRaisesRegex(terp.CaseError, "values were given"):
+        with self.assertRaisesRegex(terp.CaseError, "were given"):
             run.set_field("velocity", velocity[:5])
+        for wrong in (velocity.T, velocity.ravel(), velocity[:, :, None], velocity[:, :2]):
+            with self.assertRaisesRegex(terp.CaseError, r"were given\n  Its shape is \(\d+, 3\)"):
+                run.set_field("velocity", wrong)
+        for wrong in (velocity + 1j, velocity.astype(str), np.full(velocity.shape, None),
+                      np.ma.masked_array(velocity, mask=velocity > 0)):
+            with self.assertRaisesRegex(terp.CaseError, "real numbers are needed"):
+                run.set_field("velocity", wrong)
+        with self.assertRaisesRegex(terp.CaseError, "the plastic strain of material point 0 is below zero"):
+            run.set_field("eps_eq_p", -np.ones(run.n_points))
+        np.testing.assert_array_equal(run.field("velocity"), velocity, "nothing was set")
         velocity[7, 0] = np.nan
         with self.assertRaisesRegex(terp.CaseError, "material point 7 is not a finite number"):
             run.set_field("velocity", velocity)
@@ -160,6 +195,11 @@ class SimulationInMemory(unittest.TestCase):
             time.sleep(0.001)
         with self.assertRaisesRegex(RuntimeError, "in use by another thread"):
             run.step()
+        self.assertFalse(run.has_ended)
+        self.assertGreater(run.time, 0.0)
+        for read in (lambda: run.summary, lambda: run.stage, lambda: run.blocks("velocity"), run.save):
+            with self.assertRaisesRegex(RuntimeError, "in use by another thread"):
+                read()
         first.join()
         self.assertTrue(run.has_ended)
 
