@@ -8,6 +8,8 @@
 #include "input/printable.hpp"
 #include "parallel/instructions.hpp"
 #include "parallel/memory.hpp"
+#include "report/page.hpp"
+#include "study/reliability.hpp"
 #include "system/terminal.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +21,7 @@
 #include <cstring>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -65,6 +68,24 @@ int call(const CLI::App& app, const terp::CommandLine& line)
   return terp::solved;
 }
 
+#ifdef __clang__
+constexpr const char* compiler = __VERSION__;
+#else
+constexpr const char* compiler = "GCC " __VERSION__;
+#endif
+
+/// The version and the instructions in use; then what this program was built with.
+std::string version_text()
+{
+  std::vector<std::string_view> sets;
+  for (const terp::InstructionSet& set : terp::instruction_sets()) sets.push_back(set.name);
+  const auto known = [](bool there) { return there ? "yes" : "no"; };
+  return fmt::format(
+      "terp {} ({})\n  compiler       {}\n  instructions   {}\n  report page    {}\n  OpenTURNS      {}\n",
+      TERP_VERSION, terp::instructions(), compiler, fmt::join(sets, ", "), known(terp::has_page()),
+      known(terp::has_openturns()));
+}
+
 /// Help and version are answered wherever they stand on the line; help on a command if it begins with one.
 bool answer_help(const CLI::App& app, int argc, char** argv)
 {
@@ -72,7 +93,7 @@ bool answer_help(const CLI::App& app, int argc, char** argv)
     const std::string_view word = argv[k];
     if (k == 1 && word == "help") return fmt::print("{}", terp::help_on(app, argc > 2 ? argv[2] : "")), true;
     if (word == "-h" || word == "--help") return fmt::print("{}", terp::help_on(app, argv[1])), true;
-    if (word == "--version") return fmt::print("terp {} ({})\n", TERP_VERSION, terp::instructions()), true;
+    if (word == "--version") return fmt::print("{}", version_text()), true;
   }
   if (argc == 1) fmt::print("{}", terp::help_on(app, ""));
   return argc == 1;

@@ -1,8 +1,8 @@
 # `make package`: a Debian package with the program, the Python package, documents, cases, manual page and completion.
 # Headers and library are a component of their own, "development", which is not in it: `cmake --install` installs both.
-set(TERP_MANUAL ${PROJECT_BINARY_DIR}/terp.1)
+set(TERP_MANUAL ${PROJECT_BINARY_DIR}/terp.1.gz)
 add_custom_command(OUTPUT ${TERP_MANUAL}
-                   COMMAND ${PROJECT_SOURCE_DIR}/packaging/make_man $<TARGET_FILE:terp> > ${TERP_MANUAL}
+                   COMMAND ${PROJECT_SOURCE_DIR}/packaging/make_man $<TARGET_FILE:terp> | gzip -9n > ${TERP_MANUAL}
                    DEPENDS terp ${PROJECT_SOURCE_DIR}/packaging/make_man)
 set(TERP_SCHEMA ${PROJECT_BINARY_DIR}/terp.schema.json)
 add_custom_command(OUTPUT ${TERP_SCHEMA} COMMAND terp schema > ${TERP_SCHEMA} DEPENDS terp)
@@ -35,6 +35,9 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME terp)
 set(CPACK_PACKAGE_CONTACT "The authors of Terp")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Explicit material point method for soil that softens and fails")
+set(CPACK_COMPONENT_USER_DESCRIPTION "Terp solves how a slope or dike of softening soil fails, and how far the soil moves:
+verdict on a flood, factor of safety, stages, probability. The program terp reads case files and sections of
+D-Stability; the Python package terp solves cases and reads results. A soil law of your own is a shared library.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL user)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -42,6 +45,7 @@ set(CPACK_DEBIAN_USER_PACKAGE_NAME terp)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gmsh, python3-numpy, python3-h5py, python3-matplotlib, bash-completion")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gfortran, python3-pandas")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_STRIP_FILES ON)
 include(CPack)

@@ -1,5 +1,7 @@
 // The command line: help, version, words that are not commands, and the commands that only tell.
 #include "parallel/instructions.hpp"
+#include "report/page.hpp"
+#include "study/reliability.hpp"
 #include "support/process.hpp"
 #include "support/test.hpp"
 
@@ -62,11 +64,14 @@ TEST(Help, IsWhatTerpAloneSays)
   EXPECT_EQ(f.out, test::terp({"--help"}).out);
 }
 
-TEST(Version, IsOneLineAndSaysWhichInstructionsItUses)
+TEST(Version, SaysWhichInstructionsItUsesAndWhatItWasBuiltWith)
 {
   const Finished f = test::terp({"--version"});
   EXPECT_EQ(f.status, 0);
-  EXPECT_EQ(f.out, "terp " TERP_VERSION " (" + std::string(instructions()) + ")\n");
+  EXPECT_THAT(f.out, StartsWith("terp " TERP_VERSION " (" + std::string(instructions()) + ")\n  compiler       "));
+  EXPECT_THAT(f.out, ContainsRegex("\n  instructions   .*" + std::string(instructions())));
+  EXPECT_THAT(f.out, HasSubstr(std::string("\n  OpenTURNS      ") + (has_openturns() ? "yes\n" : "no\n")));
+  EXPECT_THAT(f.out, HasSubstr(std::string("\n  report page    ") + (has_page() ? "yes\n" : "no\n")));
 }
 
 TEST(CommandLine, WhatItDoesNotKnowIsBadInputAndPointsToTheHelp)
