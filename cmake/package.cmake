@@ -36,8 +36,10 @@ set(CPACK_PACKAGE_NAME terp)
 set(CPACK_PACKAGE_CONTACT "The authors of Terp")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Explicit material point method for soil that softens and fails")
 set(CPACK_COMPONENT_USER_DESCRIPTION
-    "Terp solves how a slope or dike of softening soil fails, and how far the soil moves: verdict on a flood, factor of safety, stages, probability. The program terp reads case files and sections of
-D-Stability; the Python package terp solves cases and reads results. A soil law of your own is a shared library.")
+    "Terp solves how a slope or dike of softening soil fails, and how far the soil moves.
+It gives a verdict on a flood, a factor of safety, stages, and probabilities. The program
+terp reads case files and sections of D-Stability; the Python package terp solves cases and
+reads results. A soil law of your own is a shared library.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL user)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
