@@ -70,6 +70,7 @@ class JsonCursor {
   void tell_unknown() const;
   void fault(const char* key, const std::string& what, const std::string& detail) const;
   void remark(const std::string& what) const { notes_->remark(where_, what); }
+  void remark_on_format(const std::string& what) const { notes_->remark_on_format(where_, what); }
 
  private:
   const JsonNode* find(const char* key);

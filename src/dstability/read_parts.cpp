@@ -124,6 +124,28 @@ void read_reference_line(StixWater& water, JsonCursor& from)
   end_entry(from);
 }
 
+/// The ends of a section are upright: corners next to them are moved onto them. Else it would end in a sliver in which
+/// most layers are missing. Tells how many moved, and by how much.
+void straighten_ends(const JsonCursor& file, std::vector<StixLayer>& layers)
+{
+  constexpr Real near_end = 0.01;  // [m]: coordinates of drawings are in cm
+  Real low = 1e30, high = -1e30, most = 0.0;
+  for (const StixLayer& layer : layers)
+    for (const Vec<2>& x : layer.outline) low = std::min(low, x[0]), high = std::max(high, x[0]);
+  std::size_t moved = 0;
+  for (StixLayer& layer : layers)
+    for (Vec<2>& x : layer.outline)
+      if (const Real end = x[0] < low + near_end ? low : high; x[0] != end && std::abs(x[0] - end) < near_end) {
+        most = std::max(most, std::abs(x[0] - end));
+        x[0] = end;
+        ++moved;
+      }
+  if (moved > 0)
+    file.remark_on_format(
+        fmt::format("The ends of this section are not upright: {} corners were moved onto them, by up to {:.1f} mm.",
+            moved, 1e3 * most));
+}
+
 }  // namespace
 
 void read_geometry(JsonCursor& file, StixParts& parts)
@@ -136,6 +158,7 @@ void read_geometry(JsonCursor& file, StixParts& parts)
     layers.push_back(std::move(layer));
     end_entry(entry);
   }
+  straighten_ends(file, layers);
   parts.geometries.add(file.id("Id"), file, std::move(layers));
   end(file);
 }

@@ -1,7 +1,6 @@
 #include "output/section_water.hpp"
 
 #include "simulation/overburden.hpp"
-#include "water/water_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,19 +46,20 @@ std::string SectionWater::below_water() const
 void SectionWater::first_water()
 {
   const WaterSituation& water = terp::first_water(model_.description.water);
-  if (water.phreatic_line.empty()) return;
+  const std::vector<Vec<2>> table = table_of(water);
+  if (table.empty()) return;
   constexpr int n = 400;  // samples over the width of the mesh
   const Overburden overburden(model_);
   std::string free;
   for (int k = 0; k <= n; ++k) {
-    const Real x = low_[0] + (high_[0] - low_[0]) * k / n, y = elevation_at(water.phreatic_line, x);
+    const Real x = low_[0] + (high_[0] - low_[0]) * k / n, y = elevation_at(table, x);
     if (const Real ground = std::max(overburden.ground(x).value_or(low_[1]), low_[1]); y > ground)
       free += fmt::format("M{0:.2f} {1:.2f}V{2:.2f}", px(x), py(y), py(ground));
   }
   put("<path d=\"{}\" stroke=\"#5b9bd5\" stroke-opacity=\"0.35\" stroke-width=\"{:.2f}\"/>", free,
       scale_ * (high_[0] - low_[0]) / n + 0.2);
   put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-dasharray=\"8 4\"/>",
-      over_section(water.phreatic_line), first_colour);
+      over_section(table), first_colour);
   for (const ReferenceLine& reference : water.reference_lines)
     put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"2 4\"/>",
         over_section(reference.places), first_colour);
@@ -83,10 +83,11 @@ void SectionWater::heads_and_later_water()
   heads(terp::first_water(water), true);
   for (const WaterSituation& of : water.situations) {
     heads(of, false);
-    if (of.phreatic_line.empty() || of.phreatic_line == terp::first_water(water).phreatic_line) continue;
+    const std::vector<Vec<2>> table = table_of(of);
+    if (table.empty() || table == table_of(terp::first_water(water))) continue;
     put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" stroke-dasharray=\"3 3\"/>",
-        over_section(of.phreatic_line), later_colour);
-    name_line(false, elevation_at(of.phreatic_line, low_[0]), name_of(of), later_colour);
+        over_section(table), later_colour);
+    name_line(false, elevation_at(table, low_[0]), name_of(of), later_colour);
   }
   if (const FloodLevel& level = model_.flood_level; level.is_known()) {
     put("<path d=\"M{:.2f} {:.2f}H{:.2f}\" stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"12 3 2 3\"/>",
@@ -122,7 +123,8 @@ void SectionWater::water_legend(
 {
   const WaterCase& all = model_.description.water;
   const WaterSituation& water = terp::first_water(all);
-  if (!water.phreatic_line.empty())
+  const std::vector<Vec<2>> first = table_of(water);
+  if (!first.empty())
     entry(sample(first_colour, 2.0, "8 4"), heads_and_later ? "phreatic line at the start" : "phreatic line");
   if (!water.reference_lines.empty()) entry(sample(first_colour, 1.2, "2 4"), "reference line");
   if (!heads_and_later) return;
@@ -130,7 +132,8 @@ void SectionWater::water_legend(
   if (has_heads(water) || std::ranges::any_of(all.situations, has_heads))
     entry(sample(head_colour, 1.8, head_dashes), "head of a layer");
   const auto is_another = [&](const WaterSituation& of) {
-    return !of.phreatic_line.empty() && of.phreatic_line != water.phreatic_line;
+    const std::vector<Vec<2>> table = table_of(of);
+    return !table.empty() && table != first;
   };
   if (std::ranges::any_of(all.situations, is_another))
     entry(sample(later_colour, 1.6, "3 3"), "phreatic line of another situation");

@@ -4,6 +4,7 @@
 
 #include "output/section_canvas.hpp"
 #include "simulation/model.hpp"
+#include "water/water_pressure.hpp"
 
 #include <functional>
 
@@ -27,6 +28,10 @@ class SectionWater : protected SectionCanvas {
   const Model& model_;
 
  private:
+  std::vector<Vec<2>> table_of(const WaterSituation& of) const
+  {
+    return water_table(model_.description.water, of, low_, high_);
+  }
   std::string over_section(const std::vector<Vec<2>>& line) const;
   void heads(const WaterSituation& of, bool is_first);
   /// Names a line at an end of the section, once all lines are drawn.

@@ -98,12 +98,14 @@ std::vector<float> phreatic_line(
     const Case& description, const std::vector<StageSummary>& stages, const Mesh<2>& mesh, Real begin, Real time)
 {
   const WaterCase& water = description.water;
-  if (water.start.phreatic_line.empty()) return {};
   const WaterWay now = water_at(description, stages, begin, time);
-  const auto &from = situation_of(water, now.from).phreatic_line, &to = situation_of(water, now.to).phreatic_line;
-  if (from.empty() || to.empty()) return {};  // a formula
   const Real share = now.share;
   const auto [first, last] = std::ranges::minmax(mesh.nodes, {}, [](const Vec<2>& x) { return x[0]; });
+  const auto [lowest, highest] = std::ranges::minmax(mesh.nodes, {}, [](const Vec<2>& x) { return x[1]; });
+  const Vec<2> low{first[0], lowest[1]}, high{last[0], highest[1]};
+  const std::vector<Vec<2>> from = water_table(water, situation_of(water, now.from), low, high);
+  const std::vector<Vec<2>> to = water_table(water, situation_of(water, now.to), low, high);
+  if (from.empty() || to.empty()) return {};
   std::vector<Real> places{first[0], last[0]};
   for (const auto* line : {&from, &to})
     for (const Vec<2>& x : *line)

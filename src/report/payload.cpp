@@ -219,7 +219,7 @@ LinesOfFrames surfaces_of(const Source& source, const ShownRun& shown)
 /// The phreatic line of each frame; none without one.
 std::optional<LinesOfFrames> water_of(const Source& source, const ShownRun& shown)
 {
-  if (!source.mesh || source.case_read->values.water.start.phreatic_line.empty()) return std::nullopt;
+  if (!source.mesh || !source.case_read->values.water.is_given()) return std::nullopt;
   LinesOfFrames lines;
   for (const Real time : shown.times)
     lines.add(phreatic_line(

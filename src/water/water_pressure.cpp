@@ -41,6 +41,36 @@ Real water_pressure(const WaterCase& water, const WaterSituation& situation, Vec
   return std::max(unlimited_pressure(water, situation, x, time), 0.0);
 }
 
+namespace {
+
+/// Elevation of the highest water along a vertical line in which pressure grows as in still water; none: `low`.
+Real highest_water(const WaterCase& water, const WaterSituation& situation, Real x, Real low, Real high)
+{
+  constexpr int n = 200;
+  const Real step = (high - low) / n;
+  const auto head = [&](Real y) { return y + water_pressure(water, situation, {x, y}, 0.0) / water.unit_weight; };
+  if (const Real top = head(high); top > high) return top;
+  for (int k = 1; k <= n; ++k)
+    if (const Real y = high - k * step; head(y) > y) return std::clamp(head(std::max(y - step, low)), y, y + step);
+  return low;
+}
+
+}  // namespace
+
+std::vector<Vec<2>> water_table(const WaterCase& water, const WaterSituation& situation, Vec<2> low, Vec<2> high)
+{
+  if (!situation.formula) return situation.phreatic_line;
+  if (situation.formula_changes) return {};
+  constexpr int n = 200;
+  std::vector<Vec<2>> line;
+  for (int k = 0; k <= n; ++k) {
+    const Real x = std::lerp(low[0], high[0], static_cast<Real>(k) / n);
+    line.push_back({x, highest_water(water, situation, x, low[1], high[1])});
+  }
+  const bool is_dry = std::ranges::all_of(line, [&](const Vec<2>& place) { return place[1] <= low[1]; });
+  return is_dry ? std::vector<Vec<2>>{} : line;
+}
+
 std::vector<WaterKnot> knots_of(const WaterCase& water)
 {
   if (water.standing) return {{0.0, *water.standing}};

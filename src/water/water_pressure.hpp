@@ -35,6 +35,10 @@ Real unlimited_pressure(const WaterCase& water, const WaterSituation& situation,
 /// The same, at least zero [Pa].
 Real water_pressure(const WaterCase& water, const WaterSituation& situation, Vec<2> x, Real time);
 
+/// Where the water of a situation stands, for pictures: its phreatic line, or that of a formula or grid between two
+/// corners [m], below which its pressure is more than zero. Empty if there is no water, or the formula speaks of time.
+std::vector<Vec<2>> water_table(const WaterCase& water, const WaterSituation& situation, Vec<2> low, Vec<2> high);
+
 /// Number of a situation of a case: 0 is that of the start, k + 1 the k-th of the others.
 inline const WaterSituation& situation_of(const WaterCase& water, std::size_t number)
 {

@@ -20,6 +20,19 @@ TEST(ReadParts, LeavesOutWhatHasNoPlacesAndTellsOfIt)
           "results/bishopbruteforce/bishopbruteforceresult.json: No calculation names this result. It was not used."));
 }
 
+TEST(ReadParts, StraightensTheEndsOfASection)
+{
+  const std::string corner = R"({"X":90.0,"Z":-10.0})";
+  const StixProject near = read_changed("geometries/geometry.json", corner, R"({"X":89.996,"Z":-10.0})");
+  EXPECT_EQ(near.scenarios[0].stages[0].layers[1].outline[4], (Vec<2>{90.0, -10.0}));
+  EXPECT_THAT(remarks_of(near), ElementsAre("geometries/geometry.json: The ends of this section are not upright: 1 "
+                                            "corners were moved onto them, by up to 4.0 mm."));
+  EXPECT_TRUE(near.remarks[0].is_of_format) << "it puts nothing in doubt";
+  const StixProject far = read_changed("geometries/geometry.json", corner, R"({"X":89.98,"Z":-10.0})");
+  EXPECT_EQ(far.scenarios[0].stages[0].layers[1].outline[4], (Vec<2>{89.98, -10.0}));
+  EXPECT_THAT(remarks_of(far), IsEmpty());
+}
+
 TEST(ReadParts, TakesAStateWithoutTypeAsNone)
 {
   const StixProject project = read_changed("states/states.json", "\"StateType\":\"Pop\"", "\"StateType\":null");

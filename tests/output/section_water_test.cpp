@@ -70,4 +70,16 @@ TEST(SectionWater, ShowsWithAResultOnlyWhatHoldsThen)
   EXPECT_THAT(svg, HasSubstr(">phreatic line</text>"));
 }
 
+TEST(SectionWater, DrawsTheWaterOfAGrid)
+{
+  Case c = two_layers();
+  c.water.start = {};
+  c.water.start.formula = [](Vec<2> x, Real) { return 9810.0 * std::max(1.5 - x[1], 0.0); };
+  c.water.situations = {{.name = "flood"}};
+  c.water.situations[0].formula = [](Vec<2> x, Real) { return 9810.0 * std::max(1.8 - x[1], 0.0); };
+  const std::string svg = drawing_of(c);
+  EXPECT_THAT(svg, AllOf(HasSubstr(">phreatic line at the start</text>"), HasSubstr(">flood</text>"),
+                       HasSubstr(">phreatic line of another situation</text>")));
+}
+
 }  // namespace

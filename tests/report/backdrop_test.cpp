@@ -69,6 +69,17 @@ TEST(Backdrop, ThePhreaticLineIsThatOfTheStage)
   EXPECT_EQ(level(9.0), 3.0f);
 }
 
+TEST(Backdrop, ThePhreaticLineOfAGridIsWhereItsWaterStands)
+{
+  Case c;
+  c.water.start.phreatic_line = {{0.0, 1.0}};
+  c.water.situations = {{.name = "high", .time = 8.0}};
+  c.water.situations[0].formula = [](Vec<2> x, Real) { return 9810.0 * std::max(1.5 - x[1], 0.0); };
+  const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {3.0, 2.0}, {3, 2});
+  EXPECT_NEAR(phreatic_line(c, {}, mesh, 0.0, 4.0).at(1), 1.25, 1e-6);
+  EXPECT_NEAR(phreatic_line(c, {}, mesh, 0.0, 8.0).at(1), 1.5, 1e-6);
+}
+
 // A run that goes on from another one does not begin at t = 0.
 TEST(Backdrop, TheRampOfTheFirstStageBeginsWithTheRun)
 {
