@@ -58,8 +58,8 @@ void SectionWater::first_water()
   }
   put("<path d=\"{}\" stroke=\"#5b9bd5\" stroke-opacity=\"0.35\" stroke-width=\"{:.2f}\"/>", free,
       scale_ * (high_[0] - low_[0]) / n + 0.2);
-  put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-dasharray=\"8 4\"/>",
-      over_section(table), first_colour);
+  put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-dasharray=\"8 4\"/>", over_section(table),
+      first_colour);
   for (const ReferenceLine& reference : water.reference_lines)
     put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"2 4\"/>",
         over_section(reference.places), first_colour);

@@ -43,15 +43,17 @@ Real water_pressure(const WaterCase& water, const WaterSituation& situation, Vec
 
 namespace {
 
-/// Elevation of the highest water along a vertical line in which pressure grows as in still water; none: `low`.
+/// Elevation of the highest water along a vertical line in which pressure grows as in still water; none: `low`. A grid
+/// blurs where its pressure begins, so the head a little below counts.
 Real highest_water(const WaterCase& water, const WaterSituation& situation, Real x, Real low, Real high)
 {
-  constexpr int n = 200;
+  constexpr int n = 200, below = 5;
   const Real step = (high - low) / n;
   const auto head = [&](Real y) { return y + water_pressure(water, situation, {x, y}, 0.0) / water.unit_weight; };
   if (const Real top = head(high); top > high) return top;
   for (int k = 1; k <= n; ++k)
-    if (const Real y = high - k * step; head(y) > y) return std::clamp(head(std::max(y - step, low)), y, y + step);
+    if (const Real y = high - k * step; head(y) > y)
+      return std::clamp(head(std::max(y - below * step, low)), std::max(y - below * step, low), y + step);
   return low;
 }
 

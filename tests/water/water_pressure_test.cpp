@@ -73,9 +73,7 @@ TEST(WaterTable, IsThePhreaticLineOrWhereAFormulaHasItsHighestWater)
   WaterCase water = river();
   EXPECT_EQ(water_table(water, water.start, {0.0, 0.0}, {9.0, 9.0}), water.start.phreatic_line);
   WaterSituation grid;  // still water 2 to 3 m above the base, and an aquifer of higher head below it
-  grid.formula = [](Vec<2> x, Real) {
-    return x[1] < 0.5 ? 60e3 : 10.0e3 * std::max(2.0 + 0.1 * x[0] - x[1], 0.0);
-  };
+  grid.formula = [](Vec<2> x, Real) { return x[1] < 0.5 ? 60e3 : 10.0e3 * std::max(2.0 + 0.1 * x[0] - x[1], 0.0); };
   const auto table = water_table(water, grid, {0.0, 0.0}, {10.0, 7.0});
   ASSERT_EQ(table.size(), 201u);
   for (const Vec<2>& place : table) EXPECT_NEAR(place[1], 2.0 + 0.1 * place[0], 1e-9) << place[0];

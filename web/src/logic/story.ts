@@ -146,8 +146,17 @@ function tellSlides(run: Run): string[] {
     return [say("story_slide", { ordinal: ordinal(k), time: seconds(slide.begins), side: side && ` ${side}`,
       from: crestFrom(meta, slide), to: columnPlace(slide.crest_to, meta.cell), column: spaced(byColumns(meta)) }),
     entry ? say("story_entry", { x: metres(entry.x), zone: zoneText(meta, slide) }) : "",
+    entry ? reachText(slide) : "",
     endOfSlide(run, slides, k)].filter(Boolean).join(" ");
   });
+}
+
+/** How deep the slip surface goes and where it ends, away from its entry. */
+function reachText({ entry, slip_surface: surface }: Slide): string {
+  if (!entry || !surface || surface.points.length < 2) return "";
+  const [first, last] = [surface.points[0]!, surface.points[surface.points.length - 1]!];
+  const end = Math.abs(first[0] - entry.x) > Math.abs(last[0] - entry.x) ? first : last;
+  return say("story_reach", { low: metres(Math.min(...surface.points.map(([, y]) => y))), x: metres(end[0]) });
 }
 
 function spaced(text: string): string {
@@ -311,7 +320,7 @@ export function listWarnings(run: Run): string[] {
 /** ", after strengths were divided by 1.12": a verdict under a trigger never stands without it. */
 export function triggerWords(trigger: Trigger | null | undefined): string {
   if (!trigger) return "";
-  const parts = [trigger.at_strength !== 1 ? say("trigger_strength", { factor: `${trigger.at_strength}` }) : "",
+  const parts = [trigger.at_strength !== 1 ? say("trigger_strength", { factor: numberText(trigger.at_strength) }) : "",
     typeof trigger.river === "number" ? say("trigger_river", { level: metres(trigger.river) }) : ""].filter(Boolean);
   return `, ${parts.length > 0 ? parts.join(say("trigger_and")) : say("trigger_stage", { stage: trigger.stage })}`;
 }

@@ -252,6 +252,7 @@ export const TEXTS = {
     "De {ordinal} afschuiving begint op {time}{side}: de kruin gaat terug van x = {from} naar {to}{column}."],
   story_entry: ["Its slip surface enters the ground at x = {x}, {zone}.",
     "Het glijvlak treedt in op x = {x}, {zone}."],
+  story_reach: ["It goes down to y = {low} and ends at x = {x}.", "Het reikt tot y = {low} en eindigt op x = {x}."],
   story_stopped: ["At {time} it has slowed to a tenth of its largest kinetic energy.",
     "Op {time} is zij vertraagd tot een tiende van haar grootste kinetische energie."],
   story_overtaken: ["It has not slowed to a tenth of its largest kinetic energy when the next one begins.",
@@ -287,7 +288,7 @@ export const TEXTS = {
   story_softened: ["{percent} of the soil has lost more than half of what softening takes from its strength.",
     "{percent} van de grond heeft meer dan de helft verloren van wat ontsterking van zijn sterkte neemt."],
   story_no_softening: ["No soil of this case softens: it keeps its strength at any strain.",
-    "Geen grond van deze invoer ontsterkt: de grond houdt altijd zijn sterkte."],
+    "Geen grond van deze invoer verliest sterkte door vervorming: zijn sterkte is bij elke rek dezelfde."],
   story_softening_unknown: ["It is not known how much of the soil has softened: of a law of the user's own the case " +
     "does not say what softening leaves.",
   "Het is niet bekend hoeveel grond is ontsterkt: van een eigen wet van de gebruiker zegt de invoer niet wat " +

@@ -64,7 +64,7 @@ export function momentsSection(current: Current, viewer: Viewer): HTMLElement | 
       const size = { width: WIDTH, height };
       drawPanel(context, viewer.renderer, run, current,
         { camera: viewer.fitted(size, PAD), size, ratio: 2, time, names: viewer.labels, label: "", note: "",
-        bare: true });
+        bare: true, top: PAD.top });
     }
   };
   let waiting = 0;

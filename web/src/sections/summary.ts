@@ -46,6 +46,9 @@ const FACTS: Fact[] = [
   { name: "moved_intact", value: (run) => percent(run.meta.events?.intact_fraction) },
 ];
 
+/** Of a dike they stand above as well: on paper once is enough. */
+const ON_TILES = new Set(["flood", "height", "freeboard", "width", "intact", "begins_1"]);
+
 /** A slide that is not there has no times; one that is there may not stop. */
 function slideTime(k: number, what: "begins" | "stops"): Pick<Fact, "value" | "time"> {
   const slide = (run: Run) => slidesBySlope(run.meta).own[k];
@@ -97,7 +100,7 @@ function factTable(report: Report, labels: string[], store: Store): HTMLElement 
   const head = element("tr", {}, element("td"),
     ...report.runs.map((run, k) =>
     coloured(element("th", { scope: "col" }, labels[k]!.replaceAll("_", "_\u200b")), run, store)));
-  const rows = facts.map((fact) => element("tr", {},
+  const rows = facts.map((fact) => element("tr", { class: ON_TILES.has(fact.name) ? "on-tiles" : "" },
     element("th", { scope: "row", title: say(fact.help ?? `fact_${fact.name}_help` as TextKey) },
       say(`fact_${fact.name}` as TextKey)),
     ...report.runs.map((run) => {

@@ -29,24 +29,28 @@ export function drawColourBar(context: CanvasRenderingContext2D, current: Curren
     ? `${meta.symbol.replace("_", "\u2009")}${unitSuffix(meta.unit)}` : full;
   context.fillText(title, 0, 12);
   const left = Math.min(width * 0.6, context.measureText(title).width + 18);
-  if (meta.kind === "category") drawCategories(context, current, left, theme.text);
+  if (meta.kind === "category") drawCategories(context, current, left, width, theme.text);
   else drawScale(context, current, current.range(time), left, width - left - 22);
 }
 
-function drawCategories(context: CanvasRenderingContext2D, current: Current, left: number, text: string): void {
+/** In as many rows as they need; two have room. */
+function drawCategories(context: CanvasRenderingContext2D, current: Current, left: number, width: number,
+  text: string): void {
   context.font = `12px ${FONT}`;
-  let x = left;
+  let [x, y] = [left, 5];
   const seen = new Set<string>();
   for (const run of current.shownRuns()) {
     const given = run.meta.materials.map(({ color }) => color);
     for (const { id, name } of run.meta.materials) {
       if (seen.has(name)) continue;
       seen.add(name);
+      const wide = 20 + context.measureText(spoken(name)).width;
+      if (x > left && x + wide > width) [x, y] = [left, y + 18];
       context.fillStyle = categoryColour(given, id);
-      context.fillRect(x, 5, 14, 14);
+      context.fillRect(x, y, 14, 14);
       context.fillStyle = text;
-      context.fillText(spoken(name), x + 20, 12.5);
-      x += 40 + context.measureText(spoken(name)).width;
+      context.fillText(spoken(name), x + 20, y + 7.5);
+      x += wide + 20;
     }
   }
 }

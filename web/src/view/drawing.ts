@@ -15,6 +15,7 @@ export interface PanelOptions {
   label: string;
   note: string; // after the label, muted
   bare: boolean; // small pictures: no axes, names and notes
+  top: number; // pixels above the section, for the head
 }
 
 export interface Drawing {

@@ -61,6 +61,7 @@ export class Figure {
       drawPanel(context, this.viewer.renderer, run, this.current, {
         camera: this.viewer.camera(), size: view, ratio, time, names: this.viewer.labels,
           label: this.viewer.labels[run.index]!, note: run.meta.name, bare: false,
+          top: this.viewer.padding(view.width).top,
       });
     });
     context.setTransform(ratio, 0, 0, ratio, MARGIN * ratio,

@@ -140,16 +140,16 @@ function drawMarks(drawing: Drawing): void {
 function drawAxes(drawing: Drawing): void {
   const { context, options, theme } = drawing;
   const { width, height } = options.size;
-  const [x0, y1] = toWorld(options.camera, options.size, PADDING.left - 8, PADDING.top);
+  const [x0, y1] = toWorld(options.camera, options.size, PADDING.left - 8, options.top);
   const [x1, y0] = toWorld(options.camera, options.size, width - PADDING.right, height - PADDING.bottom + 8);
   const [left, bottom] = [PADDING.left - 8, height - PADDING.bottom + 8];
   context.fillStyle = theme.ground;
   context.fillRect(0, 0, left, height);
   context.fillRect(0, bottom, width, height - bottom);
-  context.fillRect(0, 0, width, PADDING.top - 8);
+  context.fillRect(0, 0, width, options.top - 8);
   context.strokeStyle = theme.frame;
   context.lineWidth = 1;
-  context.strokeRect(left + 0.5, PADDING.top - 7.5, width - left - 8, bottom - PADDING.top + 7);
+  context.strokeRect(left + 0.5, options.top - 7.5, width - left - 8, bottom - options.top + 7);
   context.fillStyle = theme.ground;
   context.fillRect(width - 7, 0, 7, height);
   context.font = `11px ${FONT}`;
@@ -168,7 +168,7 @@ function drawAxes(drawing: Drawing): void {
   context.textBaseline = "middle";
   for (const y of niceTicks(y0, y1, Math.max(2, height / 50))) {
     const [, py] = toScreen(options.camera, options.size, 0, y);
-    if (py < PADDING.top - 4 || py > bottom - 2) continue;
+    if (py < options.top - 4 || py > bottom - 2) continue;
     tick(context, left - 4, py, left, py, theme.frame);
     context.fillText(numberText(y), left - 7, py);
   }
@@ -186,7 +186,7 @@ function drawScaleBar(drawing: Drawing): void {
   const { context, options, theme } = drawing;
   const length = niceLength(Math.min(140, options.size.width / 5) / options.camera.scale);
   const width = length * options.camera.scale;
-  const [x1, y] = [options.size.width - PADDING.right - 6, PADDING.top + 12];
+  const [x1, y] = [options.size.width - PADDING.right - 6, options.top + 12];
   context.globalAlpha = 0.85; // a plate: soil of any colour may lie below
   context.fillStyle = theme.ground;
   context.fillRect(x1 - width - 8, y - 9, width + 16, 31);
@@ -213,64 +213,96 @@ function drawHead(drawing: Drawing): void {
   context.font = `600 14px ${FONT}`;
   context.fillStyle = theme.text;
   context.fillText(options.label, PADDING.left + 2, 16);
-  const used = PADDING.left + 2 + context.measureText(options.label).width;
-  const decimals = timeDecimals(run.meta.times);
-  const stamp = `t = ${timeText(timeOf(drawing), decimals)}`;
+  const stamp = `t = ${timeText(timeOf(drawing), timeDecimals(run.meta.times))}`;
   context.textAlign = "right";
   context.fillText(stamp, options.size.width - 9, 16);
-  drawKey(drawing, used + 16, options.size.width - 30 - context.measureText(stamp).width, decimals);
+  drawKey(drawing, stamp);
 }
 
 const SLIP_TEXT = { acting: "slip_at", "to come": "slip_to_come", past: "slip_past" } as const;
 
 const KEY_LINE = 16; // pixels between two rows of the key
 
-/**
- * What the lines mean, between name and time, as far as there is room; slip planes are always named. At the end, if
- * there is room, the run's name.
- */
-function drawKey(drawing: Drawing, from: number, to: number, decimals: number): void {
-  const { context, run, current, theme, options } = drawing;
+/** What the lines mean; the run's name comes last. */
+function keyEntries({ run, current, theme, options }: Key, time: number): KeyEntry[] {
   const { state } = current;
-  const slip = state.slip ? slipAt(slidesOf(run.meta), timeOf(drawing)) : null;
+  const slip = state.slip ? slipAt(slidesOf(run.meta), time) : null;
+  const decimals = timeDecimals(run.meta.times);
   const others = state.surfaces ? current.shownRuns().filter((other) => other !== run) : [];
-  const entries = [
+  const entries: (KeyEntry | false | null | undefined)[] = [
     ...others.map((other) =>
       ({ text: say("surface_of", { run: options.names[other.index]! }), colour: runColour(other.index, state.dark),
       dash: [] as number[] })),
     slip && { text: say(SLIP_TEXT[slip.phase], { time: timeText(slip.time, decimals) }),
       colour: theme.slip, dash: slip.phase === "acting" ? [] : [2, 4] },
     ...(state.slip ? run.meta.slip_planes : []).map((plane, k) =>
-      ({ text: planeText(plane), colour: theme.plane, dash: planeDash(k) })),
-    state.outline && { text: say(hasLayers(drawing) ? "initial_ground" : "initial_outline"), colour: theme.ghost,
-      dash: [4, 3] },
+      ({ text: planeText(plane), colour: theme.plane, dash: planeDash(k), plane: true })),
+    state.outline && { text: say(state.layers && run.layers.length > 1 ? "initial_ground" : "initial_outline"),
+      colour: theme.ghost, dash: [4, 3] },
     state.water && run.meta.water && { text: say("phreatic_line"), colour: theme.water, dash: [8, 4] },
     options.note !== options.label && { text: options.note, colour: "", dash: [] },
   ];
-  letters(drawing, 12, 400);
-  let x = from;
-  let row = PADDING.top + 6; // of slip planes that find no room at the head: below it, on the left
+  return entries.filter((entry): entry is KeyEntry => !!entry);
+}
+
+/** Where the entries go: between name and time as far as there is room; slip planes also in rows below. */
+export function keyPlaces(context: CanvasRenderingContext2D, entries: KeyEntry[], head: [number, number],
+  width: number): { entry: KeyEntry; x: number; row: number }[] {
+  context.font = `400 12px ${FONT}`;
+  const placed: { entry: KeyEntry; x: number; row: number }[] = [];
+  let [x, low, row] = [head[0], PADDING.left, 1];
   for (const entry of entries) {
-    if (!entry) continue;
-    const width = context.measureText(entry.text).width + (entry.colour ? 24 : 0);
-    if (x + width <= to) {
-      keyEntry(drawing, entry, x, 16);
-      x += width + 18;
-    } else if (entry.colour === theme.plane) {
-      context.globalAlpha = 0.85;
-      context.fillStyle = theme.ground;
-      context.fillRect(PADDING.left - 4, row - 8, width + 8, KEY_LINE);
-      context.globalAlpha = 1;
-      keyEntry(drawing, entry, PADDING.left, row);
-      row += KEY_LINE;
+    const wide = context.measureText(entry.text).width + (entry.colour ? 24 : 0);
+    if (x + wide <= head[1]) {
+      placed.push({ entry, x, row: 0 });
+      x += wide + 18;
+    } else if (entry.plane) {
+      if (low > PADDING.left && low + wide > width - 16) [low, row] = [PADDING.left, row + 1];
+      placed.push({ entry, x: low, row });
+      low += wide + 18;
     }
   }
+  return placed;
 }
+
+/** Left and right end of what is free between name and time. */
+function headRoom(context: CanvasRenderingContext2D, label: string, stamp: string, width: number): [number, number] {
+  context.font = `600 14px ${FONT}`;
+  return [PADDING.left + 18 + context.measureText(label).width, width - 30 - context.measureText(stamp).width];
+}
+
+/** The most that the key of a run takes below the head of a view of that width, at any time [px]. */
+export function keyHeight(run: Run, current: Current, options: Pick<PanelOptions, "label" | "note" | "names">,
+  width: number): number {
+  const context = document.createElement("canvas").getContext("2d");
+  if (!context || run.meta.slip_planes.length === 0) return 0;
+  const key = { run, current, theme: canvasTheme(false), options };
+  const { times } = run.meta;
+  const slips = slidesOf(run.meta).map(({ slip_surface: surface }) => surface?.time ?? times[0]!);
+  const rows = [times[0]!, ...slips, times[times.length - 1]!].map((time) => {
+    const stamp = `t = ${timeText(time, timeDecimals(run.meta.times))}`;
+    const places = keyPlaces(context, keyEntries(key, time), headRoom(context, options.label, stamp, width), width);
+    return Math.max(0, ...places.map(({ row }) => row));
+  });
+  return KEY_LINE * Math.max(...rows);
+}
+
+function drawKey(drawing: Drawing, stamp: string): void {
+  const { context, options } = drawing;
+  const entries = keyEntries(drawing, timeOf(drawing));
+  const head = headRoom(context, options.label, stamp, options.size.width);
+  const places = keyPlaces(context, entries, head, options.size.width);
+  letters(drawing, 12, 400);
+  for (const { entry, x, row } of places) keyEntry(drawing, entry, x, 16 + row * KEY_LINE);
+}
+
+type Key = Pick<Drawing, "run" | "current" | "theme"> & { options: Pick<PanelOptions, "label" | "note" | "names"> };
 
 interface KeyEntry {
   text: string;
   colour: string;
   dash: number[];
+  plane?: boolean; // a slip plane of another method, which is always named
 }
 
 function keyEntry({ context, theme }: Drawing, { text, colour, dash }: KeyEntry, x: number, y: number): void {

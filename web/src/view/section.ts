@@ -13,7 +13,6 @@ const SLIT = 3; // spacings of points below the surface from which on gaps are f
 const LINE = 13; // pixels between names
 const NARROW = 520; // pixels of a view in which the level has no name
 const SCALE_BAR = 190; // pixels at the right end of a view that the bar of lengths takes
-const HEAD = 38; // pixels at the top of a view above which no name stands
 const ROOM = 44; // pixels at the left end of a view that names keep free
 
 /** Outlines of all soils, where they are now. */
@@ -43,7 +42,7 @@ export function drawSoilNames(drawing: Drawing): void {
     const left = Math.max(ROOM, px - width / 2);
     const covers = taken.some((other) =>
       Math.abs(other.y - py) < LINE && left < other.right && left + width > other.left);
-    if (covers || py < 40 || py > options.size.height - 34) continue;
+    if (covers || py < options.top + 2 || py > options.size.height - 34) continue;
     taken.push({ left, right: left + width, y: py });
     haloText(drawing, text, left, py, theme.text);
   }
@@ -149,7 +148,7 @@ export function drawLoads(drawing: Drawing): void {
     letters(drawing, 11);
     const text = `${spoken(load.name)} ${withUnit(pressure, load.table.unit("pressure"), 3)}`;
     const middle = (left + right - context.measureText(text).width) / 2;
-    haloText(drawing, text, middle, Math.max(top - size - 9, HEAD), theme.load);
+    haloText(drawing, text, middle, Math.max(top - size - 9, options.top), theme.load);
   }
 
   function arrow(on: CanvasRenderingContext2D, px: number, py: number, size: number): void {

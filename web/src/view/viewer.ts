@@ -3,9 +3,10 @@
 import type { Run } from "../data/run";
 import type { Current } from "./current";
 import { PointRenderer } from "./points";
-import { drawPanel, PADDING } from "./panel";
+import { drawPanel, keyHeight, PADDING } from "./panel";
 import { Tip } from "./tip";
-import { bestColumns, fit, pan, toWorld, union, zoomAt, type Box, type Camera, type Size } from "../logic/camera";
+import { bestColumns, fit, pan, toWorld, union, zoomAt } from "../logic/camera";
+import type { Box, Camera, Padding, Size } from "../logic/camera";
 import { nearestPoint } from "../logic/nearest";
 import { runLabels } from "../logic/labels";
 import { pixelRatio } from "../logic/store";
@@ -77,7 +78,7 @@ export class Viewer {
     const area = this.room(visible.length);
     if (visible.length === 0 || area.width === 0) return;
     const columns = layout === "rows" ? 1 : layout === "columns" ? visible.length
-      : bestColumns(visible.length, this.box, area, PADDING);
+      : bestColumns(visible.length, this.box, area, this.padding(area.width));
     const rows = Math.ceil(visible.length / columns);
     this.root.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
     this.size = {
@@ -105,11 +106,12 @@ export class Viewer {
     const [width, height] = [this.root.clientWidth, this.root.clientHeight];
     const { layout } = this.current.state;
     const columns = layout === "rows" ? 1 : layout === "columns" ? views
-      : bestColumns(views, this.box, { width, height }, PADDING);
+      : bestColumns(views, this.box, { width, height }, this.padding(width));
     const rows = Math.ceil(views / columns);
     const scale = (width / columns - GAP - PADDING.left - PADDING.right) / (this.box[2] - this.box[0]);
     if (rows > 2 && !document.fullscreenElement) stage.style.setProperty("--least", `${LEAST * rows}px`);
-    const enough = rows * (1.15 * scale * (this.box[3] - this.box[1]) + PADDING.top + PADDING.bottom + GAP);
+    const { top, bottom } = this.padding(width / columns - GAP);
+    const enough = rows * (1.15 * scale * (this.box[3] - this.box[1]) + top + bottom + GAP);
     const most = Math.round(Math.max(Math.min(LOW * window.innerHeight, LOW_MOST), enough));
     stage.style.setProperty("--enough", document.fullscreenElement ? "none" : `${most}px`);
     return { width, height: this.root.clientHeight };
@@ -128,7 +130,14 @@ export class Viewer {
     return this.current.state.camera ?? this.fitted(this.size);
   }
 
-  fitted(size: Size, padding = PADDING): Camera {
+  /** About the section in a view of that width: the rows of slip planes stand above it. */
+  padding(width: number): Padding {
+    const rows = this.current.shownRuns().map((run) =>
+      keyHeight(run, this.current, { names: this.labels, label: this.labels[run.index]!, note: run.meta.name }, width));
+    return { ...PADDING, top: PADDING.top + Math.max(0, ...rows) };
+  }
+
+  fitted(size: Size, padding = this.padding(size.width)): Camera {
     return fit(this.box, size, padding);
   }
 
@@ -148,6 +157,7 @@ export class Viewer {
   draw(): void {
     this.drawnFrames = this.frames();
     const ratio = pixelRatio(this.current.state);
+    const { top } = this.padding(this.size.width);
     for (const { run, canvas } of this.views) {
       if (canvas.hidden) continue;
       const context = canvas.getContext("2d")!;
@@ -155,6 +165,7 @@ export class Viewer {
       drawPanel(context, this.renderer, run, this.current, {
         camera: this.camera(), size: this.size, ratio, time: this.current.state.time,
         names: this.labels, label: this.labels[run.index]!, note: run.meta.name, bare: false,
+        top,
       });
     }
     this.tip.update();
@@ -165,7 +176,8 @@ export class Viewer {
   drawOnPaper(): void {
     const width = this.root.clientWidth;
     const full = (width - PADDING.left - PADDING.right) / (this.box[2] - this.box[0]);
-    const enough = 1.06 * full * (this.box[3] - this.box[1]) + PADDING.top + PADDING.bottom;
+    const { top, bottom } = this.padding(width);
+    const enough = 1.06 * full * (this.box[3] - this.box[1]) + top + bottom;
     const high = parseFloat(getComputedStyle(this.root).getPropertyValue("--paper-height")) * PER_MM;
     this.size = { width, height: Math.round(Math.min(enough, high)) };
     const ratio = pixelRatio(this.current.state);

@@ -53,6 +53,14 @@ describe("the story", () => {
     expect(left).toContain(" on the slope to the left: ");
   });
 
+  it("says how deep the slip surface goes, and where it ends", () => {
+    const entry = { x: 7.2, y: 2, zone: "upper_half" };
+    const told = (points: [number, number][]) => plain(tellStory(sampleRun({ slides: [slide(0.18, 2.16,
+      { entry, slip_surface: { time: 1, points } })] })))[0];
+    expect(told([[7.4, 1.8], [9, -1.25], [12, 0.1]])).toContain("It goes down to y = −1.25 m and ends at x = 12.00 m.");
+    expect(told([[2, 0.1], [5, -0.5], [7, 1.9]])).toContain("It goes down to y = −0.50 m and ends at x = 2.00 m.");
+  });
+
   it("says that soil holds, or only creeps", () => {
     expect(tellStory(sampleRun({ moved_fraction: 0 }))[0]).toBe("The soil holds: there is no slide.");
     expect(tellStory(sampleRun({ moved_fraction: 0.3 }))[0]).toBe("Soil moves, but the crest does not retreat as in a slide.");

@@ -1,5 +1,7 @@
 // The words of the page: each in both languages, with the same values in them; used, and none missing.
 
+import type { Trigger } from "../../src/data/format";
+import { triggerWords } from "../../src/logic/story";
 import { afterEach, describe, expect, it } from "vitest";
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -50,6 +52,8 @@ describe("the language", () => {
     chooseLanguage("nl");
     expect([say("tile_freeboard"), metres(-0.78), numberText(12345.5, 6)]).toEqual(["Waakhoogte", "−0,78\u00a0m", "12\u202f345,5"]);
     expect(quantityLabel("pore_pressure", "pore pressure")).toBe("waterspanning");
+    expect(triggerWords({ stage: "weaker", at_strength: 1.15 } as Trigger))
+      .toBe(", nadat de sterktes door 1,15 zijn gedeeld");
     expect(quantityLabel("of_a_new_law", "its label")).toBe("its label");
     expect([ordinal(0), ordinal(6)]).toEqual(["eerste", "7e"]);
   });
