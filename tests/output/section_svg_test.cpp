@@ -39,6 +39,9 @@ TEST(SectionSvg, DrawsLoadsAndTheWaterToCome)
   for (const char* part : {">traffic, 13 kPa</text>", ">high</text>", "phreatic line of another situation",
            ">level of [flood] 1.8 m</text>"})
     EXPECT_THAT(svg, HasSubstr(part));
+  EXPECT_THAT(svg, ContainsRegex("text-anchor=\"middle\"[^>]*>traffic,"));  // above its arrows
+  c.mesh.size[1] = 2.0;  // no room below the name of the upper side: beside them
+  EXPECT_THAT(drawing_of(c), ContainsRegex("text-anchor=\"end\"[^>]*>traffic,"));
 }
 
 // An import puts traffic on in a stage: at t = 0 it is 0 kPa.
