@@ -36,11 +36,22 @@ void warn_of_no_rest(const Summary& s, const Model& model, const std::string& fo
         folder, *s.flood->fastest_node);
 }
 
+void warn_of_small_margin(const Summary& s, const std::string& folder)
+{
+  if (s.flood && s.flood->margin)
+    fmt::print(stderr,
+        "warning: {}: the ground that remains is only {:.2f} m higher than holds the water: finer cells, or the water "
+        "in "
+        "the gap of a slide, may decide; see docs/flood.md#how-sure-is-it\n",
+        folder, *s.flood->margin);
+}
+
 }  // namespace
 
 void warn_of(const Summary& s, const Model& model, const std::string& folder)
 {
   warn_of_no_rest(s, model, folder);
+  warn_of_small_margin(s, folder);
   constexpr double much = 0.05;
   if (s.energy_balance_error > much)
     fmt::print(stderr,

@@ -179,6 +179,8 @@ class Flood : public Follower {
     f.verdict = f.first_time_below     ? FloodVerdict::floods
                 : f.first_time_damaged ? FloodVerdict::damaged
                                        : FloodVerdict::stands;
+    const Real margin = f.freeboard - model.description.flood.smallest_freeboard;
+    if (f.verdict == FloodVerdict::damaged && margin < settles_) f.margin = margin;
     f.trigger = trigger_of(model.description, state, river_, {f.first_time_damaged.value_or(never), time_below_});
     f.criterion = criterion_text(model.description.flood, level.value, before_.value_or(river_before_trigger(model)));
   }

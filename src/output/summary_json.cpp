@@ -81,6 +81,7 @@ void each(FloodSummary& flood, F&& f)
   f("first_time_damaged", flood.first_time_damaged), f("first_time_below", flood.first_time_below);
   f("stage_damaged", flood.stage_damaged), f("stage_below", flood.stage_below), f("stage", flood.stage);
   f("fastest_node", flood.fastest_node), f("still_moves", flood.still_moves);
+  f("margin", flood.margin);
   f("criterion", flood.criterion), f("trigger", flood.trigger);
 }
 

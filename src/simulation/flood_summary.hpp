@@ -55,8 +55,9 @@ struct FloodSummary {
   std::string stage = {};                  ///< the last one so far, to whose end heights and widths belong
   std::optional<Real> fastest_node;        ///< at the end [m/s]
   bool still_moves = false;                ///< so fast that, for as long again, the soil would go far enough to matter
-  std::string criterion = {};              ///< by which it floods, in words
-  std::optional<FloodTrigger> trigger;     ///< none: the verdict is that of the section as it is
+  std::optional<Real> margin;  ///< of damaged ground over what floods, so small that the verdict is not sure [m]
+  std::string criterion = {};  ///< by which it floods, in words
+  std::optional<FloodTrigger> trigger;  ///< none: the verdict is that of the section as it is
 };
 
 /// A run that has not ended has a verdict only where that is for good: it floods.

@@ -40,10 +40,12 @@ Problem outside_its_range(const MaterialCase& material, const ParameterInfo& inf
                 place_text(found.where));
   return {parameter_key(material, info.name),
       fmt::format("`{}` {} in part of the soil", info.name, is_number ? "is out of range" : "has no value"),
-      fmt::format("{} at {} of {} points of `{}`; allowed: {} {}{}{}.", got, found.n_outside, found.n, material.name,
+      fmt::format("{} at {} of {} points of `{}`; allowed: {} {}{}{}.{}", got, found.n_outside, found.n, material.name,
           info.range.low_open ? "more than" : "at least", info.range.low,
           info.unit == "-" ? "" : fmt::format(" {}", info.unit),
-          std::isfinite(info.range.high) ? fmt::format(", up to {}", info.range.high) : ""),
+          std::isfinite(info.range.high) ? fmt::format(", up to {}", info.range.high) : "",
+          found.worst <= info.range.low ? "\nGive it a least value: max(..., ...) in a formula, `minimum` in shansep."
+                                        : ""),
       "material." + std::string(info.name), false, {"water", parameter_key(material, "model")}};
 }
 

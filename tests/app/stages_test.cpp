@@ -218,4 +218,18 @@ TEST(ARunWithAFixedEnd, WarnsOfAVerdictOnSoilThatStillMoves)
   EXPECT_THAT(rested.err, testing::Not(HasSubstr("still moves")));
 }
 
+TEST(ARunWithAVerdict, WarnsOfDamagedGroundJustAboveTheWater)
+{
+  const Files files("[time]\nend = 2.0\n[flood]\n" + soil);  // 1.5 m of soil that settles
+  const auto solved = [&](const std::string& name, const std::string& level) {
+    return files.solve(name, {"--set", "initial.stress=\"none\"", "--set", "material.soil.shear_modulus=1e5", "--set",
+                                 "forces.damping.local=0.9", "--set", "flood.water_level=" + level});
+  };
+  const Finished close = solved("close", "1.46");
+  ASSERT_EQ(close.status, 0) << close.err;
+  EXPECT_THAT(close.out, HasSubstr("damaged, holds the water"));
+  EXPECT_THAT(close.err, HasSubstr("close: the ground that remains is only 0.03 m higher than holds the water: "));
+  EXPECT_THAT(solved("far", "1.3").err, testing::Not(HasSubstr("only")));
+}
+
 }  // namespace

@@ -45,6 +45,25 @@ TEST(Flood, ADikeThatLostPartOfItsCrestIsDamaged)
   EXPECT_FALSE(flood.first_time_below);
 }
 
+TEST(Flood, OfDamagedGroundJustAboveTheWaterTheVerdictIsNotSure)
+{
+  const auto flattened = [](Real water_level, Real smallest_freeboard = 0.0) {
+    Case c = dike();
+    c.flood.water_level = water_level, c.flood.smallest_freeboard = smallest_freeboard;
+    Drawn s(c);
+    s.become([](Vec<2> p) { return Vec<2>{p[0], p[1] > 1.0 ? 1.0 + 0.8 * (p[1] - 1.0) : p[1]}; });
+    return s.flood();
+  };
+  const Real ground = flattened(3.0).residual_height;
+  EXPECT_THAT(flattened(ground - 0.05).margin, Optional(DoubleNear(0.05, 1e-9)));  // a fortieth of 4 m is 0.1 m
+  EXPECT_THAT(flattened(ground - 0.2, 0.15).margin, Optional(DoubleNear(0.05, 1e-9)));
+  EXPECT_FALSE(flattened(ground - 0.2).margin);
+  EXPECT_FALSE(flattened(ground + 0.05).margin) << "it floods, which is final";
+  Case c = dike();
+  c.flood.water_level = 4.95;
+  EXPECT_FALSE(Drawn(c).flood().margin) << "it stands";
+}
+
 TEST(Flood, ADikeThatCameDownBelowTheWaterFloodsFromThatTimeOn)
 {
   Drawn s;

@@ -35,7 +35,8 @@ TEST(SettleFields, NameThePlaceWhereAValueIsWorst)
   EXPECT_THAT(refusal_of(with_field({su_peak, [](Vec<2> x) { return 8e3 - 1.5e3 * x[0]; }})),
       ElementsAre(told("material.clay.su_peak", "`su_peak` is out of range in part of the soil",
           AllOf(StartsWith("It is -3925 Pa at (7.95, 0.05) m, where it is worst, at "),
-              EndsWith(" points of `clay`; allowed: more than 0 Pa.")))));
+              EndsWith(" points of `clay`; allowed: more than 0 Pa.\nGive it a least value: max(..., ...) in a "
+                       "formula, `minimum` in shansep.")))));
   EXPECT_THAT(refusal_of(with_field({su_peak, [](Vec<2>) { return INFINITY; }})),
       ElementsAre(
           told("material.clay.su_peak", "`su_peak` is out of range in part of the soil", StartsWith("It is inf Pa"))));

@@ -98,6 +98,7 @@ export interface Flood {
   stage?: string; // the last one, to whose end the numbers belong
   fastest_node?: number | null; // m/s, at the end
   still_moves?: boolean; // so fast that the verdict may change
+  margin?: number | null; // m, over what floods, where it is so small that the verdict is not sure
   trigger?: Trigger | null; // null: the verdict is that of the section as it is
 }
 

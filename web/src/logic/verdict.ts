@@ -19,7 +19,10 @@ export function kindOf({ meta: { events, finished } }: Run): Kind {
 export function doubts(run: Run): string[] {
   const { water_in_gap: depth } = run.meta;
   const holds = run.meta.events?.flood && kindOf(run) !== "floods";
-  return [...restDoubt(run), ...sideDoubts(run), depth && holds ? say("note_gap", { depth: metres(depth) }) : ""]
+  const margin = run.meta.events?.flood?.margin;
+  return [...restDoubt(run), ...sideDoubts(run),
+    typeof margin === "number" ? say("note_margin", { margin: metres(margin) }) : "",
+    depth && holds ? say("note_gap", { depth: metres(depth) }) : ""]
     .filter(Boolean);
 }
 

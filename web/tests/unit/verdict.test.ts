@@ -50,6 +50,10 @@ describe("the verdict", () => {
         "supports what still stands: the verdict is on the unsafe side.",
     ]);
     expect(doubts(runWith("floods", true, { water_in_gap: 1.25 }))).toEqual([]);
+    const close = { events: { slides: [], flood: { verdict: "damaged", margin: 0.05 } } };
+    expect(plain(doubts(runWith("damaged", true, close)))).toEqual([
+      "The ground that remains is only 0.05 m higher than holds the water: finer cells, or the water in the gap of a " +
+        "slide, may decide."]);
     const rest = (last: object) => doubts(runWith("stands", true, {}, { stages: [{ name: "a", start: 0, end: 1, ...last }] }));
     expect(rest({ at_rest: true, fastest_node: 1e-4 })).toEqual([]);
     expect(plain(doubts(runWith("stands", true,
