@@ -243,6 +243,7 @@ int print_estimate(const std::vector<PlannedSection>& plan, const AssessCommand&
     seconds += record.expected_s;
     fmt::print("  {:<30} {}, cells of {:.3g} m, {} points, at most {}\n", section.name, printable(record.title),
         record.cell, record.n_points, readable_duration(record.expected_s));
+    if (!record.ignored.empty()) fmt::print("    {}\n", record.ignored);
   }
   fmt::print(
       "all runs: at most {} with {} at once, without searches for factors of safety\ncases in {}; nothing was run\n",

@@ -324,14 +324,7 @@ class Assessment {
 
   void add_trigger()
   {
-    if (!is_stix(section_.file) || is_changed_by_hand()) {
-      if (!command_.import.trigger.empty() && !has_trigger(read_case(case_of(section_)).values))
-        record_.trigger = fmt::format("--trigger {} was not applied: {}", command_.import.trigger,
-            is_stix(section_.file)
-                ? "the case was changed by hand, and is solved as it stands. --force imports it anew."
-                : "a case file is run as it is.");
-      return note_time();
-    }
+    if (!is_stix(section_.file) || is_changed_by_hand()) return note_time();
     try {
       read_project();
       FolderTrigger trigger = options_.trigger;
@@ -352,6 +345,10 @@ class Assessment {
   {
     const CaseFile file = read_case(case_of(section_));
     fmt::print("{}", render_warnings(file));
+    ImportCommand given = command_.import;
+    if (has_trigger(file.values)) given.trigger.clear();
+    const bool is_edited = is_changed_by_hand();
+    record_.ignored = is_edited || !is_stix(section_.file) ? ignored_options(given, is_edited) : "";
     const auto& stages = file.values.stages;
     record_.is_held = !stages.empty() && stages.front().changed->at_strength < 1.0;
     record_.title = printable(file.values.title.empty() ? file.values.name : file.values.title);

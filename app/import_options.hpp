@@ -17,6 +17,10 @@ namespace terp {
 std::vector<SoilKind> soil_kinds(const ImportCommand& command);
 std::optional<Vec<2>> between_of(const ImportCommand& command);
 
+/// Which of the options given do not act on a section whose case is run as it is, and why. Empty: none was given.
+/// One that was changed by hand has all of them but the trigger: with others it is refused.
+std::string ignored_options(const ImportCommand& given, bool is_changed_by_hand);
+
 /// Numbers as the list has them, from 1. Left out: the only scenario, its last stage.
 FolderOptions folder_options(const StixProject& project, const ImportCommand& command);
 

@@ -34,8 +34,8 @@ void each(Record& r, F&& f)
   f("files", r.files), f("files_next", r.files_next);
   f("case_found", r.case_found), f("run_of", r.run_of), f("step", r.step), f("fault", r.fault), f("is_done", r.is_done);
   f("is_refused", r.is_refused), f("notes", r.notes);
-  f("has_report", r.has_report), f("has_trigger", r.has_trigger), f("is_held", r.is_held), f("trigger", r.trigger),
-      f("factor", r.factor), f("uncertainty", r.uncertainty);
+  f("has_report", r.has_report), f("has_trigger", r.has_trigger), f("is_held", r.is_held), f("trigger", r.trigger);
+  f("ignored", r.ignored), f("factor", r.factor), f("uncertainty", r.uncertainty);
   f("stands", r.stands), f("fails", r.fails), f("creeps", r.creeps);
   f("cell", r.cell), f("points", r.n_points), f("expected_s", r.expected_s), f("seconds", r.seconds);
 }
@@ -142,6 +142,16 @@ std::string hints_text(const ReachSection& section)
   return text;
 }
 
+/// Of the fastest node [m/s]. A case without a verdict on the water has it from its last stage.
+std::optional<Real> speed_at_end(const ReachSection& section)
+{
+  if (!section.is_solved) return std::nullopt;
+  const Summary& summary = section.summary;
+  if (summary.flood && summary.flood->fastest_node) return summary.flood->fastest_node;
+  if (summary.stages.empty() || !std::isfinite(summary.stages.back().record.fastest)) return std::nullopt;
+  return summary.stages.back().record.fastest;
+}
+
 /// A column of reach.csv.
 struct Column {
   const char* name;
@@ -191,8 +201,7 @@ const Column columns[] = {
           const auto at_rest = ended_at_rest(s);
           return std::string(at_rest ? *at_rest ? "yes" : "no" : "");
         }},
-    {"fastest_node_m_s",
-        [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.fastest_node, "{:.2g}"); }); }},
+    {"fastest_node_m_s", [](S s) { return number(speed_at_end(s), "{:.2g}"); }},
     {"hints", [](S s) { return in_quotes(hints_text(s)); }},
     {"water_level_m",
         [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.water_level, "{:.2f}"); }); }},
@@ -279,6 +288,7 @@ std::vector<Hint> hints_on(const ReachSection& section)
   std::vector<Hint> hints;
   if (!section.is_solved) return hints;
   if (!section.record.notes.empty()) hints.push_back(Hint::doubt);
+  if (!section.record.ignored.empty()) hints.push_back(Hint::ignored);
   const auto& flood = section.summary.flood;
   const bool moves = !ended_at_rest(section).value_or(true) || (flood && flood->still_moves);
   if (moves && !(flood && flood->verdict == FloodVerdict::floods)) hints.push_back(Hint::moves);
@@ -292,15 +302,18 @@ std::vector<Hint> hints_on(const ReachSection& section)
 
 std::string words_of(Hint hint, const ReachSection& section, bool dutch)
 {
-  const auto& flood = section.summary.flood;
-  const std::string speed = flood && flood->fastest_node ? fmt::format(" ({:.2g} m/s)", *flood->fastest_node) : "";
+  const auto fastest = speed_at_end(section);
+  const std::string speed = fastest ? fmt::format(" ({:.2g} m/s)", *fastest) : "";
   switch (hint) {
     case Hint::doubt:
       return fmt::format("{}{}", dutch ? "twijfel bij het inlezen (Engels): " : "in doubt since the import: ",
           fmt::join(section.record.notes, " "));
+    case Hint::ignored: return (dutch ? "niet toegepast (Engels): " : "") + section.record.ignored;
     case Hint::moves:
-      return dutch ? fmt::format("aan het eind niet in rust{}: het oordeel kan veranderen", speed)
-                   : fmt::format("not at rest at the end{}: the verdict may change", speed);
+      return (dutch ? "aan het eind niet in rust" : "not at rest at the end") + speed +
+             (!section.summary.flood ? ""
+                 : dutch             ? ": het oordeel kan veranderen"
+                                     : ": the verdict may change");
     case Hint::held:
       return dutch ? "vastgehouden tot rust: de grond staat niet uit zichzelf"
                    : "held until it was at rest: the soil does not stand by itself";

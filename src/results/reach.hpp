@@ -44,6 +44,7 @@ struct SectionRecord {
   bool has_trigger = false;             ///< the case has its trigger, or needs none
   bool is_held = false;                 ///< its case holds the soil until it is at rest
   std::string trigger = {};             ///< why it has none, if one was asked for
+  std::string ignored = {};             ///< options that do not act on it, and why
   std::optional<Real> factor = {};      ///< of safety, by strength reduction [-]
   std::optional<Real> uncertainty = {};
   std::optional<Real> stands = {}, fails = {};  ///< factors at which it stands and fails
@@ -83,6 +84,7 @@ bool moved_before_trigger(const ReachSection& section);
 /// What a reader of its verdict must know.
 enum class Hint {
   doubt,         ///< the import was not sure of something that decides the verdict
+  ignored,       ///< options of the command do not act on its case
   moves,         ///< it stands or is damaged, but was not at rest at the end
   held,          ///< it does not stand by itself
   stored_below,  ///< it stands as it is, though a stored factor of the same strengths is below one

@@ -108,10 +108,13 @@ TEST(Assess, SaysWhatWouldRunAndTakesCasesAsTheyAre)
   const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/reach", section = scratch.path() + "/section";
   ASSERT_EQ(test::terp({"import", example, "--cell", "4", "-o", section}).status, 0);
-  const auto words = assess_command(folder, {section, section + "/../" + "section/case.toml"}, {"--estimate"});
+  const auto words = assess_command(folder, {section, section + "/../" + "section/case.toml"},
+      {"--estimate", "--river", "1.5", "--between", "-5,40", "--trigger", "water=2"});
   const Finished f = test::terp(words);
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(f.out, ContainsRegex("  section_2 +Stage 2, cells of [0-9.]+ m, [0-9]+ points, at most "));
+  EXPECT_THAT(f.out, HasSubstr("    --cell 4, --between -5,40, --river 1.5, --trigger water=2 were not applied: a case "
+                               "file is run as it is\n"));
   EXPECT_THAT(f.out, HasSubstr("nothing was run\n"));
   EXPECT_FALSE(fs::exists(folder + "/index.html"));
 }
@@ -179,9 +182,9 @@ TEST(Assess, DoesNotHoldAChangedCaseAndSaysThatItsTriggerWasNotApplied)
   EXPECT_THAT(record["fault"], testing::StartsWith("no equilibrium"));
   EXPECT_THAT(record["fault"].get<std::string>(),
       HasSubstr("The case was changed by hand, so it is not imported anew with held soil."));
-  EXPECT_EQ(record["trigger"],
-      "--trigger strength=1.3 was not applied: the case was changed by hand, and is solved as it stands. --force "
-      "imports it anew.");
+  EXPECT_EQ(record["ignored"],
+      "--trigger strength=1.3 was not applied: the case was changed by hand, and is solved as it stands; --force "
+      "imports it anew");
 }
 
 TEST(Assess, KnowsItsOwnCaseHoweverItsFolderIsSpelled)

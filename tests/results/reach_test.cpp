@@ -113,6 +113,12 @@ TEST(Reach, SaysWhereTheVerdictAndTheStoredFactorsOrTheMotionOfTheSoilDisagree)
   EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::moves));
   EXPECT_EQ(words_of(Hint::moves, section, false), "not at rest at the end (0.25 m/s): the verdict may change");
   EXPECT_THAT(sentence_on(section), testing::EndsWith(" (not at rest at the end (0.25 m/s): the verdict may change)"));
+  const FloodSummary kept = flood;
+  section.summary.flood.reset();  // no verdict on the water: the speed is that of the last stage
+  EXPECT_EQ(words_of(Hint::moves, section, false), "not at rest at the end (0.25 m/s)");
+  EXPECT_EQ(words_of(Hint::moves, section, true), "aan het eind niet in rust (0.25 m/s)");
+  EXPECT_THAT(reach_csv({section}), HasSubstr(",no,no,0.25,\"not at rest at the end (0.25 m/s)\","));
+  section.summary.flood = kept;
   section.summary.stages.clear();
   EXPECT_EQ(ended_at_rest(section), std::nullopt);
   EXPECT_THAT(hints_on(section), testing::ElementsAre());
@@ -129,6 +135,16 @@ TEST(Reach, ComparesNoFactorOfOtherStrengthsThanThoseOfTheCase)
   section.record.strength = "design";
   EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::stored_below));
   EXPECT_EQ(stored_text(section.record, true), "Bishop 0.984 (rekenwaarden)");
+}
+
+TEST(Reach, SaysWhichOptionsDidNotAct)
+{
+  ReachSection section = solved_section();
+  section.record.is_held = false;
+  section.record.ignored = "--river 8 was not applied: a case file is run as it is";
+  EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::ignored));
+  EXPECT_EQ(words_of(Hint::ignored, section, false), section.record.ignored);
+  EXPECT_EQ(words_of(Hint::ignored, section, true), "niet toegepast (Engels): " + section.record.ignored);
 }
 
 TEST(Reach, SaysWhatIsInDoubtSinceTheImport)
