@@ -5,6 +5,7 @@
 #include "input/document.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
+#include "input/units.hpp"
 #include "materials/material.hpp"
 
 #include <fmt/format.h>
@@ -17,9 +18,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A number with one of the units of the key, in all spellings.
+std::string pattern_of_units(const std::vector<std::string>& units)
+{
+  std::string names;
+  for (const std::string& unit : units) {
+    if (!names.empty()) names += '|';
+    for (const char c : unit)
+      names += c == '2' ? "\\^?[2²]" : c == '3' ? "\\^?[3³]" : c == ' ' ? "[ ·*]" : std::string(1, c);
+  }
+  if (std::ranges::find(units, "deg") != units.end()) names += "|°";
+  return "^\\s*[-+]?\\.?[0-9][-+0-9._eE]*\\s*(" + names + ")\\s*$";
+}
+
 Json number_schema(const KeyInfo& key)
 {
-  Json number = {{"type", key.unit == "-" ? Json("number") : Json({"number", "string"})}};
+  const std::vector<std::string> units = units_of_key(key.unit);
+  const bool takes_units = key.unit != "-" && !units.empty();
+  Json number = {{"type", takes_units ? Json({"number", "string"}) : Json("number")}};
+  if (takes_units) number["pattern"] = pattern_of_units(units);
   if (std::isfinite(key.range.low)) number[key.range.low_open ? "exclusiveMinimum" : "minimum"] = key.range.low;
   if (std::isfinite(key.range.high)) number[key.range.high_open ? "exclusiveMaximum" : "maximum"] = key.range.high;
   return number;
@@ -144,6 +161,60 @@ void add(Json& root, const KeyInfo& key)
   value = value.contains("properties") ? either(property(key), Json(value)) : property(key);
 }
 
+/// Names of a material for which a key stands at `path`, with what lies below it; "": of none.
+std::string name_in_material(const std::string& path)
+{
+  const std::vector<std::string> parts = split_path(path);
+  return parts.size() > 2 && parts[0] == "material" ? parts[2] : "";
+}
+
+/// A soil takes the keys of its own law alone, and needs those for which nothing else can stand. Of a soil of two parts
+/// nothing is said: it has its keys here and there.
+Json rules_of_soil()
+{
+  std::vector<std::string> common;
+  for (const KeyInfo& key : all_keys())
+    if (const std::string name = name_in_material(key.path); !name.empty()) common.push_back(name);
+  const Json parts = {{{"required", {"below"}}}, {{"required", {"above"}}}};
+  Json rules = Json::array({{{"anyOf", {{{"required", {"model", "density"}}}, parts[0], parts[1]}}}});
+  for (const std::string& model : material_model_names()) {
+    std::vector<std::string> names = common;
+    Json needed = Json::array();
+    for (const KeyInfo& key : keys_of_law(*find_material(model))) {
+      names.push_back(name_in_material(key.path));
+      if (key.required && key.instead.empty()) needed.push_back(names.back());
+    }
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    const Json one_of_it = {
+        {"required", {"model"}}, {"properties", {{"model", {{"const", model}}}}}, {"not", {{"anyOf", parts}}}};
+    rules.push_back({{"if", one_of_it}, {"then", {{"propertyNames", {{"enum", names}}}, {"required", needed}}}});
+  }
+  return rules;
+}
+
+/// What tables need in any case.
+void add_required(Json& root)
+{
+  for (const KeyInfo& key : all_keys()) {
+    const std::vector<std::string> parts = split_path(key.path);
+    if (!key.required || parts.size() < 2 || parts[0] == "material" || parts[0] == "mesh") continue;
+    value_at(root, key.path.substr(0, key.path.rfind('.')))["required"].push_back(parts.back());
+  }
+  for (const SectionInfo& section : all_sections())
+    if (section.required && section.path != "time") root["required"].push_back(split_path(section.path)[0]);
+  const auto any_of = [](std::initializer_list<const char*> names) {
+    Json list = Json::array();
+    for (const char* name : names) list.push_back({{"required", {name}}});
+    return Json{{"anyOf", list}};
+  };
+  Json& body = value_at(root, "body[]");
+  body["if"] = any_of({"box", "polygon", "region"});
+  body["then"] = {{"required", {"material"}}};
+  const Json ends = {{"required", {"time"}}, {"properties", {{"time", any_of({"end", "until"})}}}};
+  root["anyOf"] = {ends, {{"required", {"stage"}}}};
+}
+
 std::vector<KeyInfo> keys_and_those_of_laws()
 {
   std::vector<KeyInfo> keys = all_keys();
@@ -169,6 +240,8 @@ std::string case_schema()
   for (const char* name : {"below", "above"}) part["properties"].erase(name);
   for (const char* name : {"below", "above"}) material["properties"][name] = part;
   close_tables(root);
+  add_required(root);
+  value_at(root, "material.NAME")["allOf"] = rules_of_soil();
   return root.dump(2) + '\n';
 }
 

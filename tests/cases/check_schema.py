@@ -19,6 +19,9 @@ MISTAKES = {  # what an editor should mark: KEY of a good case, and the value th
     ("forces", "damping", "local"): 1.5,
     ("method", "shares"): "overlapping",
     ("output", "fields", "names"): ["stresses"],
+    ("mesh", "size"): ["16 m", "3 m/s"],
+    ("time", "end"): "soon",
+    ("material", "clay", "friction_angle"): 30.0,  # of another law
     ("material", "clay", "plastic_strain"): 3,
     ("material", "clay", "strength"): ["cu"],
     ("material", "clay", "residual_strength"): -1.0,
@@ -30,6 +33,18 @@ MISTAKES = {  # what an editor should mark: KEY of a good case, and the value th
     ("water", "phreatic_line"): 2.0,
     ("water", "head_lines"): [[0.0, 1.0]],
 }
+
+LEFT_OUT = [("mesh",), ("body",), ("time", "end"), ("body", 0, "material"), ("material", "clay", "model"),
+            ("material", "clay", "su_peak")]
+
+
+def without(case, keys):
+    """The case without one of its keys."""
+    here = case = json.loads(json.dumps(case))
+    for key in keys[:-1]:
+        here = here[key]
+    del here[keys[-1]]
+    return case
 
 
 def with_mistake(case, keys, value):
@@ -56,7 +71,10 @@ def main(terp, cases):
     for keys, value in MISTAKES.items():
         if validator.is_valid(with_mistake(good, keys, value)):
             faults.append(f"{'.'.join(map(str, keys))} = {value!r} was taken")
-    print(f"{len(files)} cases, {len(MISTAKES)} mistakes")
+    for keys in LEFT_OUT:
+        if validator.is_valid(without(good, keys)):
+            faults.append(f"a case without {'.'.join(map(str, keys))} was taken")
+    print(f"{len(files)} cases, {len(MISTAKES) + len(LEFT_OUT)} mistakes")
     sys.exit("\n".join(faults) if faults or len(files) < 50 else 0)
 
 
