@@ -40,8 +40,9 @@ void print_input(const Study& study)
   for (std::size_t k = 0; k < s.fields.size(); ++k) {
     const RandomFieldKey& f = s.fields[k];
     const auto& box = study.boxes[k];
-    fmt::print("  field          {}: {}, cov {:g}, theta {:g} and {:g} m, from ({:g}, {:g}) to ({:g}, {:g}) m\n", f.key,
-        f.distribution, f.cov, f.scale[0], f.scale[1], box[0][0], box[0][1], box[1][0], box[1][1]);
+    fmt::print("  field          {}: {}, {}, cov {:g}, theta {:g} and {:g} m, from ({:g}, {:g}) to ({:g}, {:g}) m\n",
+        f.key, f.distribution, f.correlation, f.cov, f.scale[0], f.scale[1], box[0][0], box[0][1], box[1][0],
+        box[1][1]);
   }
   for (const StudyCorrelation& c : s.correlations)
     fmt::print("  correlation    {:g} between {} and {}\n", c.value, c.a, c.b);

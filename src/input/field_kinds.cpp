@@ -320,7 +320,7 @@ const std::vector<FieldKind>& field_kinds()
       {"ocr", "{ ocr = 1.3 }", "of a yield stress: ocr times sigma'_v,daily; daily_water as of pop", {"daily_water"},
           read_yield_stress},
       {"random", "{ random = { mean = 20e3, cov = 0.2, theta = [10, 0.5], box = [[0, -5], [40, 0]], seed = 1 } }",
-          "a random field about a mean, with a separable Markov correlation; the same on any mesh", {}, read_random},
+          "a random field about a mean, with a separable correlation; the same on any mesh", {}, read_random},
   };
   return kinds;
 }

@@ -102,7 +102,7 @@ std::string allowed_text(const KeyInfo& key)
   const bool is_list = std::holds_alternative<NameList>(key.field(prototype(), 0));
   if (key.words != nullptr) return (is_list ? "a list of " : "") + quoted_list(key.words());
   const std::string range = range_text(key.range, key.unit);
-  if (range.empty()) return type_text(key) + (key.unit == "-" ? "" : " in " + key.unit);
+  if (range.empty()) return type_text(key) + (key.unit == "-" || key.unit.empty() ? "" : " in " + key.unit);
   return type_text(key) + ", " + range;
 }
 

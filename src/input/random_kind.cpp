@@ -1,6 +1,7 @@
 #include "input/random_kind.hpp"
 
 #include "base/closest.hpp"
+#include "base/errors.hpp"
 #include "input/key_text.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ constexpr double most_nodes = 2e7;        // 0.2 GB, seconds
 struct RandomText {
   GaussianFieldCase field;
   Index seed = 0, realisation = 0, number = 0;
-  std::string distribution = "lognormal";
+  std::string distribution = "lognormal", correlation = random_correlations().front();
   Real cov = 0.0;
 };
 
@@ -50,6 +51,8 @@ const RandomKey random_keys[] = {
         "number of the field: fields of one number are the same"},
     {"distribution", "", any_number, any_number, false, [](RandomText& t) -> Field { return &t.distribution; },
         "lognormal or normal"},
+    {"correlation", "", any_number, any_number, false, [](RandomText& t) -> Field { return &t.correlation; },
+        "how two places go together, as below"},
 };
 constexpr std::string_view own_keys[] = {"mean", "known", "mix"};
 
@@ -76,6 +79,7 @@ bool read_keys(const Node& table, const FieldContext& context, RandomText& text)
     KeyInfo key = key_like(context.entry.key, info.unit, info.range, info.usual);
     key.field = {}, key.path = info.name;
     if (info.name == "distribution") key.words = random_distributions;
+    if (info.name == "correlation") key.words = random_correlations;
     const std::size_t before = context.findings.problems.size();
     const Field field = info.field(text);
     key.field = [field](Case&, std::size_t) { return field; };  // its type, for messages
@@ -204,6 +208,18 @@ bool read_known(const Node& list, const FieldContext& context, const FieldValue&
 
 std::vector<std::string> random_distributions() { return {"lognormal", "normal"}; }
 
+std::vector<std::string> random_correlations()
+{
+  std::vector<std::string> names;
+  for (const CorrelationKind& kind : correlation_kinds()) names.emplace_back(kind.name);
+  return names;
+}
+
+const CorrelationKind& correlation_named(std::string_view name)
+{
+  return *std::ranges::find(correlation_kinds(), name, &CorrelationKind::name);
+}
+
 std::optional<RandomField> read_random_field(const Node& table, const FieldContext& outer)
 {
   const FieldContext context{
@@ -219,6 +235,7 @@ std::optional<RandomField> read_random_field(const Node& table, const FieldConte
   RandomText text;
   if (!refuse_unknown(table, context)) return std::nullopt;
   const bool good = read_keys(table, context, text);
+  if (good) text.field.correlation = &correlation_named(text.correlation);
   const FieldContext inner{
       {*mean, join_path(context.entry.path, "mean"), outer.entry.key}, outer.folder, outer.findings, outer.needs};
   const auto trend = read_field(inner);
@@ -235,7 +252,11 @@ std::optional<FieldValue> read_random(const Node& table, const FieldContext& con
 {
   const auto random = read_random_field(table, context);
   if (!random) return std::nullopt;
-  return by_random(random->field, random->marginal, random->cov, random->mean);
+  try {
+    return by_random(random->field, random->marginal, random->cov, random->mean);
+  } catch (const RunError& error) {
+    return refuse_field(context, context.entry.path + ".random.known", "the known values cannot be used", error.what());
+  }
 }
 
 std::string describe_random_keys()
@@ -244,10 +265,13 @@ std::string describe_random_keys()
   for (const RandomKey& key : random_keys)
     out += fmt::format("  {:<14}{}{}\n", key.name,
         key.unit == "-" || key.unit.empty() ? "" : fmt::format("[{}] ", key.unit), key.meaning);
-  return out +
-         "  known         [[x, y, value], ...]: values from soundings, which every draw has there\n"
-         "  mix           [[field, weight], ...] instead of field: the sum of several, squares of the weights adding "
-         "up to one\n";
+  out +=
+      "  known         [[x, y, value], ...]: values from soundings, which every draw has there\n"
+      "  mix           [[field, weight], ...] instead of field: the sum of several, squares of the weights adding "
+      "up to one\n";
+  out += "\nKinds of correlation, over the distance d; along x times along y\n";
+  for (const CorrelationKind& kind : correlation_kinds()) out += fmt::format("  {:<14}{}\n", kind.name, kind.meaning);
+  return out;
 }
 
 }  // namespace terp

@@ -21,6 +21,9 @@ std::optional<FieldValue> read_random(const Node& value, const FieldContext& con
 
 /// Words of `distribution`, in the order of FieldMarginal.
 std::vector<std::string> random_distributions();
+/// Words of `correlation`, and what each means.
+std::vector<std::string> random_correlations();
+const CorrelationKind& correlation_named(std::string_view name);
 
 /// What `terp explain field` says of the keys.
 std::string describe_random_keys();

@@ -1,12 +1,15 @@
-// How it thinks: the field is a Markov chain along x times one along y. A stationary chain may be built from any node
-// outwards on both sides, so all chains begin at node 0: what a node gets then depends on the nodes between it and 0
-// alone, and not on how far the box reaches.
+// How it thinks: along y the field is a chain whose noise, node by node, is an independent chain along x. A stationary
+// chain may be built from any node outwards on both sides, so all chains begin at node 0: what a node gets then depends
+// on the nodes between it and 0 alone, and not on how far the box reaches. Backwards it is the same chain, with odd
+// derivatives of the other sign. A moving average takes the noise of the nodes around, of which as many are made.
 
 #include "simulation/gaussian_field.hpp"
 
 #include "base/errors.hpp"
 #include "base/philox.hpp"
 #include "parallel/functions.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,26 +31,48 @@ Real ratio_of(std::span<const Real> numerator, std::span<const Real> denominator
   return above / below;
 }
 
-/// Solves C w = b for a symmetric positive definite C, which is overwritten. False if it is not.
-bool solve_cholesky(std::vector<Real>& c, std::vector<Real>& b)
+/// Lower triangular L with L L^T = C, in place. What a row is left of its variance by those before is the square of its
+/// diagonal; a row where that is round-off ends it. Returns the number of rows.
+std::size_t factor(std::vector<Real>& c, std::size_t n)
 {
-  const std::size_t n = b.size();
+  constexpr Real round_off = 1e-11;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j <= i; ++j) {
       Real sum = c[i * n + j];
       for (std::size_t k = 0; k < j; ++k) sum -= c[i * n + k] * c[j * n + k];
-      if (i == j && !(sum > 0.0)) return false;
+      if (i == j && !(sum > round_off)) return i;
       c[i * n + j] = i == j ? std::sqrt(sum) : sum / c[j * n + j];
     }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) b[i] -= c[i * n + k] * b[k];
-    b[i] /= c[i * n + i];
+  return n;
+}
+
+/// b = L^-1 b
+void solve_lower(const std::vector<Real>& l, std::vector<Real>& b)
+{
+  for (std::size_t i = 0, n = b.size(); i < n; ++i) {
+    for (std::size_t k = 0; k < i; ++k) b[i] -= l[i * n + k] * b[k];
+    b[i] /= l[i * n + i];
   }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) b[i] -= c[k * n + i] * b[k];
-    b[i] /= c[i * n + i];
+}
+
+/// b = L^-T b
+void solve_upper(const std::vector<Real>& l, std::vector<Real>& b)
+{
+  for (std::size_t n = b.size(), i = n; i-- > 0;) {
+    for (std::size_t k = i + 1; k < n; ++k) b[i] -= l[k * n + i] * b[k];
+    b[i] /= l[i * n + i];
   }
-  return true;
+}
+
+/// A value that others leave little room for, and that lies far off: a smooth field that met it would swing wildly
+/// beside it. scores: known ones, l: factor of their correlations. Returns its number, or how many there are.
+std::size_t contradiction_in(std::vector<Real> scores, const std::vector<Real>& l)
+{
+  constexpr Real little = 0.1, far = 5.0;  // of a standard deviation; of what is left of it
+  solve_lower(l, scores);
+  for (std::size_t i = 0, n = scores.size(); i < n; ++i)
+    if (l[i * n + i] < little && std::abs(scores[i]) > far) return i;
+  return scores.size();
 }
 
 }  // namespace
@@ -77,20 +102,92 @@ Real normal_quantile(Real p)
   return q < 0.0 ? -size : size;
 }
 
-GaussianField::Axis::Axis(Real low, Real high, Real scale)
-    : spacing(scale / nodes_per_scale), ratio(exponential(-2.0 / nodes_per_scale)), rest(std::sqrt(1.0 - ratio * ratio))
+namespace {
+
+constexpr Real node_spacing = 1.0 / GaussianField::nodes_per_scale;
+
+/// Nodes beside one that its moving average takes.
+Index reach_of(const CorrelationKind& kind)
+{
+  return static_cast<Index>(moving_average(kind, node_spacing).size() / 2);
+}
+
+/// State of a chain at all nodes of a line, or of the nodes of a row.
+using States = std::array<std::vector<Real>, LineChain::most_states>;
+
+/// to = A from + L w, node by node; `from` and `to` may be the same.
+void take_step(const LineChain& chain, const States& from, const States& w, States& to, std::size_t node)
+{
+  std::array<Real, LineChain::most_states> next{};
+  for (std::size_t a = 0; a < chain.n_states; ++a) {
+    for (std::size_t b = 0; b < chain.n_states; ++b) next[a] += chain.step[a][b] * from[b][node];
+    for (std::size_t b = 0; b <= a; ++b) next[a] += chain.noise[a][b] * w[b][node];
+  }
+  for (std::size_t a = 0; a < chain.n_states; ++a) to[a][node] = next[a];
+}
+
+void start(const LineChain& chain, const States& w, States& to, std::size_t node)
+{
+  for (std::size_t a = 0; a < chain.n_states; ++a) {
+    Real sum = 0.0;
+    for (std::size_t b = 0; b <= a; ++b) sum += chain.start[a][b] * w[b][node];
+    to[a][node] = sum;
+  }
+}
+
+/// The same state, seen in the other direction.
+void turn_round(States& states)
+{
+  for (Real& value : states[1]) value = -value;
+}
+
+/// From node 0 to both ends; noise(k, i): number k of node i.
+template <class F>
+void make_chain(const LineChain& chain, Index begin, Index end, std::vector<Real>& line, F noise)
+{
+  States state, w, first;
+  for (std::size_t a = 0; a < chain.n_states; ++a) state[a].resize(1), w[a].resize(1);
+  const auto draw = [&](Index i) {
+    for (std::size_t k = 0; k < chain.n_states; ++k) w[k][0] = noise(k, i);
+  };
+  const auto go_on = [&](Index i) {
+    draw(i);
+    take_step(chain, state, w, state, 0);
+    line[static_cast<std::size_t>(i - begin)] = state[0][0];
+  };
+  draw(0);
+  start(chain, w, state, 0);
+  line[static_cast<std::size_t>(-begin)] = state[0][0];
+  first = state;
+  for (Index i = 1; i <= end; ++i) go_on(i);
+  state = first;
+  turn_round(state);
+  for (Index i = -1; i >= begin; --i) go_on(i);
+}
+
+}  // namespace
+
+GaussianField::Axis::Axis(Real low, Real high, Real scale, const CorrelationKind& kind)
+    : spacing(scale / nodes_per_scale)
 {
   first = node_of(low), last = node_of(high);
-  begin = std::min(first, Index{0}), end = std::max(last, Index{0});
+  if (kind.chain != nullptr)
+    begin = std::min(first, Index{0}), end = std::max(last, Index{0});
+  else
+    begin = first - reach_of(kind), end = last + reach_of(kind);
 }
 
 Index GaussianField::Axis::node_of(Real x) const { return static_cast<Index>(std::floor(x / spacing + 0.5)); }
 
 double GaussianField::n_nodes(const GaussianFieldCase& field)
 {
+  const bool is_chain = field.correlation->chain != nullptr;
   double n = 1.0;
   for (std::size_t d = 0; d < 2; ++d)
-    n *= 1.0 + (std::max(field.high[d], 0.0) - std::min(field.low[d], 0.0)) * nodes_per_scale / field.scale[d];
+    n *= is_chain
+             ? 1.0 + (std::max(field.high[d], 0.0) - std::min(field.low[d], 0.0)) * nodes_per_scale / field.scale[d]
+             : 1.0 + (field.high[d] - field.low[d]) * nodes_per_scale / field.scale[d] +
+                   2.0 * static_cast<double>(reach_of(*field.correlation));
   return n;
 }
 
@@ -101,49 +198,70 @@ Real& GaussianField::value(Index i, Index j)
 }
 
 GaussianField::GaussianField(const GaussianFieldCase& field)
-    : low_(field.low),
+    : kind_(*field.correlation),
+      low_(field.low),
       high_(field.high),
-      x_(field.low[0], field.high[0], field.scale[0]),
-      y_(field.low[1], field.high[1], field.scale[1]),
+      x_(field.low[0], field.high[0], field.scale[0], kind_),
+      y_(field.low[1], field.high[1], field.scale[1], kind_),
       values_(static_cast<std::size_t>(x_.n()) * static_cast<std::size_t>(y_.n()), 0.0)
 {
-  for (const auto& [number, weight] : field.parts) add(number, weight, field);
+  for (const auto& part : field.parts) {
+    const Noise noise = [&](std::size_t k, Index i, Index j) {
+      return normal_quantile(philox_uniform(
+          {field.realisation, of_fields | part.first, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)},
+          {field.seed, static_cast<std::uint32_t>(k)}));
+    };
+    kind_.chain != nullptr ? add_chains(noise, part.second) : add_averages(noise, part.second);
+  }
   if (!field.known.empty()) condition(field.known);
 }
 
-void GaussianField::add(std::uint32_t number, Real weight, const GaussianFieldCase& field)
+void GaussianField::add_to_row(Index j, Real weight, const std::vector<Real>& row)
 {
+  if (j < y_.first || j > y_.last) return;
+  for (Index i = x_.first; i <= x_.last; ++i) value(i, j) += weight * row[static_cast<std::size_t>(i - x_.begin)];
+}
+
+void GaussianField::add_chains(const Noise& noise, Real weight)
+{
+  const LineChain chain = kind_.chain(node_spacing);
   const auto n = static_cast<std::size_t>(x_.end - x_.begin + 1);
-  std::vector<Real> middle(n), row(n);
-  const auto at = [&](std::vector<Real>& line, Index i) -> Real& {
-    return line[static_cast<std::size_t>(i - x_.begin)];
+  States row, lines, middle;
+  for (std::size_t a = 0; a < chain.n_states; ++a) row[a].resize(n), lines[a].resize(n);
+  const auto make_lines = [&](Index j) {
+    for (std::size_t a = 0; a < chain.n_states; ++a)
+      make_chain(chain, x_.begin, x_.end, lines[a],
+          [&](std::size_t k, Index i) { return noise(a * chain.n_states + k, i, j); });
   };
-  const auto noise = [&](Index i, Index j) {
-    return normal_quantile(philox_uniform(
-        {field.realisation, of_fields | number, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)},
-        {field.seed, 0}));
-  };
-  std::vector<Real> line(n);
-  const auto chain_along_x = [&](Index j) {
-    at(line, 0) = noise(0, j);
-    for (Index i = 1; i <= x_.end; ++i) at(line, i) = x_.ratio * at(line, i - 1) + x_.rest * noise(i, j);
-    for (Index i = -1; i >= x_.begin; --i) at(line, i) = x_.ratio * at(line, i + 1) + x_.rest * noise(i, j);
-  };
-  const auto keep = [&](Index j) {
-    if (j < y_.first || j > y_.last) return;
-    for (Index i = x_.first; i <= x_.last; ++i) value(i, j) += weight * at(row, i);
-  };
-  chain_along_x(0);
-  middle = row = line;
-  keep(0);
   const auto go_on = [&](Index j) {
-    chain_along_x(j);
-    for (std::size_t k = 0; k < n; ++k) row[k] = y_.ratio * row[k] + y_.rest * line[k];
-    keep(j);
+    make_lines(j);
+    for (std::size_t node = 0; node < n; ++node) take_step(chain, row, lines, row, node);
+    add_to_row(j, weight, row[0]);
   };
+  make_lines(0);
+  for (std::size_t node = 0; node < n; ++node) start(chain, lines, row, node);
+  middle = row;
+  add_to_row(0, weight, row[0]);
   for (Index j = 1; j <= y_.end; ++j) go_on(j);
   row = middle;
+  turn_round(row);
   for (Index j = -1; j >= y_.begin; --j) go_on(j);
+}
+
+void GaussianField::add_averages(const Noise& noise, Real weight)
+{
+  const std::vector<Real> weights = moving_average(kind_, node_spacing);
+  const auto n = static_cast<std::size_t>(x_.end - x_.begin + 1), reach = weights.size() / 2;
+  std::vector<Real> drawn(n), row(n, 0.0);
+  for (Index j = y_.begin; j <= y_.end; ++j) {
+    for (std::size_t i = 0; i < n; ++i) drawn[i] = noise(0, x_.begin + static_cast<Index>(i), j);
+    for (std::size_t i = reach; i + reach < n; ++i) {
+      row[i] = 0.0;
+      for (std::size_t k = 0; k < weights.size(); ++k) row[i] += weights[k] * drawn[i - reach + k];
+    }
+    for (std::size_t k = 0; k < weights.size(); ++k)
+      add_to_row(j - static_cast<Index>(reach) + static_cast<Index>(k), weight * weights[k], row);
+  }
 }
 
 std::vector<std::pair<std::array<Index, 2>, Real>> GaussianField::by_node(const std::vector<KnownScore>& known) const
@@ -163,22 +281,28 @@ void GaussianField::condition(const std::vector<KnownScore>& known)
 {
   const auto nodes = by_node(known);
   const std::size_t n = nodes.size();
-  const auto powers = [](const Axis& axis) {  // rho by the number of nodes between two
-    std::vector<Real> rho(static_cast<std::size_t>(axis.n()), 1.0);
-    for (std::size_t k = 1; k < rho.size(); ++k) rho[k] = rho[k - 1] * axis.ratio;
-    return rho;
-  };
-  const std::vector<Real> rho_x = powers(x_), rho_y = powers(y_);
+  const std::vector<Real> rho_x = rho_of_nodes(kind_, node_spacing, static_cast<std::size_t>(x_.n())),
+                          rho_y = rho_of_nodes(kind_, node_spacing, static_cast<std::size_t>(y_.n()));
   const auto rho = [&](std::array<Index, 2> a, std::array<Index, 2> b) {
     return rho_x[static_cast<std::size_t>(std::abs(a[0] - b[0]))] *
            rho_y[static_cast<std::size_t>(std::abs(a[1] - b[1]))];
   };
-  std::vector<Real> c(n * n), w(n);
+  std::vector<Real> c(n * n), w(n), scores(n);
   for (std::size_t i = 0; i < n; ++i) {
+    scores[i] = nodes[i].second;
     w[i] = nodes[i].second - value(nodes[i].first[0], nodes[i].first[1]);
     for (std::size_t j = 0; j < n; ++j) c[i * n + j] = rho(nodes[i].first, nodes[j].first);
   }
-  if (!solve_cholesky(c, w)) throw RunError("known values of a random field contradict each other");
+  const auto refuse = [&](std::size_t i, const char* why) {
+    throw RunError(
+        fmt::format("In a field so smooth the one at ({:g}, {:g}) m follows from those around it{}.\nLeave "
+                    "some out, or take a correlation that is less smooth.",
+            static_cast<Real>(nodes[i].first[0]) * x_.spacing, static_cast<Real>(nodes[i].first[1]) * y_.spacing, why));
+  };
+  if (const std::size_t i = factor(c, n); i < n) refuse(i, "");
+  if (const std::size_t i = contradiction_in(scores, c); i < n) refuse(i, ", and contradicts them");
+  solve_lower(c, w);
+  solve_upper(c, w);
   for (Index j = y_.first; j <= y_.last; ++j)
     for (Index i = x_.first; i <= x_.last; ++i)
       for (std::size_t k = 0; k < n; ++k) value(i, j) += rho({i, j}, nodes[k].first) * w[k];

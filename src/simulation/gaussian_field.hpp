@@ -1,12 +1,14 @@
 // A Gaussian random field over the section, the same on any mesh: a function of the seed, the number of the realisation
-// and the place. Separable Markov correlation rho = exp(-2 |dx|/theta_x - 2 |dy|/theta_y) (Vanmarcke, Random fields,
-// 1983). docs/probability.md. Not for: how a case file writes it (input/random_kind).
+// and the place. The correlation is separable: rho(|dx|/theta_x) rho(|dy|/theta_y) of a kind (correlation_kind.hpp).
+// docs/probability.md. Not for: how a case file writes it (input/random_kind).
 #pragma once
 
+#include "simulation/correlation_kind.hpp"
 #include "simulation/parameter_field.hpp"
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -28,6 +30,7 @@ struct GaussianFieldCase {
   /// Numbers of independent fields and their weights, whose squares add up to one: correlated fields share some.
   std::vector<std::pair<std::uint32_t, Real>> parts = {{0, 1.0}};
   std::vector<KnownScore> known = {};  ///< the field has these scores there (kriging of the residual)
+  const CorrelationKind* correlation = correlation_kinds().data();
 };
 
 /// Standard normal values on a grid whose nodes stand at whole multiples of an eighth of the scales of fluctuation,
@@ -35,32 +38,38 @@ struct GaussianFieldCase {
 /// value.
 class GaussianField {
  public:
-  /// Known scores at one node count with their mean. Throws RunError where known places cannot be told apart.
+  /// Known scores at one node count with their mean. Throws RunError where one of them follows from the others, which
+  /// are so close, or contradicts them.
   explicit GaussianField(const GaussianFieldCase& field);
 
   /// Not a number outside of the box.
   Real at(Vec<2> x) const;
 
-  /// Nodes that must be made for it: all between x = y = 0 and the box.
+  /// Nodes that must be made for it: all between x = y = 0 and the box, or all that a moving average takes.
   static double n_nodes(const GaussianFieldCase& field);
 
   static constexpr Real nodes_per_scale = 8.0;
 
  private:
-  /// Nodes along one direction: those with values, and those that lead to them from node 0.
+  /// Nodes along one direction: those with values, and all that are made for them.
   struct Axis {
-    Real spacing, ratio, rest;  ///< [m]; r = exp(-2 spacing/theta); sqrt(1 - r^2)
+    Real spacing;  ///< [m]
     Index first, last, begin, end;
-    Axis(Real low, Real high, Real scale);
+    Axis(Real low, Real high, Real scale, const CorrelationKind& kind);
     Index n() const { return last - first + 1; }
     Index node_of(Real x) const;
   };
+  /// Independent standard normal numbers of one node of a field: which one, column, row.
+  using Noise = std::function<Real(std::size_t, Index, Index)>;
 
-  void add(std::uint32_t number, Real weight, const GaussianFieldCase& field);
+  void add_chains(const Noise& noise, Real weight);
+  void add_averages(const Noise& noise, Real weight);
+  void add_to_row(Index j, Real weight, const std::vector<Real>& row);  ///< row: from x_.begin on
   void condition(const std::vector<KnownScore>& known);
   std::vector<std::pair<std::array<Index, 2>, Real>> by_node(const std::vector<KnownScore>& known) const;
   Real& value(Index i, Index j);
 
+  const CorrelationKind& kind_;
   Vec<2> low_, high_;
   Axis x_, y_;
   std::vector<Real> values_;  ///< shape [n_y, n_x]

@@ -91,9 +91,11 @@ std::string field_text(const Study& study, std::size_t number, Index sample, con
   const auto& box = study.boxes[number];
   return fmt::format(
       "{{ random = {{ mean = {}, cov = {}, theta = {}, box = [{}, {}], distribution = \"{}\", seed = {}, realisation "
-      "= {}, {}{} }} }}",
+      "= {}, {}{}{} }} }}",
       mean, f.cov, pair_text(f.scale), pair_text(box[0]), pair_text(box[1]), f.distribution, study.settings.seed,
-      sample, parts_text(study, number), f.known.empty() ? "" : ", known = " + f.known);
+      sample, parts_text(study, number),
+      f.correlation == random_correlations().front() ? "" : fmt::format(", correlation = \"{}\"", f.correlation),
+      f.known.empty() ? "" : ", known = " + f.known);
 }
 
 /// The field as the case reads it, with what soundings know of it.

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 
 namespace terp {
 namespace {
@@ -65,7 +64,7 @@ void sort_tables(Node& node)
 }
 
 /// The case after some changes, one after another; empty where it does not take one of them.
-std::string case_after(const Node& root, std::initializer_list<const Change*> changes)
+std::string case_after(const Node& root, const std::vector<const Change*>& changes)
 {
   Node node = root;
   for (const Change* change : changes)
@@ -74,22 +73,34 @@ std::string case_after(const Node& root, std::initializer_list<const Change*> ch
   return write_toml(node);
 }
 
-/// What `set` says of a key and no realisation has, as each draws it.
+/// What `set` says of a key and no realisation has, as each draws it, or all parts of it.
 void refuse_lost_settings(const Study& study, const std::vector<Change>& changes, std::vector<Problem>& problems)
 {
   const Node root = parse_toml(study.case_text);
   for (const std::string& text : study.settings.set) {
     const Change set = change_of(text, "set");
+    if (case_after(root, {&set}) == case_after(root, {})) continue;
+    std::vector<const Change*> parts;
+    const auto refuse_if_lost = [&](std::vector<const Change*> drawn) {
+      const std::string without = case_after(root, drawn);
+      drawn.insert(drawn.begin(), &set);
+      if (without.empty() || case_after(root, drawn) != without) return false;
+      std::string names;
+      for (std::size_t k = 1; k < drawn.size(); ++k)
+        names += fmt::format("{}`{}`", k == 1 ? "" : k + 1 < drawn.size() ? ", " : " and ", drawn[k]->key);
+      problems.push_back({drawn.back()->path,
+          fmt::format("`{}` of [set] is lost: {} {} given in each realisation anew", set.key, names,
+              drawn.size() > 2 ? "are" : "is"),
+          "Leave it out of [set], or do not draw it.", ""});
+      return true;
+    };
+    bool is_lost = false;
     for (const Change& change : changes) {
       if (change.is_coarse || change.takes_as_mean(set.key) || !may_overlap(set, change)) continue;
-      const std::string drawn = case_after(root, {&change});
-      if (drawn.empty() || case_after(root, {&set}) == case_after(root, {}) ||
-          case_after(root, {&set, &change}) != drawn)
-        continue;
-      problems.push_back({change.path,
-          fmt::format("`{}` of [set] is lost: `{}` is given in each realisation anew", set.key, change.key),
-          "Leave it out of [set], or do not draw it.", ""});
+      is_lost = refuse_if_lost({&change}) || is_lost;
+      parts.push_back(&change);
     }
+    if (!is_lost && parts.size() > 1) refuse_if_lost(parts);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/checksum.hpp"
 #include "input/printable.hpp"
+#include "input/random_kind.hpp"
 #include "output/files.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/setup_mesh.hpp"
@@ -363,8 +364,7 @@ std::vector<Problem> find_doubts(const Study& study)
   for (const RandomFieldKey& field : study.settings.fields) {
     const Real least = std::min(field.scale[0], field.scale[1]);
     if (cell <= 0.25 * least) continue;
-    const Real ratio = 2.0 * cell / least,
-               share = std::sqrt(2.0 / (ratio * ratio) * (ratio + std::exp(-ratio) - 1.0));  // Vanmarcke 1983
+    const Real share = std::sqrt(correlation_named(field.correlation).variance_of_mean(cell / least));
     doubts.push_back({join_path(field.path, "theta"), "the cells hardly resolve the random field",
         fmt::format(
             "Cells of {:.2g} m, a scale of fluctuation of {:g} m; a quarter of it or less resolves it. The mean "

@@ -94,7 +94,8 @@ void read_fields(const Node& root, StudySettings& s, Findings& findings)
     read_section(*table, path,
         {{"key", "", any_number, true, &field.key}, {"cov", "-", positive, true, &field.cov},
             {"theta", "m", positive, true, &field.scale}, {"box", "m", any_number, false, BoxCorners{&low, &high}},
-            {"distribution", "", any_number, false, &field.distribution, random_distributions}},
+            {"distribution", "", any_number, false, &field.distribution, random_distributions},
+            {"correlation", "", any_number, false, &field.correlation, random_correlations}},
         {"mean", "known"}, findings);
     refuse_unknown_key(field.key, path, findings);
     if (table->kind != NodeKind::table) continue;
@@ -227,6 +228,9 @@ void check_field_pairs(const StudySettings& s, Findings& findings)
     if (a->scale != b->scale)
       findings.problems.push_back({join_path(c.path, "between"), "correlated fields have the same `theta`",
           fmt::format("Got [{:g}, {:g}] and [{:g}, {:g}] m.", a->scale[0], a->scale[1], b->scale[0], b->scale[1]), ""});
+    if (a->correlation != b->correlation)
+      findings.problems.push_back({join_path(c.path, "between"), "correlated fields have the same `correlation`",
+          fmt::format("Got \"{}\" and \"{}\".", a->correlation, b->correlation), ""});
     if (!a->known.empty() || !b->known.empty())
       findings.problems.push_back({join_path(c.path, "between"), "fields with `known` values cannot be correlated",
           "Leave out the correlation or the known values.", ""});

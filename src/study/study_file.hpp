@@ -26,7 +26,7 @@ struct RandomNumber {
 /// A parameter that varies from place to place. What is kept as TOML goes to the case as it is.
 struct RandomFieldKey {
   std::string key = {}, path = {};
-  std::string distribution = "lognormal";
+  std::string distribution = "lognormal", correlation = "markov";
   Real cov = 0.0;
   Vec<2> scale{0.0, 0.0};                         ///< of fluctuation, along x and y [m]
   std::string mean = {}, known = {};              ///< TOML; empty: that of the case; none

@@ -115,6 +115,13 @@ TEST(FieldKinds, ARandomFieldMultipliesItsMean)
   EXPECT_DOUBLE_EQ(value("\"20 kPa\"", {3.0, 1.0}), 20e3 * factor);
   EXPECT_DOUBLE_EQ(value("{ elevation = [[0, 10e3], [2, 6e3]] }", {3.0, 1.0}), 8e3 * factor);
   EXPECT_TRUE(std::isnan(value("1.0", {9.0, 1.0}))) << "beyond the box";
+  const auto factor_of = [](const std::string& kind) {
+    const std::string text =
+        replaced(replaced(random_su, "MEAN", "1.0"), "seed", "correlation = \"" + kind + "\", seed");
+    return material_of("shear_modulus = 2e6\n" + text).fields[0].value_at({{3.0, 1.0}});
+  };
+  EXPECT_EQ(factor_of("markov"), factor);
+  EXPECT_NE(factor_of("matern_5_2"), factor);
 }
 
 TEST(FieldKinds, OtherParametersFollowARandomField)
@@ -138,6 +145,7 @@ TEST(FieldKinds, EveryKindIsExplained)
 {
   const std::string text = describe_field_kinds();
   for (const FieldKind& kind : field_kinds()) EXPECT_THAT(text, HasSubstr(std::string(kind.form)));
+  EXPECT_THAT(text, HasSubstr("  gaussian      exp(-pi d^2/theta^2), smooth\n"));
   EXPECT_THAT(
       text, HasSubstr("  pop           [Pa] sigma'_p - sigma'_v,daily; at least 0 Pa, usual 500 to 1000000 Pa\n"));
 }

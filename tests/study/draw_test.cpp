@@ -74,6 +74,9 @@ TEST(Draw, AFieldGoesToTheCaseAndMultipliesWhatStandsThere)
   EXPECT_EQ(draw.changes[0],
       "material.clay.su_peak={ random = { mean = 6000.0, cov = 0.3, theta = [8, 4], box = [[0, 0], [4, 2]], "
       "distribution = \"lognormal\", seed = 3, realisation = 2, field = 0 } }");
+  const Study smooth = study_of(changed(field_study, "cov = 0.3", "cov = 0.3\ncorrelation = \"gaussian\""));
+  EXPECT_THAT(draw_realisation(smooth, 2).changes[0], EndsWith("field = 0, correlation = \"gaussian\" } }"));
+  EXPECT_NE(FieldOverTrend(smooth, 0, 2).at({1.0, 1.0}), FieldOverTrend(study, 0, 2).at({1.0, 1.0}));
   const ScratchFolder folder;
   write_study(folder.path(), field_study);
   EXPECT_EQ(read_case(folder.path() + "/column.toml", draw.changes).values.materials[0].fields.size(), 3u)

@@ -81,6 +81,10 @@ TEST(StudyFile, WithOneMistakeHasOneMessage)
       {"number = 12", "number = 12\n[[sweep]]\nkey = \"material.clay.eta\"\nvalues = [1, 2]",
           "is of `kind = \"sweep\"`"},
       {"[[random]]", "[random]", "write [[random]], once for each"},
+      {"volume = 1.0", "ends_run = 1",
+          "`ends_run` must be true or false\n\n   13 | ends_run = 1\n      |            ^\n  Got the integer 1; "
+          "allowed: "
+          "true or false.\n"},
   };
   for (const Row& row : rows) EXPECT_THAT(message_on(column_study, row), HasSubstr(row.expected)) << row.to;
 }
@@ -117,8 +121,16 @@ TEST(StudyFile, ASettingThatEachDrawReplacesIsRefused)
   EXPECT_THAT(message(column_study, "[set]\n\"material.*.su_peak\" = 9e3\n[estimator]"),
       HasSubstr("`material.*.su_peak` of [set] is lost: `material.clay.su_peak` is given in each realisation anew"));
   EXPECT_EQ(message(column_study, "[set]\n\"material.clay.eta\" = 9\n[estimator]"), "");
-  const std::string mean = changed(field_study, "cov = 0.3", "cov = 0.3\nmean = 9e3");
-  EXPECT_THAT(message(mean, own), HasSubstr("`material.clay.su_peak` of [set] is lost"));
+  const auto uniform = [](const std::string& key) {
+    return "[[random]]\nkey = \"" + key + "\"\ndistribution = \"uniform\"\nlowest = 0.1\nhighest = 0.2\n";
+  };
+  const std::string part = "[set]\n\"forces.damping\" = { local = 0.3, averaging_time = 0.3 }\n" +
+                           uniform("forces.damping.local"),
+                    rest = uniform("forces.damping.averaging_time"), end = "[estimator]";
+  EXPECT_EQ(message(column_study, (part + end).c_str()), "") << "the averaging time is that of [set]";
+  EXPECT_THAT(message(column_study, (part + rest + end).c_str()),
+      HasSubstr("`forces.damping` of [set] is lost: `forces.damping.local` and `forces.damping.averaging_time` are "
+                "given in each realisation anew"));
 }
 
 TEST(StudyFile, ADrawThatAStageReplacesIsRefused)
@@ -135,6 +147,21 @@ TEST(StudyFile, ADrawThatAStageReplacesIsRefused)
       HasSubstr("`material.clay.su_peak` is lost in the stage `flood`, which sets `material.clay.su_peak`"));
   EXPECT_THAT(message("material.*.su_peak"), HasSubstr("which sets `material.*.su_peak`"));
   EXPECT_EQ(message("material.clay.eta", "6.0"), "");
+}
+
+TEST(StudyFile, FieldsNameTheirCorrelation)
+{
+  EXPECT_EQ(read_study_text(field_study, "demo.toml").fields[0].correlation, "markov");
+  const std::string gaussian = changed(field_study, "cov = 0.3", "cov = 0.3\ncorrelation = \"gaussian\"");
+  EXPECT_EQ(read_study_text(gaussian, "demo.toml").fields[0].correlation, "gaussian");
+  EXPECT_THAT(message_on(field_study, {"cov = 0.3", "cov = 0.3\ncorrelation = \"gausian\"", ""}),
+      AllOf(HasSubstr("`correlation` cannot be \"gausian\""), HasSubstr("Did you mean `gaussian`?"),
+          HasSubstr("\"markov\", \"matern_3_2\", \"matern_5_2\"")));
+  const std::string pair =
+      "[[field]]\nkey = \"material.clay.shear_modulus\"\ncov = 0.3\ntheta = [8.0, 4.0]\n"
+      "[[correlation]]\nbetween = [\"material.clay.su_peak\", \"material.clay.shear_modulus\"]\nvalue = 0.6\n";
+  EXPECT_THAT(message_on(gaussian + pair, {"seed = 3", "seed = 4", ""}),
+      AllOf(HasSubstr("correlated fields have the same `correlation`"), HasSubstr("Got \"gaussian\" and \"markov\".")));
 }
 
 TEST(StudyFile, WhatIsDrawnTwiceOrNotAtAllIsTold)
