@@ -112,7 +112,7 @@ void StudyPlace::clear() const
   std::vector<FolderLock> parts;
   for (const auto& entry : fs::directory_iterator(path_in(folder_, "locks"))) {
     const std::string other = entry.path().string();
-    if (!entry.is_directory() || other == own_) continue;
+    if (!entry.is_directory() || entry.path() == fs::path(own_)) continue;  // Windows knows two signs between folders
     if (is_being_written(other))
       throw FileError(
           fmt::format("{}: another terp writes {} of this study; nothing was removed\n  Wait for it, or stop it first.",

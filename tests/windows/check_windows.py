@@ -33,6 +33,23 @@ COLUMN = ["cases/column_collapse/model_2.toml", "--set", "mesh.cell=0.5", "-j", 
 SHORT = ["--set", "time.end=0.2"]
 LONG = ["--set", "time.end=60", "--set", "output.checkpoint.every=0.05"]
 MOST_SECONDS = 540
+NEWLINE = b"\n"
+STUDY = """\
+case = "column.toml"
+seed = 3
+[[random]]
+key = "material.clay.su_peak"
+distribution = "lognormal"
+mean = "8 kPa"
+cov = 0.4
+[estimator]
+kind = "monte_carlo"
+[stop]
+number = 6
+[events]
+volume = 1.0
+displacement = 0.3
+"""
 
 
 class Place:
@@ -190,6 +207,27 @@ def test_assesses_a_reach_by_processes_of_its_own(place):
     expect((place.home / "Reach ö/example-2020.03-v1/run/report.html").is_file(), "there is no report of the section")
     expect("kept, solved before" in expect_done(place.terp(*words), 3), "the second time is not kept")
     return said.strip().splitlines()[-1]
+
+
+def test_solves_a_study_goes_on_and_begins_anew(place):
+    folder = place.home / "Stüdie 1"
+    folder.mkdir()
+    case = (place.home / COLUMN[0]).read_text(encoding="utf-8")
+    for long, short in (("end = 4.0", "end = 0.5"), ("cell = 0.1", "cell = 0.5")):
+        expect(long in case, f"{COLUMN[0]} has no `{long}`")
+        case = case.replace(long, short)
+    (folder / "column.toml").write_text(case, encoding="utf-8")
+    (folder / "study.toml").write_text(STUDY, encoding="utf-8")
+    words = ["study", "run", "Stüdie 1/study.toml", "-j", "2", "-o"]
+    expect_done(place.terp(*words, "runs/studied"))
+    expect_done(place.terp_of_linux(*words, "runs/studied linux"))
+    table = (place.home / "runs/studied linux/results.csv").read_bytes()
+    expect((place.home / "runs/studied/results.csv").read_bytes() == table, "the tables differ")
+    said = expect_done(place.terp(*words, "runs/studied"))
+    expect("another" not in said and "build" not in said, said)
+    expect_done(place.terp(*words, "runs/studied", "--force"))
+    expect((place.home / "runs/studied/results.csv").read_bytes() == table, "the tables differ after --force")
+    return f"{table.count(NEWLINE) - 1} realisations, the bytes of Linux"
 
 
 def test_calls_a_law_of_the_user(place):
