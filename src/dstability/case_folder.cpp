@@ -331,11 +331,9 @@ class FolderMaker {
   void make_flood()
   {
     if (!river_.doubt.empty()) doubts_.push_back(river_.doubt);
-    if (!river_level_ && !water_stands_at(section_, river_end())) {
-      assumed_.push_back(
-          fmt::format("No water stands on the ground at {} of the section: the case has no [flood], and no verdict on "
-                      "flooding.",
-              river_.side.empty() ? "either end" : fmt::format("the river's end ({})", river_.side)));
+    const std::string none = river_level_ ? "" : no_flood_because(section_, river_, river_end(), layout_.cell);
+    if (!none.empty()) {
+      assumed_.push_back(none + ": the case has no [flood], and no verdict on flooding.");
       if (options_.river) notes_.push_back(assumed_.back());
       return;
     }

@@ -103,6 +103,17 @@ StixRiver find_river(const StixSection& section, Vec<2> ends)
   return river;
 }
 
+std::string no_flood_because(const StixSection& section, const StixRiver& river, Real end, Real cell)
+{
+  if (!water_stands_at(section, end))
+    return fmt::format("No water stands on the ground at {} of the section",
+        river.side.empty() ? "either end" : fmt::format("the river's end ({})", river.side));
+  const Real level = section.column(end).now().water().phreatic();
+  const Real a_cell_inside = end + (river.side == "right" ? -cell : cell);
+  if (level > section.column(a_cell_inside).ground()) return "";
+  return fmt::format("The water at the river's end ({:.2f} m) stands on less than a cell of ground", level);
+}
+
 void check_river_to_move(const StixSection& section, const StixRiver& river, Real x)
 {
   const std::string& stage = section.stage().label;

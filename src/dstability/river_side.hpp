@@ -20,6 +20,9 @@ bool water_stands_at(const StixSection& section, Real x);
 /// Between two ends [m].
 StixRiver find_river(const StixSection& section, Vec<2> ends);
 
+/// Why there is no river to hold back at an end [m] of a section with cells of that size [m]; empty: there is one.
+std::string no_flood_because(const StixSection& section, const StixRiver& river, Real end, Real cell);
+
 /// Throws InputError unless the river can get another level: its side is known without doubt, and its water.
 /// x: of its end [m].
 void check_river_to_move(const StixSection& section, const StixRiver& river, Real x);

@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -59,6 +60,16 @@ struct Source {
   std::vector<std::string> warnings;
 };
 
+/// What speaks against an imported section, of which the reader of the page must know.
+void add_doubts(const CaseFile& of, std::vector<std::string>& warnings)
+{
+  for (const Problem& warning : of.warnings) {
+    if (warning.key != "reference.doubts") continue;
+    std::istringstream lines(warning.detail);
+    for (std::string line; std::getline(lines, line);) warnings.push_back(line);
+  }
+}
+
 Source open_source(const std::string& folder, const std::string& name)
 {
   RunResults run = read_run(folder);
@@ -67,6 +78,7 @@ Source open_source(const std::string& folder, const std::string& name)
       .run = std::move(run), .frames = std::move(frames), .name = name, .case_read = {}, .mesh = {}, .warnings = {}};
   try {
     source.case_read = read_case(path_in(folder, case_file));
+    add_doubts(*source.case_read, source.warnings);
     source.mesh = build_mesh(source.case_read->values);
   } catch (const CaseError&) {
     source.warnings.push_back(

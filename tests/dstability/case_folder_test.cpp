@@ -373,4 +373,19 @@ TEST(HandSection, OfADrawingRefusesWhatIsNoOutline)
       ElementsAre(told("b", "this outline is no layer", HasSubstr("it needs at least 3"))));
 }
 
+// Its water stands on the last 0.6 m of the section, and no ground lies below it on cells of 2 m.
+TEST(CaseFolder, HasNoFloodWhereTheRiverIsNarrowerThanACell)
+{
+  static const auto kinds = read_soil_defaults("table", soil_defaults_table());
+  const StixProject project = read_stix(sample("example-2020.03-v1"));
+  const auto text_of = [&](Real cell) {
+    return case_folder_of(project, {.stage = 1, .cell = cell, .kinds = kinds}).files;
+  };
+  EXPECT_THAT(text_of(2.0).front().second, testing::Not(HasSubstr("[flood]")));
+  EXPECT_THAT(text_of(2.0).back().second,
+      HasSubstr("The water at the river's end (-6.20 m) stands on less than a cell of ground: the case has no [flood], "
+                "and no verdict on flooding."));
+  EXPECT_THAT(text_of(1.0).front().second, HasSubstr("[flood]"));
+}
+
 }  // namespace

@@ -141,6 +141,15 @@ TEST_F(PayloadTest, HasLoadsAndSlipPlanesOfTheCase)
   EXPECT_TRUE(run["slip_planes"][1]["factor_of_safety"].is_null());
 }
 
+TEST_F(PayloadTest, SaysWhatSpeaksAgainstAnImport)
+{
+  const std::string path = scratch.path() + "/gp/case.toml";
+  write_file_atomically(path, read_file(path) + "\n[reference]\ndoubts = [\"A layer is missing.\", \"No POP.\"]\n");
+  const json alone = json::parse(make_payload({scratch.path() + "/gp"}, {}).json);
+  EXPECT_THAT(alone["runs"][0]["warnings"].get<std::vector<std::string>>(),
+      AllOf(Contains("A layer is missing."), Contains("No POP.")));
+}
+
 TEST_F(PayloadTest, ACaseThatCannotBeReadCostsTheMeshAndSaysSo)
 {
   write_file_atomically(scratch.path() + "/gp/case.toml", "title = ");
