@@ -27,6 +27,20 @@ TEST(SetupWarnings, ABodyUnderLaterOnesIsTold)
   EXPECT_THAT(warnings, ElementsAre(told("body[0]", "body 0 of `clay` has no material points")));
 }
 
+TEST(SetupWarnings, AFaceOfFewCellsThatIsDugAwayIsTold)
+{
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.75});  // cells of 0.25 m: five over the height
+  c.bodies[0].removed = 2;
+  EXPECT_TRUE(warnings_of(c).empty());
+  c.bodies[0].polygon = {{1.0, 0.5}, {2.0, 0.5}, {2.0, 1.5}, {1.0, 1.0}};
+  const auto warnings = warnings_of(c);
+  EXPECT_THAT(warnings, ElementsAre(told("body[0]",
+                            "body 0 is dug away over 4 cells of height, which hold up a face that soil does not: what "
+                            "becomes of the face "
+                            "itself needs cells of at most 0.2 m (docs/stages.md#bodies-that-come-and-go)",
+                            "")));
+}
+
 TEST(SetupWarnings, PointsOfAFileWithHardlyAnyVolumeAreTold)
 {
   const ScratchFolder folder;
