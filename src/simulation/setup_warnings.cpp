@@ -4,6 +4,7 @@
 #include "simulation/flood_warnings.hpp"
 #include "simulation/footings.hpp"
 #include "simulation/library_warnings.hpp"
+#include "simulation/overburden.hpp"
 #include "simulation/reference_width.hpp"
 #include "simulation/settle_fields.hpp"
 #include "simulation/setup_history.hpp"
@@ -52,11 +53,15 @@ void find_low_excavations(const Model& model, std::vector<Problem>& warnings)
 {
   constexpr Real least = 5.0;  // cells over the height, as of a slope (docs/stability.md)
   const Real cell = typical_cell_size(*model.mesh);
+  const Overburden overburden(model);
   const auto& bodies = (model.whole ? *model.whole : model.description).bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].removed == never || bodies[b].polygon.empty()) continue;
     const auto [low, high] = std::ranges::minmax(bodies[b].polygon, {}, [](const Vec<2>& x) { return x[1]; });
-    const Real height = high[1] - low[1];
+    const auto [from, to] = std::ranges::minmax(bodies[b].polygon, {}, [](const Vec<2>& x) { return x[0]; });
+    const Real height = high[1] - low[1], middle = 0.5 * (high[1] + low[1]);
+    const auto stands = [&](Real x) { return overburden.ground(x).value_or(low[1]) > middle; };  // beside it: a face
+    if (!stands(from[0] - 0.5 * cell) && !stands(to[0] + 0.5 * cell)) continue;
     if (height >= least * cell * (1.0 - 1e-9)) continue;
     warnings.push_back({fmt::format("body[{}]", b),
         fmt::format("{} is dug away over {:.2g} cells of height, which hold up a face that soil does not: what becomes "

@@ -29,16 +29,19 @@ TEST(SetupWarnings, ABodyUnderLaterOnesIsTold)
 
 TEST(SetupWarnings, AFaceOfFewCellsThatIsDugAwayIsTold)
 {
-  Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.75});  // cells of 0.25 m: five over the height
-  c.bodies[0].removed = 2;
-  EXPECT_TRUE(warnings_of(c).empty());
-  c.bodies[0].polygon = {{1.0, 0.5}, {2.0, 0.5}, {2.0, 1.5}, {1.0, 1.0}};
-  const auto warnings = warnings_of(c);
-  EXPECT_THAT(warnings, ElementsAre(told("body[0]",
-                            "body 0 is dug away over 4 cells of height, which hold up a face that soil does not: what "
-                            "becomes of the face "
-                            "itself needs cells of at most 0.2 m (docs/stages.md#bodies-that-come-and-go)",
-                            "")));
+  const auto told_of = [](Real height, bool has_soil_beside) {
+    Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 0.5 + height});  // cells of 0.25 m
+    c.bodies[0].removed = 2;
+    if (has_soil_beside) c.bodies.push_back(body("clay", {2.0, 0.5}, {3.0, 0.5 + height}));
+    return warnings_of(c);
+  };
+  EXPECT_THAT(told_of(1.0, true), ElementsAre(told("body[0]",
+                                      "body 0 is dug away over 4 cells of height, which hold up a face that soil does "
+                                      "not: what becomes of the face "
+                                      "itself needs cells of at most 0.2 m (docs/stages.md#bodies-that-come-and-go)",
+                                      "")));
+  EXPECT_TRUE(told_of(1.25, true).empty()) << "five cells";
+  EXPECT_TRUE(told_of(1.0, false).empty()) << "no soil beside it: no face";
 }
 
 TEST(SetupWarnings, PointsOfAFileWithHardlyAnyVolumeAreTold)
