@@ -10,32 +10,37 @@
 
 namespace terp {
 
-/// Whether any point of a group softened in this step.
-inline bool softens(const Model& model, const CellGroup<Quad4>& group)
+/// Whether any point of a cell softened in this step.
+inline bool softens(const Model& model, const PointBlocks<2>& points, Index cell)
 {
   Pack most(0.0);
-  for (const Index cell : group.cells)
-    for_each_block(group.points, cell, [&](const PointBlock<2>& block, Index) {
-      const int row = model.materials[block.material].increment_row;
-      for (Index p = 0; row >= 0 && p < block.n; p += pack_width) most = max(most, Pack::load(block.row(row) + p));
-    });
+  for_each_block(points, cell, [&](const PointBlock<2>& block, Index) {
+    const int row = model.materials[block.material].increment_row;
+    for (Index p = 0; row >= 0 && p < block.n; p += pack_width) most = max(most, Pack::load(block.row(row) + p));
+  });
   return any_of(most > Pack(0.0));
 }
 
-/// Finds where softening goes on in this step and how far it can spread. Before points move and the groups change.
-/// Returns true if there is any.
-inline bool find_softening_runs(const State& state, Workspace& work, const NodeDiffusion& diffusion)
+/// Finds the nodes that softening can reach in this step, and the cells around them: each sub-step reaches one ring of
+/// cells further, one is for points that move to the next cell within the step, and one completes the outermost nodes.
+/// Before points move and the slots of cells change. Returns true if any soil softens.
+inline bool find_reach_of_softening(const Model& model, const State& state, Workspace& work)
 {
-  std::ranges::fill(work.run_softens, 0);
-  std::ranges::fill(work.run_is_near, 0);
+  const Mesh<2>& mesh = *model.mesh;
+  SofteningReach& reach = work.softening_reach;
+  reach.clear();
   const std::vector<Index>& cells = state.points.occupied();
   for (std::size_t slot = 0; slot < cells.size(); ++slot)
-    if (work.group_softens[slot / pack_width] != 0) work.run_softens[cells[slot] / reach_run] = 1;
-  for (std::size_t run = 0; run < work.run_softens.size(); ++run)
-    if (work.run_softens[run] != 0)
-      for (Index k = diffusion.first_reached[run]; k < diffusion.first_reached[run + 1]; ++k)
-        work.run_is_near[diffusion.reached[k]] = 1;
-  return std::ranges::find(work.run_softens, 1) != work.run_softens.end();
+    if (work.cell_softens[slot] != 0) reach.enter(cells[slot]);
+  std::size_t begin = 0;
+  for (int ring = 0; ring < model.diffusion.n_substeps + 2 && begin < reach.cells.size(); ++ring)
+    for (const std::size_t end = reach.cells.size(); begin < end; ++begin)
+      for (const Index i : mesh.cells[reach.cells[begin]]) {
+        if (std::exchange(reach.has_node[i], 1) != 0) continue;
+        for (Index k = mesh.first_cell_of_node[i]; k < mesh.first_cell_of_node[i + 1]; ++k)
+          reach.enter(static_cast<Index>(mesh.cells_of_node[k].cell));
+      }
+  return begin > 0;
 }
 
 /// V, V z and V l^2 of the corners of a cell, from its points.
@@ -71,7 +76,7 @@ inline void collect_softening(const Model& model, const PointBlocks<2>& points, 
   });
 }
 
-/// Sums of the near cells around a node: what it starts from.
+/// Sums of the cells around a node: what it starts from.
 inline void gather_softening(const Model& model, const State& state, const Workspace& work, Index i, NodeSpread& spread)
 {
   const Mesh<2>& mesh = *model.mesh;
@@ -79,7 +84,7 @@ inline void gather_softening(const Model& model, const State& state, const Works
   for (Index k = mesh.first_cell_of_node[i]; k < mesh.first_cell_of_node[i + 1]; ++k) {
     const auto [cell, corner] = mesh.cells_of_node[k];
     const Index slot = state.points.slot_of_cell()[cell];
-    if (slot < 0 || work.run_is_near[cell / reach_run] == 0) continue;
+    if (slot < 0 || work.softening_reach.has_cell[cell] == 0) continue;
     const CornerSoftening& from = work.softening_corners[slot];
     volume += from.volume[corner];
     increment += from.increment[corner];
@@ -92,11 +97,15 @@ inline void gather_softening(const Model& model, const State& state, const Works
   spread.variance[i] = variance_to_spread(length_squared * inverse, model.diffusion.mapping_variance[i]);
 }
 
-/// Of a node that softening cannot reach in this step.
-inline void clear_softening(Index i, NodeSpread& spread) { spread.value[i] = spread.next[i] = 0.0; }
+/// The same of the nodes of a group that softening can reach.
+inline void gather_group(const Model& model, const State& state, const Workspace& work, Index g, NodeSpread& spread)
+{
+  for (Index i = pack_width * g; i < pack_width * (g + 1); ++i)
+    if (work.softening_reach.has_node[i] != 0) gather_softening(model, state, work, i, spread);
+}
 
 /// What the corners of a cell hold goes to its points, whose strength follows it in the next step.
-inline void soften_points(const Model& model, PointBlocks<2>& points, Index cell, std::span<const Real> value)
+inline void soften_points(const Model& model, PointBlocks<2>& points, Index cell, const NodeNumbers& value)
 {
   using Rows = PointRows<2>;
   std::array<PerCorner<Quad4>, 1> at;

@@ -182,34 +182,32 @@ void move_leavers(const Model& model, State& state, Workspace& work)
 void spread_softening(const Model& model, State& state, Workspace& work)
 {
   NodeSpread& spread = work.softening;
-  const auto for_each_near_cell = [&](auto&& f) {
+  const SofteningReach& reach = work.softening_reach;
+  const auto for_each_cell = [&](auto&& f) {
     const std::vector<Index>& cells = state.points.occupied();
     work.threads.for_each_range(
         static_cast<Index>(cells.size()), cells_per_chunk, [&](Index begin, Index end, Index, int) {
           for (Index slot = begin; slot < end; ++slot)
-            if (work.run_is_near[cells[slot] / reach_run] != 0) f(slot, cells[slot]);
+            if (reach.has_cell[cells[slot]] != 0) f(slot, cells[slot]);
         });
   };
-  const auto is_near = [&](Index i) { return work.run_is_near[model.diffusion.run_of_node[i]] != 0; };
-  for_each_near_cell(
+  const auto for_each_node_group = [&](auto&& f) {
+    work.threads.for_each_range(
+        model.diffusion.n_groups(), nodes_per_chunk / pack_width, [&](Index begin, Index end, Index, int) {
+          for (Index g = begin; g < end; ++g)
+            if (reach.has_any_of_group(g)) f(g);
+        });
+  };
+  for_each_cell(
       [&](Index slot, Index cell) { collect_softening(model, state.points, cell, work.softening_corners[slot]); });
-  std::ranges::fill(spread.filling, 0.0);  // of nodes that soil has left
-  for_each_node(work, [&](Index i, NodeSums&) {
-    if (is_near(i))
-      gather_softening(model, state, work, i, spread);
-    else
-      clear_softening(i, spread);
-  });
-  for_each_node(work, [&](Index i, NodeSums&) {
-    if (is_near(i)) set_rates(model.diffusion, i, spread);
-  });
+  for (NodeNumbers* numbers : {&spread.value, &spread.next, &spread.filling}) numbers->clear();
+  for_each_node_group([&](Index g) { gather_group(model, state, work, g, spread); });
+  for_each_node_group([&](Index g) { set_rates(model.diffusion, g, spread); });
   for (int n = 0; n < model.diffusion.n_substeps; ++n) {
-    for_each_node(work, [&](Index i, NodeSums&) {
-      if (is_near(i)) spread_node(model.diffusion, i, spread);
-    });
+    for_each_node_group([&](Index g) { spread_nodes(model.diffusion, g, spread); });
     std::swap(spread.value, spread.next);
   }
-  for_each_near_cell([&](Index, Index cell) { soften_points(model, state.points, cell, spread.value); });
+  for_each_cell([&](Index, Index cell) { soften_points(model, state.points, cell, spread.value); });
 }
 
 /// What points move against each other unseen by the nodes fades.
@@ -275,9 +273,11 @@ void update_stress_and_places(const Model& model, const SchemeContext& context, 
     StressSums stress_sums;
     scheme.update_stress(context, group, du, stress_sums);
     sums.plastic += stress_sums.plastic_work;
-    if (model.spreads_softening()) work.group_softens[group.number] = softens(model, group);
-    for (int c = 0; c < group.n(); ++c)
+    for (int c = 0; c < group.n(); ++c) {
+      if (model.spreads_softening())
+        work.cell_softens[group.number * pack_width + c] = softens(model, group.points, group.cells[c]);
       advance_points(group.cell(c), model.mesh->centres[group.cells[c]], du[c], leavers);
+    }
   });
 }
 
@@ -319,7 +319,9 @@ void step_compiled(const Model& model, State& state, Workspace& work)
   timed(work, stress, [&] { update_stress_and_places(model, context, state, work); });
   finish_sums(state, work);  // before points move and the chunks change
   for (const ActiveFollower& active : state.followers) active.follower->step(model, work);
-  const bool softens_now = model.spreads_softening() && find_softening_runs(state, work, model.diffusion);
+  bool softens_now = false;
+  if (model.spreads_softening())
+    timed(work, softening, [&] { softens_now = find_reach_of_softening(model, state, work); });
   timed(work, move, [&] { move_leavers(model, state, work); });
   if (model.method.relaxation_time > 0.0 && !work.settling && (state.step + 1) % noise_interval(model) == 0)
     timed(work, relaxation, [&] { relax_velocities(model, state, work); });

@@ -65,9 +65,10 @@ Workspace::Workspace(const Model& model, const State& state)
   corners.reserve(most_cells);
   if (model.spreads_softening()) {
     softening_corners.reserve(most_cells);
-    group_softens.reserve(Threads::n_chunks(static_cast<Index>(most_cells), pack_width));
-    run_softens.resize(model.diffusion.first_reached.size() - 1);
-    run_is_near.resize(run_softens.size());
+    cell_softens.reserve(most_cells);
+    softening_reach.has_cell.resize(model.mesh->cells.size());
+    softening_reach.has_node.resize(pack_width * static_cast<std::size_t>(model.diffusion.n_groups()));
+    softening_reach.cells.reserve(model.mesh->cells.size());
   }
   if (model.water || model.has_excess_pressure()) {
     outer[outer_water].acts = true;
@@ -90,7 +91,7 @@ void Workspace::fit(const Model& model, const State& state)
   corners.resize(cells.size());
   if (model.spreads_softening()) {
     softening_corners.resize(cells.size());
-    group_softens.resize(Threads::n_chunks(static_cast<Index>(cells.size()), pack_width));
+    cell_softens.resize(cells.size());
   }
   if (model.method.relaxation_time > 0.0) {
     fits.resize(cells.size());

@@ -12,7 +12,9 @@
 #include "transfer/node_diffusion.hpp"
 #include "water/water_pressure.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace terp {
 
@@ -70,6 +72,28 @@ struct CornerSoftening {
   PerCorner<Quad4> length_squared;  ///< volume times l^2 [m^4]
 };
 
+/// Cells and nodes that softening can reach in a step.
+struct SofteningReach {
+  std::vector<std::uint8_t> has_cell, has_node;  ///< shape [n_cells], [pack_width * n_groups] of NodeDiffusion
+  std::vector<Index> cells;                      ///< in the order in which they are found
+
+  void enter(Index cell)
+  {
+    if (std::exchange(has_cell[cell], 1) == 0) cells.push_back(cell);
+  }
+  bool has_any_of_group(Index g) const
+  {
+    const auto* nodes = &has_node[pack_width * g];
+    return std::any_of(nodes, nodes + pack_width, [](auto has) { return has != 0; });
+  }
+  void clear()
+  {
+    cells.clear();
+    std::ranges::fill(has_cell, 0);
+    std::ranges::fill(has_node, 0);
+  }
+};
+
 inline constexpr int n_fit_terms = Quad4::n_corners * (Quad4::n_corners + 1) / 2;
 
 /// Of the points of one cell, at its corners (point_noise.hpp).
@@ -101,16 +125,16 @@ struct Workspace {
   std::vector<Real> excess;    ///< u_e [Pa], shape [n_blocks]; empty: no soil has excess pressure
   PatchValues patches;         ///< of shares that overlap
   WaterMoment water_moment;    ///< that `pore` is of, with
-  std::vector<Real> water_loads;                       ///< the pressures of the loads [Pa]
-  PorePressure pore;                                   ///< on the nodes; empty without water
-  std::vector<CornerSoftening> softening_corners;      ///< shape [n_occupied]; of nonlocal softening
-  NodeSpread softening;                                ///< of nonlocal softening
-  std::vector<std::uint8_t> group_softens;             ///< whether a point of a group softened in this step
-  std::vector<std::uint8_t> run_softens, run_is_near;  ///< the same of the runs of NodeDiffusion; those it can reach
-  std::vector<CornerFit> fits;                         ///< shape [n_occupied]; of velocities that relax
-  std::vector<Vec<2>> fitted;                          ///< U_i of the same [m/s], shape [n_nodes]
-  ZeroedArray<NodeValues> node;                        ///< shape [n_nodes]; only those of active nodes are written
-  std::vector<Index> active_nodes;                     ///< nodes of occupied cells, ascending
+  std::vector<Real> water_loads;                   ///< the pressures of the loads [Pa]
+  PorePressure pore;                               ///< on the nodes; empty without water
+  std::vector<CornerSoftening> softening_corners;  ///< shape [n_occupied]; of nonlocal softening
+  NodeSpread softening;                            ///< of nonlocal softening
+  std::vector<std::uint8_t> cell_softens;          ///< whether a point of a cell softened, shape [n_occupied]
+  SofteningReach softening_reach;
+  std::vector<CornerFit> fits;      ///< shape [n_occupied]; of velocities that relax
+  std::vector<Vec<2>> fitted;       ///< U_i of the same [m/s], shape [n_nodes]
+  ZeroedArray<NodeValues> node;     ///< shape [n_nodes]; only those of active nodes are written
+  std::vector<Index> active_nodes;  ///< nodes of occupied cells, ascending
   std::vector<std::uint64_t> node_bits;
   std::vector<NodeSums> node_sums;               ///< by chunk
   std::vector<CellSums> cell_sums;               ///< by chunk

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 namespace terp {
 namespace {
@@ -55,64 +54,32 @@ int count_substeps(const NodeDiffusion& diffusion, Real length)
   constexpr Real round_off = 1e-9;
   Real most = 0.0;
   const auto variance = [&](Index i) { return variance_to_spread(length * length, diffusion.mapping_variance[i]); };
-  for (Index i = 0; i + 1 < static_cast<Index>(diffusion.first.size()); ++i) {
-    Real taken = 0.0;
-    for (Index k = diffusion.first[i]; k < diffusion.first[i + 1]; ++k)
-      taken += std::max(0.0, diffusion.coupling[k]) * 0.25 * (variance(i) + variance(diffusion.neighbour[k]));
-    most = std::max(most, taken / diffusion.full_volume[i]);
-  }
+  for (Index g = 0; g < diffusion.n_groups(); ++g)
+    for (Index c = 0, i = pack_width * g; c < pack_width; ++c, ++i) {
+      Real taken = 0.0;
+      for (Index k = diffusion.first[g]; k < diffusion.first[g + 1]; ++k)
+        if (const Real coupling = diffusion.coupling[k][c]; coupling > 0.0)
+          taken += coupling * 0.25 * (variance(i) + variance(i + diffusion.offset[k]));
+      if (taken > 0.0) most = std::max(most, taken / diffusion.full_volume[i]);
+    }
   return std::max(1, static_cast<int>(std::ceil(most - round_off)));
 }
 
-/// Cells by the distance from the cells of a run, that of cells which share a node being one.
-class Rings {
- public:
-  explicit Rings(const Mesh<2>& mesh) : mesh_(mesh), seen_(mesh.cells.size(), -1) {}
-
-  /// Cells within n rings of those of a run, ascending.
-  const std::vector<Index>& around(Index run, int n)
-  {
-    found_.clear();
-    for (Index cell = run * reach_run; cell < std::min((run + 1) * reach_run, mesh_.n_cells()); ++cell)
-      enter(cell, run);
-    for (std::size_t begin = 0; n > 0; --n) {
-      const std::size_t end = found_.size();
-      for (; begin < end; ++begin)
-        for (const Index i : mesh_.cells[found_[begin]])
-          for (Index k = mesh_.first_cell_of_node[i]; k < mesh_.first_cell_of_node[i + 1]; ++k)
-            enter(static_cast<Index>(mesh_.cells_of_node[k].cell), run);
-    }
-    return found_;
-  }
-
- private:
-  void enter(Index cell, Index run)
-  {
-    if (std::exchange(seen_[cell], run) != run) found_.push_back(cell);
-  }
-
-  const Mesh<2>& mesh_;
-  std::vector<Index> seen_, found_;
-};
-
-/// Each sub-step reaches one ring further; one ring more completes the nodes at the edge, and one is for points that
-/// moved to the next cell within the step.
-void find_reached(const Mesh<2>& mesh, NodeDiffusion& diffusion)
+/// Adds the entries of the nodes 8 g ... 8 g + 7.
+void add_group(const Mesh<2>& mesh, Index g, NodeDiffusion& diffusion)
 {
-  Rings rings(mesh);
-  const Index n_runs = (mesh.n_cells() + reach_run - 1) / reach_run;
-  diffusion.first_reached.push_back(0);
-  for (Index run = 0; run < n_runs; ++run) {
-    std::vector<Index> runs;
-    for (const Index cell : rings.around(run, diffusion.n_substeps + 2)) runs.push_back(cell / reach_run);
-    std::ranges::sort(runs);
-    const auto rest = std::ranges::unique(runs);
-    diffusion.reached.insert(diffusion.reached.end(), runs.begin(), rest.begin());
-    diffusion.first_reached.push_back(static_cast<Index>(diffusion.reached.size()));
+  std::map<Index, std::array<Real, pack_width>> entries;  // by offset
+  for (Index c = 0, i = pack_width * g; c < pack_width && i < mesh.n_nodes(); ++c, ++i) {
+    std::map<Index, Real> couplings;
+    add_couplings(mesh, i, couplings);
+    for (const auto& [j, coupling] : couplings) entries[j - i][c] = coupling;
   }
-  for (Index i = 0; i < mesh.n_nodes(); ++i)
-    diffusion.run_of_node.push_back(
-        static_cast<Index>(mesh.cells_of_node[mesh.first_cell_of_node[i]].cell) / reach_run);
+  for (const auto& [offset, couplings] : entries) {
+    alignas(64) std::array<Real, pack_width> lanes = couplings;
+    diffusion.offset.push_back(offset);
+    diffusion.coupling.push_back(Pack::load(lanes.data()));
+  }
+  diffusion.first.push_back(static_cast<Index>(diffusion.offset.size()));
 }
 
 }  // namespace
@@ -120,27 +87,15 @@ void find_reached(const Mesh<2>& mesh, NodeDiffusion& diffusion)
 NodeDiffusion make_node_diffusion(const Mesh<2>& mesh, Real length)
 {
   NodeDiffusion diffusion;
-  diffusion.first.push_back(0);
+  diffusion.full_volume = diffusion.mapping_variance = NodeNumbers(mesh.n_nodes());
   for (Index i = 0; i < mesh.n_nodes(); ++i) {
-    std::map<Index, Real> couplings;
-    add_couplings(mesh, i, couplings);
-    for (const auto& [j, coupling] : couplings) {
-      diffusion.neighbour.push_back(j);
-      diffusion.coupling.push_back(coupling);
-    }
-    diffusion.first.push_back(static_cast<Index>(diffusion.neighbour.size()));
-    diffusion.full_volume.push_back(full_volume_of(mesh, i));
-    diffusion.mapping_variance.push_back(spread_by_mapping * mean_area_around(mesh, i));
+    diffusion.full_volume[i] = full_volume_of(mesh, i);
+    diffusion.mapping_variance[i] = spread_by_mapping * mean_area_around(mesh, i);
   }
+  diffusion.first.push_back(0);
+  for (Index g = 0; pack_width * g < mesh.n_nodes(); ++g) add_group(mesh, g, diffusion);
   diffusion.n_substeps = count_substeps(diffusion, length);
-  find_reached(mesh, diffusion);
   return diffusion;
-}
-
-NodeSpread::NodeSpread(const NodeDiffusion& diffusion) : rate(diffusion.neighbour.size(), 0.0)
-{
-  for (auto* values : {&value, &next, &inverse_volume, &filling, &variance})
-    values->assign(diffusion.full_volume.size(), 0.0);
 }
 
 }  // namespace terp

@@ -5,8 +5,7 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
-
-#include <span>
+#include "parallel/tables.hpp"
 
 namespace terp {
 
@@ -15,20 +14,38 @@ namespace terp {
 /// (measured: decision 0045).
 inline constexpr Real spread_by_mapping = 0.5;
 
-inline constexpr Index reach_run = 8;
+/// A number of each node. Eight at a time, they begin at any node, and may end beyond the first and the last.
+class NodeNumbers {
+ public:
+  explicit NodeNumbers(Index n_nodes = 0) : packs_(static_cast<std::size_t>(n_nodes) / pack_width + 3, Pack(0.0)) {}
 
-/// What the mesh and the length decide. Entries k of node i: first[i] ... first[i + 1] - 1.
+  Real& operator[](Index i) { return numbers_of(packs_[0])[pack_width + i]; }
+  Real operator[](Index i) const { return numbers_of(packs_[0])[pack_width + i]; }
+  /// Of the nodes i ... i + 7, i above -pack_width.
+  Pack eight_from(Index i) const { return load_some(numbers_of(packs_[0]) + pack_width + i, pack_width); }
+  /// Of the nodes of a group.
+  Pack& of_group(Index g) { return packs_[1 + g]; }
+  const Pack& of_group(Index g) const { return packs_[1 + g]; }
+  void clear() { std::ranges::fill(packs_, Pack(0.0)); }
+
+ private:
+  static Real* numbers_of(Pack& first) { return reinterpret_cast<Real*>(&first); }
+  static const Real* numbers_of(const Pack& first) { return reinterpret_cast<const Real*>(&first); }
+
+  std::vector<Pack> packs_;
+};
+
+/// What the mesh and the length decide. Group g has the nodes 8 g ... 8 g + 7, and entries k, first[g] ... first[g + 1]
+/// - 1: the node in lane c has the neighbour 8 g + c + offset[k] if its coupling there is not 0.
 struct NodeDiffusion {
-  std::vector<Index> first;            ///< shape [n_nodes + 1]
-  std::vector<Index> neighbour;        ///< ascending for each node
-  std::vector<Real> coupling;          ///< -sum_e int grad N_i . grad N_j [-]; below 0 along stretched cells
-  std::vector<Real> full_volume;       ///< int N_i [m^2], shape [n_nodes]
-  std::vector<Real> mapping_variance;  ///< spread_by_mapping h^2, h^2 the mean area of the cells [m^2], shape [n_nodes]
-  /// Cells in runs of reach_run, and which runs hold all cells that soil in a run can reach: those of run r are
-  /// reached[first_reached[r]] ... reached[first_reached[r + 1] - 1].
-  std::vector<Index> first_reached, reached;
-  std::vector<Index> run_of_node;  ///< the run of the first cell around it, shape [n_nodes]
-  int n_substeps = 0;              ///< of one spreading over the largest length, so that no step overshoots
+  std::vector<Index> first;      ///< shape [n_groups + 1]
+  std::vector<Index> offset;     ///< ascending for each group
+  std::vector<Pack> coupling;    ///< -sum_e int grad N_i . grad N_j [-]; below 0 along stretched cells
+  NodeNumbers full_volume;       ///< int N_i [m^2]
+  NodeNumbers mapping_variance;  ///< spread_by_mapping h^2, h^2 the mean area of the cells [m^2]
+  int n_substeps = 0;            ///< of one spreading over the largest length, so that no step overshoots
+
+  Index n_groups() const { return static_cast<Index>(first.size()) - 1; }
 };
 
 /// 2 tau: variance along each direction that is left to diffusion, [m^2], for weights exp(-r^2/l^2).
@@ -43,34 +60,46 @@ NodeDiffusion make_node_diffusion(const Mesh<2>& mesh, Real length);
 
 /// A quantity of the nodes while it is spread, by node of the mesh. Nodes without soil: volume 0.
 struct NodeSpread {
-  std::vector<Real> value, next;     ///< per volume
-  std::vector<Real> inverse_volume;  ///< 1 / V_i of the soil that takes part [1/m^2]; 0 without
-  std::vector<Real> filling;         ///< V_i / int N_i [-]
-  std::vector<Real> variance;        ///< variance_to_spread [m^2]
-  std::vector<Real> rate;            ///< by entry of NodeDiffusion: what a sub-step takes of the difference [-]
+  NodeNumbers value, next;     ///< per volume
+  NodeNumbers inverse_volume;  ///< 1 / V_i of the soil that takes part [1/m^2]; 0 without
+  NodeNumbers filling;         ///< V_i / int N_i [-]
+  NodeNumbers variance;        ///< variance_to_spread [m^2]
+  std::vector<Pack> rate;      ///< by entry of NodeDiffusion: what a sub-step takes of the difference [-]
 
-  explicit NodeSpread(const NodeDiffusion& diffusion);
+  explicit NodeSpread(const NodeDiffusion& diffusion)
+      : value(diffusion.full_volume),
+        next(value),
+        inverse_volume(value),
+        filling(value),
+        variance(value),
+        rate(diffusion.coupling.size())
+  {
+    for (NodeNumbers* numbers : {&value, &next, &inverse_volume, &filling, &variance}) numbers->clear();
+  }
 };
 
-/// Rates of node i from filling and variance of it and its neighbours: coupling min(filling_i, filling_j) tau_ij / (n
-/// V_i). A neighbour without soil takes nothing, so that a gap is not bridged.
-inline void set_rates(const NodeDiffusion& diffusion, Index i, NodeSpread& spread)
+/// Rates of the nodes of a group from filling and variance of them and their neighbours: coupling min(filling_i,
+/// filling_j) tau_ij / (n V_i). A neighbour without soil takes nothing, so that a gap is not bridged.
+inline void set_rates(const NodeDiffusion& diffusion, Index g, NodeSpread& spread)
 {
-  const Real factor = 0.25 * spread.inverse_volume[i] / diffusion.n_substeps;  // tau_ij: mean of half the variances
-  for (Index k = diffusion.first[i]; k < diffusion.first[i + 1]; ++k) {
-    const Index j = diffusion.neighbour[k];
-    const Real filling = spread.filling[i] < spread.filling[j] ? spread.filling[i] : spread.filling[j];
-    spread.rate[k] = diffusion.coupling[k] * filling * (spread.variance[i] + spread.variance[j]) * factor;
+  const Pack filling = spread.filling.of_group(g), variance = spread.variance.of_group(g);
+  const Pack factor = Pack(0.25) * spread.inverse_volume.of_group(g) /
+                      Pack(static_cast<Real>(diffusion.n_substeps));  // tau_ij: mean of half the variances
+  for (Index k = diffusion.first[g]; k < diffusion.first[g + 1]; ++k) {
+    const Index j = pack_width * g + diffusion.offset[k];
+    spread.rate[k] = diffusion.coupling[k] * min(filling, spread.filling.eight_from(j)) *
+                     (variance + spread.variance.eight_from(j)) * factor;
   }
 }
 
-/// One sub-step at node i, from value to next.
-inline void spread_node(const NodeDiffusion& diffusion, Index i, NodeSpread& spread)
+/// One sub-step at the nodes of a group, from value to next.
+inline void spread_nodes(const NodeDiffusion& diffusion, Index g, NodeSpread& spread)
 {
-  Real change = 0.0;
-  for (Index k = diffusion.first[i]; k < diffusion.first[i + 1]; ++k)
-    change += spread.rate[k] * (spread.value[diffusion.neighbour[k]] - spread.value[i]);
-  spread.next[i] = spread.value[i] + change;
+  const Pack own = spread.value.of_group(g);
+  Pack change(0.0);
+  for (Index k = diffusion.first[g]; k < diffusion.first[g + 1]; ++k)
+    change += spread.rate[k] * (spread.value.eight_from(pack_width * g + diffusion.offset[k]) - own);
+  spread.next.of_group(g) = own + change;
 }
 
 }  // namespace terp
