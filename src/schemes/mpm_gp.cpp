@@ -65,6 +65,7 @@ struct MpmGp {
       prefetch_extents(context, group, c);
       const PatchSize size = patch_size(context, group, group.cells[c]);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
+        prefetch_for_update(context, block);
         const PatchView patch = view_patch(group, b);
         MeanAbove pressure, excess;
         const int excess_row = context.materials[block.material].excess_row;

@@ -116,6 +116,7 @@ struct MpmMixed {
       prefetch_next(group, c);
       const PatchSize size = patch_size(context, group, group.cells[c]);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
+        prefetch_for_update(context, block);
         const PatchView patch = view_patch(group, b);
         update_excess_from_patch(context, group, block, size, patch, HistoryRows::strain, 1.0);
         KeptStress kept;

@@ -19,6 +19,19 @@ void prefetch_extents(const SchemeContext& context, const CellGroup<Element>& gr
       group.points, next, [&](const auto& block, Index) { prefetch(block.row(context.inverse_extent), block.n); });
 }
 
+/// Fetches what an update from patches needs of a block, before its patch is put together.
+template <int Dim>
+void prefetch_for_update(const SchemeContext& context, const PointBlock<Dim>& block)
+{
+  using Rows = PointRows<Dim>;
+  const auto fetch = [&](int first, int end) {
+    prefetch(block.row(first), static_cast<std::ptrdiff_t>(end - first) * block.capacity);
+  };
+  fetch(Rows::xi, Rows::v);
+  fetch(Rows::volume, Rows::id);
+  fetch(Rows::state, context.inverse_extent);  // its row follows those of the laws
+}
+
 /// Of the squares of the points of a cell.
 template <class Element>
 PatchSize patch_size(const SchemeContext& context, const CellGroup<Element>& group, Index cell)
