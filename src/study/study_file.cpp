@@ -271,12 +271,13 @@ void check_stop(const StudySettings& s, Findings& findings)
   if (s.fragility && s.stop.cov > 0.0)
     return fail("stop.cov", "a fragility curve has the same number of realisations at each level",
         "Leave `cov` out; `number` is that of one level.");
-  const auto events = static_cast<Real>(s.stop.events());
-  if (s.stop.cov > 0.0 && s.estimator == Estimator::monte_carlo && 2.0 * events > static_cast<Real>(s.stop.number))
+  const Real events = static_cast<Real>(s.stop.events()), least = events / static_cast<Real>(s.stop.number);
+  if (s.stop.cov > 0.0 && s.estimator == Estimator::monte_carlo && least > 0.5)
     fail("stop.cov", "the stop rule cannot be met by so few realisations",
-        fmt::format("A coefficient of variation of {:g} takes {:g} events, which {} realisations have only where P is "
-                    "above {:.2g}.\nGive a larger number: {:g} have them of P = 0.1.",
-            s.stop.cov, events, s.stop.number, events / static_cast<Real>(s.stop.number), 10.0 * events));
+        fmt::format("A coefficient of variation of {:g} takes {:g} events, which {} realisations {}.\nGive a larger "
+                    "number: {:g} have them of P = 0.1.",
+            s.stop.cov, events, s.stop.number,
+            least < 1.0 ? fmt::format("have only where P is above {:.2g}", least) : "cannot have", 10.0 * events));
 }
 
 Document parse_study(const std::string& text, const std::string& path)
