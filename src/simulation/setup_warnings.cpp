@@ -9,6 +9,7 @@
 #include "simulation/settle_fields.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
+#include "simulation/shared_cells.hpp"
 #include "simulation/softening_scales.hpp"
 #include "simulation/water_warnings.hpp"
 
@@ -117,6 +118,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_odd_water(model, state, warnings);
   find_odd_scales(model, state, warnings);
   find_odd_softening_lengths(model, state, warnings);
+  find_shared_layers(model, state, warnings);
   find_odd_libraries(model, state, warnings);
   find_wide_cells(model, state, warnings);
   find_short_averaging(model, warnings);

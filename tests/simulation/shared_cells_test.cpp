@@ -1,0 +1,51 @@
+// Layers in cells that hold other soil as well.
+#include "simulation/shared_cells.hpp"
+#include "simulation/setup.hpp"
+#include "simulation/setup_warnings.hpp"
+#include "support/cases.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+/// 2 m by 1 m on cells of 0.25 m: soft clay between two levels, in stiff soil.
+Case layer_between(Real low, Real high)
+{
+  Case c = free_box("mpm_gp", {0.0, 0.0}, {2.0, 1.0});
+  c.forces.gravity = {0.0, -9.81};
+  c.materials.push_back(elastic(2e6, 0.3, 2500.0));
+  c.bodies[0].material = "rock";
+  c.bodies.push_back(body("clay", {0.0, low}, {2.0, high}));
+  return c;
+}
+
+TEST(SharedCells, AreThoseWithPointsOfTwoMaterials)
+{
+  const auto share = [](Real low, Real high) {
+    Model model = build_model(layer_between(low, high), 1);
+    const State state = build_state(model);
+    return shares_in_shared_cells(model, state)[0];
+  };
+  EXPECT_EQ(share(0.25, 0.75), 0.0);             // along the cells
+  EXPECT_NEAR(share(0.375, 0.875), 0.5, 1e-12);  // one whole row, and half of two
+  EXPECT_EQ(share(0.375, 0.625), 1.0);
+}
+
+TEST(SharedCells, AThinLayerOfSoilThatYieldsIsTold)
+{
+  const auto warnings_of = [](const Case& c) {
+    Model model = build_model(c, 1);
+    const State state = build_state(model);
+    return find_warnings(model, state);
+  };
+  EXPECT_THAT(warnings_of(layer_between(0.25, 0.875)), ElementsAre());  // a fifth
+  Case thin = layer_between(0.375, 0.625);
+  EXPECT_THAT(warnings_of(thin),
+      ElementsAre(told("material.\"clay\"", "most of `clay` lies in cells that it shares with other soil",
+          StartsWith("Got 100 % of its volume. Such a cell has the mean strength of its soils:"))));
+  thin.materials[0] = elastic(2e6, 0.3, 2500.0);
+  thin.materials[0].name = "clay";
+  EXPECT_THAT(warnings_of(thin), ElementsAre());  // never yields
+}
+
+}  // namespace
