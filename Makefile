@@ -104,7 +104,7 @@ sanitize: install ## the tests with the address, undefined-behaviour and thread 
 
 lint: install    ## clang-tidy and cppcheck, warnings as errors (.clang-tidy, tools/lint)
 	@tools/install-dependencies --checks
-	@cmake -S . -B $(BUILD)/lint -G Ninja -DTERP_INSTRUCTIONS=plain -DTERP_TESTS=OFF $(CLANG) >/dev/null
+	@cmake -S . -B $(BUILD)/lint -G Ninja -DTERP_INSTRUCTIONS=plain -DTERP_UNITY=OFF -DTERP_TESTS=OFF $(CLANG) >/dev/null
 	@tools/lint $(BUILD)/lint
 
 accept: build    ## write what CASE=column_collapse gives now into its expected.toml

@@ -17,8 +17,8 @@
 namespace terp {
 namespace {
 
-constexpr const char* json_file = "convergence.json";
-constexpr const char* page_file = "convergence.html";
+constexpr const char* convergence_json = "convergence.json";
+constexpr const char* convergence_page = "convergence.html";
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
@@ -136,12 +136,12 @@ int converge_case(const ConvergeOptions& options)
   study.case_name = plan.case_name, study.title = plan.title;
   const std::string now = fmt::format(
       "{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
-  write_file_atomically(path_in(plan.folder, json_file), study_json(study, now));
-  write_file_atomically(path_in(plan.folder, page_file), study_page(study, now));
+  write_file_atomically(path_in(plan.folder, convergence_json), study_json(study, now));
+  write_file_atomically(path_in(plan.folder, convergence_page), study_page(study, now));
   if (run.json) fmt::print("{}", study_json(study, now));
   if (speaks) fmt::print("{}", study_text(study));
   if (run.report) write_report(plan);
-  if (speaks) fmt::print("page in {}, numbers in {}\n", path_in(plan.folder, page_file), json_file);
+  if (speaks) fmt::print("page in {}, numbers in {}\n", path_in(plan.folder, convergence_page), convergence_json);
   return count_faults(plan) == 0 ? solved : stopped_itself;
 }
 

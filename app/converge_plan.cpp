@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double trial_seconds = 0.5;
+constexpr double seconds_of_trial = 0.5;
 
 std::vector<double> sizes_of(const ConvergeOptions& options)
 {
@@ -192,7 +192,7 @@ class Warnings {
 double expected_rest(Simulation& simulation, std::int64_t step)
 {
   const auto n_steps = static_cast<double>(std::max<std::int64_t>(simulation.model.n_steps, 1));
-  return (1.0 - static_cast<double>(step) / n_steps) * expected_seconds(simulation, trial_seconds);
+  return (1.0 - static_cast<double>(step) / n_steps) * expected_seconds(simulation, seconds_of_trial);
 }
 
 struct Planner {

@@ -28,7 +28,7 @@ namespace {
 }
 
 /// A table may replace an earlier one, nothing else: not the file that it was made of.
-void refuse_other_files(const std::string& path)
+void refuse_other_tables(const std::string& path)
 {
   std::ifstream file(path);
   std::string first;
@@ -69,7 +69,7 @@ void print_deviations(const std::vector<ResultSlices>& results)
 
 int import_stix(const ImportCommand& command)
 try {
-  if (!command.slices.empty()) refuse_other_files(command.slices);
+  if (!command.slices.empty()) refuse_other_tables(command.slices);
   const StixProject project = read_stix(command.path);
   const std::vector<ResultSlices> results = compare_slices(project);
   if (!command.slices.empty()) {

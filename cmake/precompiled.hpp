@@ -1,4 +1,4 @@
-// What most of the program includes, read once where TERP_PRECOMPILE is on.
+// What most of the program includes, read once where TERP_UNITY is on.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,14 +1,13 @@
 #include "base/convergence.hpp"
 
+#include "base/nan.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace terp {
 namespace {
-
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
 std::vector<std::pair<Real, Real>> from_fine_to_coarse(const std::vector<Real>& x, const std::vector<Real>& y)
 {

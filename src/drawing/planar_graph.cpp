@@ -5,6 +5,7 @@
 #include "drawing/planar_graph.hpp"
 
 #include "base/errors.hpp"
+#include "base/plane.hpp"
 
 #include <fmt/format.h>
 
@@ -18,9 +19,6 @@ namespace terp {
 namespace {
 
 constexpr int most_rounds = 60;
-
-Real cross(Vec<2> a, Vec<2> b, Vec<2> c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
-Real distance(Vec<2> a, Vec<2> b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
 
 /// Places in square buckets as wide as the snap distance.
 class PlaceTable {

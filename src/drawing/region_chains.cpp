@@ -1,5 +1,7 @@
 #include "drawing/region_chains.hpp"
 
+#include "base/plane.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,10 +15,6 @@ namespace terp {
 namespace {
 
 constexpr int most_balance_rounds = 8;  // one would do but for round-off; from the fifth on with corners added
-
-Real cross(Vec<2> a, Vec<2> b, Vec<2> c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
-Real distance(Vec<2> a, Vec<2> b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
-Vec<2> between(Vec<2> a, Vec<2> b, Real t) { return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}; }
 
 /// Where chains end, and the limits of the drawing.
 void mark_places(ChainMap& map, const std::vector<std::vector<Index>>& neighbours, Real snap)

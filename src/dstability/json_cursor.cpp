@@ -13,7 +13,7 @@ constexpr std::size_t most_faults = 10;
 constexpr Real farthest = 1e7;          // [m]; coordinates of national grids are below 1e6 m
 constexpr std::size_t most_shown = 40;  // bytes of a text in a message
 
-const JsonNode nothing{.kind = JsonKind::object};
+const JsonNode no_node{.kind = JsonKind::object};
 
 /// What stands there, as a message shows it.
 std::string shown(const JsonNode& node)
@@ -135,7 +135,7 @@ JsonCursor JsonCursor::object(const char* key)
 {
   const JsonNode* const value = find(key, JsonKind::object, "an object");
   const std::string dot = where_.find(", ") == std::string::npos ? ", " : ".";
-  return {value == nullptr ? nothing : *value, where_ + dot + key, *notes_};
+  return {value == nullptr ? no_node : *value, where_ + dot + key, *notes_};
 }
 
 std::vector<JsonCursor> JsonCursor::list(const char* key)

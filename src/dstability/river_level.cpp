@@ -13,14 +13,14 @@
 namespace terp {
 namespace {
 
-constexpr Real inside = 1e-6;   // [m] from an end
-constexpr Real beneath = 0.01;  // [m]: coordinates of drawings are in cm
-constexpr Real same = 0.005;    // [m]: the same in cm
+constexpr Real off_the_end = 1e-6;  // [m] from an end
+constexpr Real beneath = 0.01;      // [m]: coordinates of drawings are in cm
+constexpr Real same = 0.005;        // [m]: the same in cm
 
 RiverInStage river_in(const StixSection& section, const StixRiver& river, Vec<2> ends)
 {
   const auto level_at = [&](bool left) {
-    return section.column(left ? ends[0] + inside : ends[1] - inside).now().water().phreatic();
+    return section.column(left ? ends[0] + off_the_end : ends[1] - off_the_end).now().water().phreatic();
   };
   const bool at_left = river.side == "left";
   return {.at_left = at_left, .ends = ends, .level = level_at(at_left), .inland = level_at(!at_left)};
@@ -86,7 +86,8 @@ RiverLevel with_river_level(
   const StixSection section(project, scenario, stage, basis);
   const Vec<2> ends = ends_of(section.stage());
   RiverLevel moved{project, stage == 0 ? 1 : stage, find_river(section, ends), ""};
-  check_river_to_move(section, moved.river, moved.river.side == "right" ? ends[1] - inside : ends[0] + inside);
+  check_river_to_move(
+      section, moved.river, moved.river.side == "right" ? ends[1] - off_the_end : ends[0] + off_the_end);
   check_level(section.stage(), level);
   const RiverInStage river = river_in(section, moved.river, ends);
   if (std::abs(level - river.level) < same) {

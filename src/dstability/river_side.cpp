@@ -12,7 +12,7 @@ namespace {
 
 constexpr Real least_river = 0.05;  // [m] of water on the ground at an end of the section
 constexpr Real least_apart = 0.01;  // [m] between the phreatic lines at both ends; nearer ones are level
-constexpr Real least_dike = 0.1;    // of the relief, over the ground at an end that is no high land
+constexpr Real high_land = 0.1;     // of the relief, over the ground at an end that is no high land
 constexpr Real inside = 1e-6;       // [m] from an end
 constexpr Real outside = 0.01;      // [m] beyond an end: coordinates of drawings are in cm
 
@@ -51,7 +51,7 @@ bool is_high_land(const StixSection& section, Vec<2> ends, Real end)
     const Real ground = section.column(std::lerp(ends[0] + inside, ends[1] - inside, Real(k) / n)).ground();
     if (std::isfinite(ground)) high = std::max(high, ground), low = std::min(low, ground);
   }
-  return high - section.column(end).ground() < least_dike * (high - low);
+  return high - section.column(end).ground() < high_land * (high - low);
 }
 
 const char* other_end(const std::string& side) { return side == "left" ? "right" : "left"; }

@@ -10,7 +10,7 @@
 namespace terp {
 namespace {
 
-const std::vector<std::string> columns = {"kind", "words", "weight", "stiffness_ratio", "shear_modulus",
+const std::vector<std::string> columns_of_defaults = {"kind", "words", "weight", "stiffness_ratio", "shear_modulus",
     "poisson_undrained", "poisson_drained", "k0", "friction", "cohesion", "S", "m", "pop", "least_su"};
 
 // Weights, S, m, POP and phi: means of the Schematiseringshandleiding macrostabiliteit, tables 7.1 to 7.4, rounded.
@@ -74,7 +74,7 @@ std::vector<SoilKind> read_soil_defaults(const std::string& path, const std::str
   std::vector<SoilKind> kinds;
   CsvFaults faults(path, "the table of soil defaults",
       "terp import --soil-defaults-table prints the table that holds without it, with its units.");
-  read_csv_rows(text, columns, faults, [&](std::span<const std::string_view> cells, Index line) {
+  read_csv_rows(text, columns_of_defaults, faults, [&](std::span<const std::string_view> cells, Index line) {
     SoilKind kind{};
     kind.kind = cells[0];
     kind.words = words_in(cells[1]);

@@ -12,14 +12,14 @@ namespace {
 
 using Rows = PointRows<2>;
 
-constexpr Real beside = 0.4, reach = 1.5;  // of its size
-constexpr Real steep = 1.5;                // slope of the cone
+constexpr Real beside = 0.4, far = 1.5;  // of its size
+constexpr Real steep = 1.5;              // slope of the cone
 
 bool hides(const TopPoint& above, const TopPoint& below)
 {
   const Real dx = std::abs(above.x[0] - below.x[0]), dy = above.x[1] - below.x[1];
   if (!(dy > 0.0)) return false;
-  return dx < beside * above.size || (dx < reach * above.size && dy > steep * dx);
+  return dx < beside * above.size || (dx < far * above.size && dy > steep * dx);
 }
 
 std::vector<TopPoint> collect(const PointBlocks<2>& points, Real left, Real right, int held_row)
@@ -48,8 +48,8 @@ std::vector<TopPoint> find_top_points(const PointBlocks<2>& points, Real left, R
   std::vector<TopPoint> tops;  // sorted by x
   const auto by_x = [](const TopPoint& a, Real x) { return a.x[0] < x; };
   for (const TopPoint& p : all) {
-    const auto first = std::lower_bound(tops.begin(), tops.end(), p.x[0] - reach * largest, by_x);
-    const auto end = std::lower_bound(first, tops.end(), p.x[0] + reach * largest, by_x);
+    const auto first = std::lower_bound(tops.begin(), tops.end(), p.x[0] - far * largest, by_x);
+    const auto end = std::lower_bound(first, tops.end(), p.x[0] + far * largest, by_x);
     if (std::none_of(first, end, [&](const TopPoint& above) { return hides(above, p); }))
       tops.insert(std::lower_bound(tops.begin(), tops.end(), p.x[0], by_x), p);
   }

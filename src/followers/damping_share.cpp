@@ -3,18 +3,17 @@
 // has a ratio of 1.4 to 5.6: forces and velocities count by component, and soil that slides on is damped as well.
 
 #include "followers/followers.hpp"
+
+#include "base/nan.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/ledger_context.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/summary.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace terp {
 namespace {
-
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
 class DampingShare : public Follower {
   Real kinetic_ = 0.0;  ///< at the last row of the ledger [J per m]

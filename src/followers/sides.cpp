@@ -4,6 +4,8 @@
 // one cell more may be a matter of round-off.
 
 #include "followers/followers.hpp"
+
+#include "base/nan.hpp"
 #include "simulation/ledger_context.hpp"
 #include "simulation/side_shape.hpp"
 #include "simulation/state_arrays.hpp"
@@ -11,12 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace terp {
 namespace {
-
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
 bool holds_soil(const State& state, const CellSide& edge) { return state.points.first_block(edge.cell) >= 0; }
 

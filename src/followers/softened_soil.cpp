@@ -2,6 +2,8 @@
 // lowest strength that a law of a library returned, which Terp does not hold above zero.
 
 #include "followers/followers.hpp"
+
+#include "base/nan.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/ledger_context.hpp"
 #include "simulation/state_arrays.hpp"
@@ -14,8 +16,7 @@
 namespace terp {
 namespace {
 
-constexpr Real round_off = 1e-9;  // of a strength, relative [-]
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+constexpr Real round_off_of_strength = 1e-9;  // of a strength, relative [-]
 
 /// S_u in the middle between peak and least; 0 for soil that does not soften [Pa].
 Real half_softened(const SoilMaterial& material, const PointBlock<2>& block, Index lane)
@@ -24,7 +25,7 @@ Real half_softened(const SoilMaterial& material, const PointBlock<2>& block, Ind
   const Real peak = strength_at(material, block, lane, 0.0);
   const LawTerms* const of_library = terms_of(*material.type);
   const Real least = of_library != nullptr ? of_library->residual_strength : strength_at(material, block, lane, all);
-  return peak - least > round_off * peak ? 0.5 * (peak + least) : 0.0;
+  return peak - least > round_off_of_strength * peak ? 0.5 * (peak + least) : 0.0;
 }
 
 /// False while there is soil of a library of which nobody said what softening leaves.

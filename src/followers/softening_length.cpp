@@ -2,6 +2,8 @@
 // softened soil is halo, softened by its neighbours though it hardly sheared itself (docs/softening_length.md).
 
 #include "followers/followers.hpp"
+
+#include "base/nan.hpp"
 #include "simulation/ledger_context.hpp"
 #include "simulation/softening_scales.hpp"
 #include "simulation/state_arrays.hpp"
@@ -9,13 +11,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace terp {
 namespace {
 
-constexpr Real half_softened = 0.231;  // of the strain of 95 %: ln(2)/3
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+constexpr Real share_of_half = 0.231;  // of the strain of 95 %: ln(2)/3
 
 /// Of the soil that has lost half of its drop by a softening length: the share of the volume whose own plastic strain
 /// is below half of that which its strength follows. NaN if there is no such soil.
@@ -28,7 +28,7 @@ Real halo_share(const Model& model, const State& state)
     const int driver = row_of(material, Role::softening);
     if (driver < 0) return;
     const Real follows = block.row(driver)[lane], volume = block.row(Rows::volume)[lane];
-    if (!(follows > half_softened * material.law->softened_strain())) return;
+    if (!(follows > share_of_half * material.law->softened_strain())) return;
     softened += volume;
     if (block.row(row_of(material, Role::plastic_strain))[lane] < 0.5 * follows) halo += volume;
   });

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> free_keys = {
     "title", "time.end", "time.at_most", "output.fields.every", "output.checkpoint.every", "output.checkpoint.keep"};
-constexpr std::string_view mark = " = ";
+constexpr std::string_view equals = " = ";
 
 /// Text without line feeds, and, as names of materials and sides may hold anything, without what stands between key and
 /// value.
@@ -33,7 +33,7 @@ std::string on_one_line(const std::string& text)
 std::string key_on_one_line(const std::string& key)
 {
   std::string line = on_one_line(key);
-  for (std::size_t at = line.find(mark); at != std::string::npos; at = line.find(mark)) line.erase(at, 1);
+  for (std::size_t at = line.find(equals); at != std::string::npos; at = line.find(equals)) line.erase(at, 1);
   return line;
 }
 
@@ -199,8 +199,8 @@ CaseRecord parse_record(const std::string& text)
   CaseRecord record;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
-    if (const std::size_t at = line.find(mark); at != std::string::npos)
-      record.push_back({line.substr(0, at), line.substr(at + mark.size())});
+    if (const std::size_t at = line.find(equals); at != std::string::npos)
+      record.push_back({line.substr(0, at), line.substr(at + equals.size())});
   return record;
 }
 
@@ -226,7 +226,7 @@ CaseRecord make_case_record(const CaseFile& file, const Mesh<2>& mesh)
 std::string record_text(const CaseRecord& record)
 {
   std::string text;
-  for (const RecordedValue& v : record) text += fmt::format("{}{}{}\n", v.key, mark, v.value);
+  for (const RecordedValue& v : record) text += fmt::format("{}{}{}\n", v.key, equals, v.value);
   return text;
 }
 

@@ -5,7 +5,7 @@
 namespace terp {
 namespace {
 
-constexpr std::uint32_t distance = 0xF0000, first_letter = 0x80, last_letter = 0xFFFF;
+constexpr std::uint32_t lifted_by = 0xF0000, first_letter = 0x80, last_letter = 0xFFFF;
 
 /// A letter and its number of bytes; 1 byte and its value for what is no UTF-8.
 struct Letter {
@@ -47,7 +47,7 @@ void append(std::uint32_t code, std::string& text)
 
 bool is_lifted(const Letter& letter)
 {
-  return letter.is_whole && letter.code >= first_letter + distance && letter.code <= last_letter + distance;
+  return letter.is_whole && letter.code >= first_letter + lifted_by && letter.code <= last_letter + lifted_by;
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ std::string lift(std::string_view text)
     const Letter letter = letter_at(text, at);
     const bool is_mark = at == 0 && letter.code == 0xFEFF;
     if (letter.is_whole && letter.code >= first_letter && letter.code <= last_letter && !is_mark)
-      append(letter.code + distance, lifted);
+      append(letter.code + lifted_by, lifted);
     else
       lifted += text.substr(at, letter.n_bytes);
     at += letter.n_bytes;
@@ -83,7 +83,7 @@ std::string lower(std::string_view text)
   for (std::size_t at = 0; at < text.size();) {
     const Letter letter = letter_at(text, at);
     if (is_lifted(letter))
-      append(letter.code - distance, lowered);
+      append(letter.code - lifted_by, lowered);
     else
       lowered += text.substr(at, letter.n_bytes);
     at += letter.n_bytes;

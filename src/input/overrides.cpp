@@ -4,6 +4,7 @@
 #include "input/field_kinds.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
+#include "input/units.hpp"
 
 #include <fmt/format.h>
 
@@ -11,13 +12,6 @@
 
 namespace terp {
 namespace {
-
-std::string_view trimmed(std::string_view text)
-{
-  constexpr std::string_view blanks = " \t";
-  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
-}
 
 Node parse_value(const std::string& text)
 {

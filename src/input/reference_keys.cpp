@@ -16,12 +16,6 @@ namespace {
 constexpr const char* list_of_texts = "a list of texts";
 constexpr const char* keys_of_plane = "Keys of a slip plane: name, method, factor_of_safety, line, su";
 
-bool refuse(const Entry& entry, const std::string& path, std::string what, std::string detail, Findings& findings)
-{
-  findings.problems.push_back({path, std::move(what), std::move(detail), topic_of(entry.key.path)});
-  return false;
-}
-
 bool refuse_value(
     const Entry& entry, const Node& item, const std::string& path, const char* allowed, Findings& findings)
 {

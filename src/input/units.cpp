@@ -90,14 +90,6 @@ const Unit* find_unit(std::string_view name, std::string_view of_key = "")
   return first;
 }
 
-std::string_view trimmed(std::string_view text)
-{
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 /// The number at the beginning of a text; empty if there is none. Letters, as of "inf" and "nan", are no number.
 std::string_view leading_number(std::string_view text)
 {
@@ -128,6 +120,14 @@ Real shifted(std::string_view number, int power)
 }
 
 }  // namespace
+
+std::string_view trimmed(std::string_view text)
+{
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
 
 Real NumberWithUnit::value() const { return shifted(number, unit->power) * unit->times / unit->over; }
 

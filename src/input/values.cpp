@@ -428,6 +428,12 @@ bool ValueReader::operator()(const NamedPlaces& field)
 
 }  // namespace
 
+bool refuse(const Entry& entry, const std::string& path, std::string what, std::string detail, Findings& findings)
+{
+  findings.problems.push_back({path, std::move(what), std::move(detail), topic_of(entry.key.path)});
+  return false;
+}
+
 bool store_value(const Entry& entry, const Field& field, Findings& findings)
 {
   return std::visit(ValueReader(entry, findings), field);

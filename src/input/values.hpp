@@ -30,6 +30,9 @@ bool store_value(const Entry& entry, const Field& field, Findings& findings);
 bool read_places(
     const Entry& entry, const Node& list, const std::string& path, Findings& findings, std::vector<Vec<2>>& places);
 
+/// Adds a problem about an entry, at a path within it. Always false.
+bool refuse(const Entry& entry, const std::string& path, std::string what, std::string detail, Findings& findings);
+
 /// "the text "four"", "the number 4", "a list of 3".
 std::string describe_value(const Node& node);
 

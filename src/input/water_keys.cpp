@@ -20,12 +20,6 @@ namespace {
 
 using Places = std::vector<Vec<2>>;
 
-bool refuse(const Entry& entry, const std::string& path, std::string what, std::string detail, Findings& findings)
-{
-  findings.problems.push_back({path, std::move(what), std::move(detail), topic_of(entry.key.path)});
-  return false;
-}
-
 bool refuse_type(const Entry& entry, const Node& node, const std::string& path, Findings& findings)
 {
   return refuse(entry, path, fmt::format("`{}` must be {}", last_part(entry.path), type_text(entry.key)),

@@ -8,6 +8,7 @@
 
 #include "meshing/planar_map.hpp"
 
+#include "base/plane.hpp"
 #include "mesh/mesh_error.hpp"
 
 #include <fmt/format.h>
@@ -24,10 +25,6 @@ namespace {
 using Polygon = std::vector<Vec<2>>;
 
 constexpr Real same_line = 1e-12;  // of the longer edge, that two edges on one line may be apart
-
-Vec<2> between(Vec<2> a, Vec<2> b, Real t) { return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}; }
-Real distance(Vec<2> a, Vec<2> b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
-Real cross(Vec<2> a, Vec<2> b, Vec<2> c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
 
 Real projection(Vec<2> a, Vec<2> b, Vec<2> x)
 {

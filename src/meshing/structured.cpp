@@ -1,5 +1,6 @@
 #include "meshing/structured.hpp"
 
+#include "base/plane.hpp"
 #include "mesh/mesh_error.hpp"
 
 #include <fmt/format.h>
@@ -12,9 +13,6 @@ namespace {
 using Places = std::vector<Vec<2>>;
 
 constexpr Real corner_tolerance = 1e-9;  // over the length of the side: above round-off of input, below any cell
-
-Vec<2> between(Vec<2> a, Vec<2> b, Real t) { return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}; }
-Real distance(Vec<2> a, Vec<2> b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
 
 void check_counts(std::array<Index, 2> n, Vec<2> grading)
 {

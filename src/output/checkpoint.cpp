@@ -45,10 +45,9 @@ std::vector<std::string> split_names(const std::string& text)
 /// At least what a part takes on the disk.
 std::int64_t largest_size(const StateImage& part)
 {
-  constexpr std::int64_t header_bytes = 16 << 10;
-  std::int64_t n_bytes = header_bytes;
+  std::int64_t n_bytes = hdf5_header_bytes;
   for (const auto& array : part.arrays) {
-    n_bytes += header_bytes + std::visit([](const auto& values) { return std::ssize(values) * 8; }, array.values);
+    n_bytes += hdf5_header_bytes + std::visit([](const auto& values) { return std::ssize(values) * 8; }, array.values);
   }
   return n_bytes;
 }

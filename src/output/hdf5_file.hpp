@@ -11,6 +11,9 @@
 
 namespace terp {
 
+/// More than a dataset takes in a file besides its values.
+inline constexpr std::int64_t hdf5_header_bytes = 16 << 10;
+
 /// An HDF5 file. Objects are named by their path, e.g. "/VTKHDF/Points"; numbers are stored little-endian.
 /// T is Real, std::int64_t or std::uint8_t. Every failure throws FileError.
 ///

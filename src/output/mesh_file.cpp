@@ -1,6 +1,7 @@
 // The background mesh in the VTKHDF format, version 1.0: nodes, cells, and in a frame what they carry.
 #include "output/mesh_file.hpp"
 
+#include "output/hdf5_file.hpp"
 #include "output/run_folder.hpp"
 
 #include <filesystem>
@@ -12,13 +13,12 @@ using namespace vtkhdf;
 
 constexpr std::uint8_t vtk_quad = 9;  // VTK_QUAD of vtkCellType.h
 constexpr int n_corners = 4;
-constexpr std::int64_t header_bytes = 16 << 10;  // of one dataset
 constexpr std::int64_t n_datasets = 12;
 
 /// Bytes of places, cells and fields, were they not compressed.
 std::int64_t largest_size(const Mesh<2>& mesh)
 {
-  return 8 * (6 * mesh.n_nodes() + 4 * mesh.n_cells()) + n_datasets * header_bytes;
+  return 8 * (6 * mesh.n_nodes() + 4 * mesh.n_cells()) + n_datasets * hdf5_header_bytes;
 }
 
 void write_grid(Hdf5File& file, const Mesh<2>& mesh)

@@ -4,6 +4,8 @@
 // checkpoint's. Row p is the point with number p in every frame.
 #include "output/point_frames.hpp"
 
+#include "output/hdf5_file.hpp"
+
 #include <algorithm>
 
 namespace terp {
@@ -11,14 +13,13 @@ namespace {
 
 using namespace vtkhdf;
 
-constexpr std::int64_t header_bytes = 16 << 10;  // more than a dataset takes besides its values
-constexpr std::uint8_t vtk_vertex = 1;           // VTK_VERTEX of vtkCellType.h
+constexpr std::uint8_t vtk_vertex = 1;  // VTK_VERTEX of vtkCellType.h
 
 /// At least what a frame takes in its file, should it not compress at all.
 std::int64_t largest_size(const Frame& frame)
 {
   const std::int64_t n = frame.n_whole(), n_datasets = 10 + std::ssize(frame.fields);
-  std::int64_t n_bytes = n * (3 * 8 + 4 + 4 + 1) + n_datasets * header_bytes;
+  std::int64_t n_bytes = n * (3 * 8 + 4 + 4 + 1) + n_datasets * hdf5_header_bytes;
   for (const auto& field : frame.fields) n_bytes += n * std::max(3, field.n_components) * std::int64_t{sizeof(float)};
   return n_bytes;
 }

@@ -6,8 +6,8 @@
 namespace terp {
 namespace {
 
-const std::array<std::string, 4> columns{"x", "y", "volume", "material"};
-const std::string what = "the table of points";
+const std::array<std::string, 4> columns_of_points{"x", "y", "volume", "material"};
+const std::string table_of_points = "the table of points";
 
 /// The point of one line; faults are noted, and the point is then of no use.
 CsvPoint read_row(std::span<const std::string_view> cells, Index line, CsvFaults& faults)
@@ -15,7 +15,7 @@ CsvPoint read_row(std::span<const std::string_view> cells, Index line, CsvFaults
   CsvPoint point{{0.0, 0.0}, 0.0, std::string(cells[3]), line};
   const std::array<Real*, 3> numbers{&point.x[0], &point.x[1], &point.volume};
   for (std::size_t k = 0; k < numbers.size(); ++k)
-    *numbers[k] = finite_number_in_csv(cells[k], columns[k], line, faults);
+    *numbers[k] = finite_number_in_csv(cells[k], columns_of_points[k], line, faults);
   if (const auto volume = number_in_csv(cells[2]); volume && std::isfinite(*volume) && *volume <= 0.0)
     faults.add(line, fmt::format("volume is {} m^2; it must be greater than 0", cells[2]));
   if (point.material.empty()) faults.add(line, "material is empty");
@@ -27,17 +27,17 @@ CsvPoint read_row(std::span<const std::string_view> cells, Index line, CsvFaults
 std::vector<CsvPoint> read_points_csv_text(const std::string& path, const std::string& text)
 {
   std::vector<CsvPoint> points;
-  CsvFaults faults(path, what,
+  CsvFaults faults(path, table_of_points,
       "It has the columns x, y, volume, material: m, m, m^2 (volume per metre of thickness), and a material of the "
       "case.");
-  read_csv_rows(text, columns, faults,
+  read_csv_rows(text, columns_of_points, faults,
       [&](std::span<const std::string_view> cells, Index line) { points.push_back(read_row(cells, line, faults)); });
   return points;
 }
 
 std::vector<CsvPoint> read_points_csv(const std::string& path)
 {
-  return read_points_csv_text(path, text_of_csv(path, what));
+  return read_points_csv_text(path, text_of_csv(path, table_of_points));
 }
 
 }  // namespace terp

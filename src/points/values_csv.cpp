@@ -9,8 +9,8 @@
 namespace terp {
 namespace {
 
-const std::array<std::string, 3> columns{"x", "y", "value"};
-const std::string what = "the table of values";
+const std::array<std::string, 3> columns_of_values{"x", "y", "value"};
+const std::string table_of_values = "the table of values";
 
 std::vector<Real> distinct(const std::vector<PlacedValue>& values, int axis)
 {
@@ -81,10 +81,11 @@ ValueMap read_values_csv_text(const std::string& path, const std::string& text)
 {
   std::vector<PlacedValue> values;
   std::map<Vec<2>, Index> lines;
-  CsvFaults faults(path, what, "It has the columns x, y, value: m, m, and the unit of the key in SI.");
-  read_csv_rows(text, columns, faults, [&](std::span<const std::string_view> cells, Index line) {
+  CsvFaults faults(path, table_of_values, "It has the columns x, y, value: m, m, and the unit of the key in SI.");
+  read_csv_rows(text, columns_of_values, faults, [&](std::span<const std::string_view> cells, Index line) {
     std::array<Real, 3> row{};
-    for (std::size_t k = 0; k < row.size(); ++k) row[k] = finite_number_in_csv(cells[k], columns[k], line, faults);
+    for (std::size_t k = 0; k < row.size(); ++k)
+      row[k] = finite_number_in_csv(cells[k], columns_of_values[k], line, faults);
     const auto [first, is_new] = lines.emplace(Vec<2>{row[0], row[1]}, line);
     if (!is_new) faults.add(line, fmt::format("the place ({}, {}) m is in line {} too", row[0], row[1], first->second));
     values.push_back({{row[0], row[1]}, row[2]});
@@ -94,10 +95,13 @@ ValueMap read_values_csv_text(const std::string& path, const std::string& text)
     throw CsvError(
         fmt::format("{} {} has {} places that form no grid; at most {}. Give them on a grid: each x "
                     "with each y.",
-            what, path, lines.size(), ValueMap::most_scattered));
+            table_of_values, path, lines.size(), ValueMap::most_scattered));
   return map;
 }
 
-ValueMap read_values_csv(const std::string& path) { return read_values_csv_text(path, text_of_csv(path, what)); }
+ValueMap read_values_csv(const std::string& path)
+{
+  return read_values_csv_text(path, text_of_csv(path, table_of_values));
+}
 
 }  // namespace terp

@@ -12,7 +12,7 @@
 namespace terp {
 namespace {
 
-constexpr const char* style = R"(
+constexpr const char* reach_style = R"(
 th, td { padding: 6px 12px; vertical-align: top; white-space: normal; } thead th { vertical-align: bottom; }
 td:last-child, thead th:last-child { text-align: right; white-space: nowrap; }
 th.text, td.words { text-align: left; } td.words { max-width: 26em; }
@@ -37,11 +37,12 @@ constexpr Words title{"Sections of a reach", "Doorsneden van een traject"},
         "Berekend: {} van {} doorsneden. Blijft staan: {}; beschadigd, keert het water: {}; overstroming: {}; geen "
         "oordeel over het water: {}; zonder resultaat: {}."},
     section{"Section", "Doorsnede"}, picture{"Ground before and after", "Maaiveld voor en na"},
-    verdict{"Verdict", "Oordeel"}, height{"Height that remains", "Resthoogte"}, freeboard{"Freeboard", "Waakhoogte"},
-    factor{"Factor of safety", "Stabiliteitsfactor"}, stored{"stored", "opgeslagen"}, time{"Time", "Rekentijd"},
-    stands{"stands", "blijft staan"}, damaged{"damaged, holds the water", "beschadigd, keert het water"},
-    floods{"floods", "overstroming"}, no_flood{"no verdict on the water", "geen oordeel over het water"},
-    refused{"refused", "geweigerd"}, failed{"failed", "mislukt"}, open{"not finished", "niet afgerond"},
+    verdict{"Verdict", "Oordeel"}, height_left{"Height that remains", "Resthoogte"},
+    freeboard{"Freeboard", "Waakhoogte"}, factor{"Factor of safety", "Stabiliteitsfactor"},
+    stored{"stored", "opgeslagen"}, time{"Time", "Rekentijd"}, stands{"stands", "blijft staan"},
+    damaged{"damaged, holds the water", "beschadigd, keert het water"}, floods{"floods", "overstroming"},
+    no_flood{"no verdict on the water", "geen oordeel over het water"}, refused{"refused", "geweigerd"},
+    failed{"failed", "mislukt"}, open{"not finished", "niet afgerond"},
     divided{"after strengths were divided by {:g}", "nadat de sterktes door {:g} zijn gedeeld"},
     raised{"after the river was brought to {:.2f} m", "nadat de rivier op {:.2f} m is gebracht"},
     after_stage{"after the stage {}", "na fase {}"}, before{"As it is: {}.", "Zoals zij is: {}."},
@@ -209,8 +210,8 @@ std::string reach_page(
 {
   const bool dutch = language == "nl";
   std::string head;
-  for (const auto& [words, is_text] : {std::pair{&section, true}, {&picture, true}, {&verdict, true}, {&height, false},
-           {&freeboard, false}, {&factor, true}, {&time, false}})
+  for (const auto& [words, is_text] : {std::pair{&section, true}, {&picture, true}, {&verdict, true},
+           {&height_left, false}, {&freeboard, false}, {&factor, true}, {&time, false}})
     head += fmt::format("<th scope=\"col\"{}>{}</th>", is_text ? " class=\"text\"" : "", words->in(dutch));
   std::string rows;
   for (const ReachSection& s : sections) rows += row_of(s, dutch);
@@ -221,7 +222,7 @@ std::string reach_page(
               "</tr></thead>\n<tbody>\n" + rows + "</tbody></table></div>",
       .footer = filled(made, dutch, written, TERP_VERSION),
       .language = dutch ? "nl" : "en",
-      .style = style});
+      .style = reach_style});
 }
 
 }  // namespace terp

@@ -16,9 +16,9 @@ using Run = const RunResults&;
 using Value = std::optional<Real>;
 using Measures = std::vector<RunMeasure>;
 
-constexpr Real round_off = 1e-9;           // of a strength, relative [-]
-constexpr Real small_share = 0.1;          // of soil: 1 in 1000 points [%]
-constexpr Real small_part_of_work = 1e-3;  // of the work of gravity, as an energy [-]
+constexpr Real round_off_of_strength = 1e-9;  // of a strength, relative [-]
+constexpr Real small_share = 0.1;             // of soil: 1 in 1000 points [%]
+constexpr Real small_part_of_work = 1e-3;     // of the work of gravity, as an energy [-]
 
 Value finite(Real value) { return std::isfinite(value) ? Value(value) : std::nullopt; }
 
@@ -391,7 +391,7 @@ std::vector<std::string> points_that_regained_strength(const RunResults& run)
   for (const PointTable& history : run.history) {
     const auto* su = history.table.find("su");
     if (su == nullptr) continue;
-    const auto rises = [](Real before, Real after) { return after > before * (1.0 + round_off); };
+    const auto rises = [](Real before, Real after) { return after > before * (1.0 + round_off_of_strength); };
     if (std::adjacent_find(su->begin(), su->end(), rises) != su->end()) names.push_back(history.point);
   }
   return names;

@@ -9,11 +9,11 @@ namespace {
 
 using Value = std::optional<Real>;
 
-constexpr Real round_off = 1e-9;  // of a value, relative [-]
+constexpr Real round_off_of_values = 1e-9;  // of a value, relative [-]
 
 bool is_solved(const StudyRun& run) { return run.fault.empty(); }
 
-bool is_same(Real a, Real b) { return std::abs(a - b) <= round_off * std::max(std::abs(a), std::abs(b)); }
+bool is_same(Real a, Real b) { return std::abs(a - b) <= round_off_of_values * std::max(std::abs(a), std::abs(b)); }
 
 /// A value with the cells on which it was found.
 struct Sized {
@@ -22,7 +22,10 @@ struct Sized {
 };
 
 /// After the point, with which a tenth of this is seen.
-int digits_that_show(Real resolution) { return static_cast<int>(std::ceil(1.0 - std::log10(resolution) - round_off)); }
+int digits_that_show(Real resolution)
+{
+  return static_cast<int>(std::ceil(1.0 - std::log10(resolution) - round_off_of_values));
+}
 
 /// What a change counts as a share of; none: of nothing.
 Value scale_of(const RunMeasure& measure, const Sized& finest)

@@ -173,7 +173,7 @@ std::string of_flood(S s, F&& f)
 }
 
 /// In the order of the file. A new column is one entry here and a row of docs/assess.md.
-const Column columns[] = {
+const Column reach_columns[] = {
     {"section", [](S s) { return in_quotes(s.record.name); }},
     {"file", [](S s) { return in_quotes(s.record.file); }},
     {"title", [](S s) { return in_quotes(s.record.title); }},
@@ -354,10 +354,10 @@ std::string stored_text(const SectionRecord& record, bool dutch)
 std::string reach_csv(const std::vector<ReachSection>& sections)
 {
   std::string text;
-  for (const Column& column : columns) text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
+  for (const Column& column : reach_columns) text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
   for (const ReachSection& section : sections) {
     std::string row;
-    for (const Column& column : columns) row += (&column == columns ? "" : ",") + column.text(section);
+    for (const Column& column : reach_columns) row += (&column == reach_columns ? "" : ",") + column.text(section);
     text += '\n' + row;
   }
   return text + '\n';

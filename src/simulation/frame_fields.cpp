@@ -1,18 +1,17 @@
 #include "simulation/frame_fields.hpp"
 
+#include "base/nan.hpp"
 #include "base/quantity.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/nodal_water.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
 /// A point of a run.
 struct PointOfRun {

@@ -6,6 +6,7 @@
 #include "simulation/gaussian_field.hpp"
 
 #include "base/errors.hpp"
+#include "base/nan.hpp"
 #include "base/philox.hpp"
 #include "parallel/functions.hpp"
 
@@ -20,7 +21,6 @@
 namespace terp {
 namespace {
 
-constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 constexpr std::uint32_t of_fields = 0x80000000U;  // keeps fields apart from the variables of a study
 
 Real ratio_of(std::span<const Real> numerator, std::span<const Real> denominator, Real r)
@@ -311,7 +311,7 @@ void GaussianField::condition(const std::vector<KnownScore>& known)
 Real GaussianField::at(Vec<2> x) const
 {
   for (std::size_t d = 0; d < 2; ++d)
-    if (!(x[d] >= low_[d] && x[d] <= high_[d])) return none;
+    if (!(x[d] >= low_[d] && x[d] <= high_[d])) return nan;
   const auto i = static_cast<std::size_t>(x_.node_of(x[0]) - x_.first),
              j = static_cast<std::size_t>(y_.node_of(x[1]) - y_.first);
   return values_[j * static_cast<std::size_t>(x_.n()) + i];
@@ -328,7 +328,7 @@ Real score_of(FieldMarginal marginal, Real cov, Real value)
 {
   if (marginal == FieldMarginal::normal) return (value - 1.0) / cov;
   const Real variance = logarithm(1.0 + cov * cov);
-  return value > 0.0 ? (logarithm(value) + 0.5 * variance) / std::sqrt(variance) : none;
+  return value > 0.0 ? (logarithm(value) + 0.5 * variance) / std::sqrt(variance) : nan;
 }
 
 FieldValue by_random(const GaussianFieldCase& field, FieldMarginal marginal, Real cov, FieldValue mean)

@@ -1,16 +1,15 @@
 #include "simulation/history.hpp"
 
+#include "base/nan.hpp"
 #include "simulation/frame_fields.hpp"
 #include "simulation/ledger.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
 struct NamedPoint {
   const Model& model;
@@ -44,23 +43,23 @@ struct HistoryQuantity {
   Real (*read)(const NamedPoint&);
 };
 
-using P = const NamedPoint&;
+using N = const NamedPoint&;
 
 /// Numbers of history.csv after the time. A new one is one entry here.
-constexpr HistoryQuantity quantities[] = {
+constexpr HistoryQuantity history_quantities[] = {
     {{"id", "-", "number of the point",
          "number of the material point: the one nearest to the place given, at t = 0 (ties: lower x, then lower y)"},
-        [](P p) { return p.row(Rows::id); }},
-    {{"x", "m", "x", "its place now"}, [](P p) { return p.row(Rows::x); }},
-    {{"y", "m", "y", "its place now"}, [](P p) { return p.row(Rows::x + 1); }},
+        [](N p) { return p.row(Rows::id); }},
+    {{"x", "m", "x", "its place now"}, [](N p) { return p.row(Rows::x); }},
+    {{"y", "m", "y", "its place now"}, [](N p) { return p.row(Rows::x + 1); }},
     {{"eps_deviatoric", "-", "total deviatoric strain",
          "norm of the total deviatoric strain in output.deviatoric_norm"},
-        [](P p) { return deviatoric_strain(p.block, p.lane, p.model.description.output.deviatoric_norm); }},
+        [](N p) { return deviatoric_strain(p.block, p.lane, p.model.description.output.deviatoric_norm); }},
     {{"eps_eq_p", "-", "equivalent plastic strain", "accumulated equivalent plastic strain, Eq. (6)"},
         plastic_strain_of},
     {{"su", "Pa", "undrained shear strength", "undrained shear strength now, Eq. (5)"}, strength_of},
     {{"pressure", "Pa", "mean stress, tension positive", "mean stress tr(sigma)/3, tension positive"},
-        [](P p) { return (p.row(Rows::sigma) + p.row(Rows::sigma + 1) + p.row(Rows::sigma + 2)) / 3.0; }},
+        [](N p) { return (p.row(Rows::sigma) + p.row(Rows::sigma + 1) + p.row(Rows::sigma + 2)) / 3.0; }},
     {{"eps_softening", "-", "strain that the strength follows",
          "strain that the strength follows: eps_eq_p, or with a softening length its nonlocal form"},
         strain_of_strength},
@@ -108,7 +107,7 @@ const std::shared_ptr<const RunTable>& history_table()
         .meaning = "the named points over time",
         .columns = {{"time", "s", "time", "of the step"}, {"point", "", "point", "name in the case file", true}},
         .from_start = true};
-    for (const HistoryQuantity& quantity : quantities) t.columns.push_back(quantity.info);
+    for (const HistoryQuantity& quantity : history_quantities) t.columns.push_back(quantity.info);
     return std::make_shared<const RunTable>(std::move(t));
   }();
   return table;
@@ -127,7 +126,8 @@ std::vector<TableRow> make_history(const Model& model, const State& state, std::
       continue;
     }
     const NamedPoint point{model, state, state.points.block(places[k].block), places[k].lane};
-    for (std::size_t q = 0; q < std::size(quantities); ++q) row.values[q + 1] = quantities[q].read(point);
+    for (std::size_t q = 0; q < std::size(history_quantities); ++q)
+      row.values[q + 1] = history_quantities[q].read(point);
   }
   return rows;
 }

@@ -34,14 +34,14 @@ DeepestPoint deepest_point(const State& state, Index material)
 
 bool is_near(Real a, Real b) { return std::abs(a - b) <= tolerance * std::abs(b); }
 
-std::string number(Real value) { return fmt::format("{:.4g}", value); }
+std::string four_digits(Real value) { return fmt::format("{:.4g}", value); }
 
 /// Moduli of isotropic soil as keys of the case; empty: there are none.
 std::string keys_of(Real normal, Real shear)
 {
   const Real poisson = (normal - 2.0 * shear) / (2.0 * (normal - shear));
   if (!(shear > 0.0 && normal > 4.0 / 3.0 * shear && poisson < 0.5)) return "moduli that are as stiff";
-  return fmt::format("shear_modulus = {} and poisson_ratio = {:.3g}", number(shear), poisson);
+  return fmt::format("shear_modulus = {} and poisson_ratio = {:.3g}", four_digits(shear), poisson);
 }
 
 class LibraryScales {
@@ -83,7 +83,7 @@ class LibraryScales {
     return fmt::format(
         "Small strains of a point give K + 4G/3 = {} Pa and G = {} Pa; shear_modulus and poisson_ratio "
         "say {} Pa and {} Pa.",
-        number(law_.normal), number(law_.shear), number(given_.p_wave()), number(given_.shear));
+        four_digits(law_.normal), four_digits(law_.shear), four_digits(given_.p_wave()), four_digits(given_.shear));
   }
 
   Problem problem(std::string what, std::string detail) const
@@ -115,7 +115,7 @@ class LibraryScales {
     warn("the law of the library is stiffer in one direction of shearing than in another",
         fmt::format("G is {} Pa of the shear strain 12 (xy), {} Pa of the strains 11 and 22; shear_modulus = {} Pa.\n"
                     "{}\nAll is well if the law is anisotropic.",
-            number(law_.shear), number(law_.shear_of_axes), number(given_.shear), cause));
+            four_digits(law_.shear), four_digits(law_.shear_of_axes), four_digits(given_.shear), cause));
   }
 
   const Model& model_;

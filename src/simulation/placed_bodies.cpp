@@ -16,7 +16,7 @@ namespace {
 
 using Rows = PointRows<2>;
 
-bool is_inside(const std::vector<Side>& sides, Vec<2> x)
+bool encloses(const std::vector<Side>& sides, Vec<2> x)
 {
   const std::vector<Real> crossings = crossings_of_vertical(sides, x[0]);
   return std::ranges::count_if(crossings, [&](Real y) { return y > x[1]; }) % 2 == 1;
@@ -42,7 +42,7 @@ std::vector<Overlap> overlaps_of(
     const std::vector<Side> sides = outline_sides(*model.mesh, outline);
     for (const auto& batch : points)
       for (const NewPoint& p : batch)
-        if (static_cast<std::size_t>(p.body) == body && is_inside(sides, p.x))
+        if (static_cast<std::size_t>(p.body) == body && encloses(sides, p.x))
           if (overlaps[other].n++ == 0) overlaps[other].first = p.x;
   }
   return overlaps;

@@ -16,7 +16,7 @@ namespace terp {
 namespace {
 
 constexpr Real one_place = 1e-3;  // of the size of a point: points that share their soil lie about that size apart
-constexpr Real round_off = 1e-6;
+constexpr Real inside = 1e-6;
 
 std::string points_key(std::size_t body) { return fmt::format("body[{}].points", body); }
 
@@ -142,7 +142,7 @@ bool lies_wholly_in(const BodyOutline& body, std::span<const Side> sides, const 
 {
   if (!(body.cells.empty() ? covers(body, p.x) : std::binary_search(body.cells.begin(), body.cells.end(), p.key.cell)))
     return false;
-  const Real depth = (0.5 - round_off) * size_of(p.volume);
+  const Real depth = (0.5 - inside) * size_of(p.volume);
   return std::ranges::all_of(sides, [&](const Side& side) { return distance_to_line(side.a, side.b, p.x) >= depth; });
 }
 

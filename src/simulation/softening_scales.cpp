@@ -10,12 +10,12 @@
 namespace terp {
 namespace {
 
-constexpr Real resolved = 2.0;         // cells in a length
-constexpr Real part_of_height = 20.0;  // of the section over the length, at least
-constexpr Real most_cells = 100.0;     // in a length: spreading then takes 7000 sub-steps in each step
-constexpr Real halo_widths = 2.0;      // lengths beside a slip surface within which soil softens
-constexpr Real half_spacing = 0.02;    // of the height, by which the outermost points fall short of it
-constexpr Real round_off = 1e-9;       // of cells of a mesh that ought to be equal
+constexpr Real resolved = 2.0;                // cells in a length
+constexpr Real part_of_height = 20.0;         // of the section over the length, at least
+constexpr Real most_cells_in_length = 100.0;  // in a length: spreading then takes 7000 sub-steps in each step
+constexpr Real halo_widths = 2.0;             // lengths beside a slip surface within which soil softens
+constexpr Real half_spacing = 0.02;           // of the height, by which the outermost points fall short of it
+constexpr Real equal_within = 1e-9;           // of cells of a mesh that ought to be equal
 
 std::string key_of(const Model& model, Index material)
 {
@@ -80,11 +80,11 @@ void check_cells_in_length(const Model& model, const std::vector<Index>& materia
   const Real cell = model.mesh->smallest_altitude;
   for (const Index m : materials) {
     const Real length = model.materials[m].softening.length;
-    if (model.materials[m].increment_row < 0 || length <= most_cells * cell) continue;
+    if (model.materials[m].increment_row < 0 || length <= most_cells_in_length * cell) continue;
     throw InputError(Problem{key_of(model, m), "the softening length spans too many cells",
         fmt::format("Got {:.4g} m; the smallest cell is {:.4g} m high. Allowed: at most {:.0f} of them, {:.4g} m.\n"
                     "Lengths are in m.",
-            length, cell, most_cells, most_cells * cell),
+            length, cell, most_cells_in_length, most_cells_in_length * cell),
         "material.softening", false, {"mesh.cell", "mesh"}});
   }
 }
@@ -92,7 +92,7 @@ void check_cells_in_length(const Model& model, const std::vector<Index>& materia
 void check_softening_lengths(const Model& model, const State& state)
 {
   for (const SofteningScale& scale : softening_scales(model, state)) {
-    if (scale.length >= scale.cell * (1.0 - round_off)) continue;
+    if (scale.length >= scale.cell * (1.0 - equal_within)) continue;
     throw InputError(Problem{key_of(model, scale.material), "the softening length is shorter than a cell",
         fmt::format(
             "Got {:.4g} m; cells with this soil measure up to {:.4g} m (square root of the area): nothing would "
@@ -108,7 +108,7 @@ void find_odd_softening_lengths(const Model& model, const State& state, std::vec
   const std::vector<SofteningScale> scales = softening_scales(model, state);
   for (const SofteningScale& scale : scales) {
     const auto is_like = [&](const SofteningScale& other) {
-      return other.length == scale.length && std::abs(other.width - scale.width) <= round_off * scale.width;
+      return other.length == scale.length && std::abs(other.width - scale.width) <= equal_within * scale.width;
     };
     if (std::ranges::any_of(said, is_like)) continue;
     said.push_back(scale);
@@ -116,7 +116,7 @@ void find_odd_softening_lengths(const Model& model, const State& state, std::vec
     for (const SofteningScale& other : scales)
       if (is_like(other))
         soils += fmt::format("{}`{}`", soils.empty() ? "" : ", ", model.materials[other.material].name);
-    const bool is_short = scale.length < resolved * scale.width * (1.0 - round_off);
+    const bool is_short = scale.length < resolved * scale.width * (1.0 - equal_within);
     const bool is_long = scale.height > 0.0 && scale.length > scale.height / part_of_height * (1.0 + half_spacing);
     const Real longest = scale.height / part_of_height;
     const std::string got = fmt::format("Got {:.4g} m for {}; ", scale.length, soils);

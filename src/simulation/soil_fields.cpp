@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/interpolate.hpp"
+#include "base/nan.hpp"
 #include "simulation/overburden.hpp"
 #include "water/water_pressure.hpp"
 
@@ -10,8 +11,6 @@
 
 namespace terp {
 namespace {
-
-constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 
 /// Effective vertical stress at a place in the water of that name [Pa].
 Real effective_stress(const PlaceInSoil& at, const std::string& water)
@@ -29,7 +28,7 @@ FieldValue by_depth(std::vector<Vec<2>> line)
   return [line = std::move(line)](const PlaceInSoil& at) {
     TERP_ASSERT(at.ground != nullptr);
     const std::optional<Real> ground = at.ground->ground(at.x[0]);
-    return ground ? interpolate(line, *ground - at.x[1]) : none;
+    return ground ? interpolate(line, *ground - at.x[1]) : nan;
   };
 }
 
@@ -72,7 +71,7 @@ FieldValue within(Range range, FieldValue value)
 {
   return [range, value = std::move(value)](const PlaceInSoil& at) {
     const Real found = value(at);
-    return range.contains(found) ? found : none;
+    return range.contains(found) ? found : nan;
   };
 }
 

@@ -1,5 +1,6 @@
 #include "simulation/strength_profile.hpp"
 
+#include "base/nan.hpp"
 #include "simulation/overburden.hpp"
 #include "simulation/point_parameters.hpp"
 #include "simulation/stages.hpp"
@@ -12,7 +13,6 @@ namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
-constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 
 Vec<2> place_of(const PointBlock<2>& block, Index lane)
 {
@@ -47,8 +47,8 @@ ProfileRow row_of(const Model& model, const Overburden& above, const PointBlock<
   const WaterSituation& water = model.description.water.start;
   const std::optional<Real> ground = above.is_known() ? above.ground(x[0]) : std::nullopt;
   ProfileRow row{.x = x,
-      .depth = ground ? *ground - x[1] : none,
-      .stress = above.is_known() ? above.effective(x, water) : none,
+      .depth = ground ? *ground - x[1] : nan,
+      .stress = above.is_known() ? above.effective(x, water) : nan,
       .pore = above.pore_pressure(x, water),
       .shear = material.law->moduli(material.view(block, lane)).shear,
       .material = material.name,

@@ -11,9 +11,9 @@
 namespace terp {
 namespace {
 
-using OfLevel = EventEstimate LevelEstimate::*;
+using EventOfLevel = EventEstimate LevelEstimate::*;
 
-void add_curve(const FragilityCurve& curve, const char* name, OfLevel event, std::size_t style, LineChart& chart)
+void add_curve(const FragilityCurve& curve, const char* name, EventOfLevel event, std::size_t style, LineChart& chart)
 {
   ChartLine p{.name = name, .points = {}, .style = style, .dashes = 0, .marks = true},
       low{.name = fmt::format("{}, bounds", name), .points = {}, .style = style, .dashes = 2, .marks = false},

@@ -18,7 +18,7 @@ namespace terp {
 namespace {
 
 constexpr int most_losses = 2;  // of one realisation: a soil that ends its process must not end all of them
-constexpr int wait_ms = 200;
+constexpr int longest_wait_ms = 200;
 constexpr auto longest_alone = std::chrono::seconds(60);
 
 /// 128 bits that nobody guesses: other users of the machine may reach the port.
@@ -71,7 +71,7 @@ void RankServer::solve(const RankWork& work)
   while (!work.is_stopped()) {
     const bool has_more = hand_out(work);
     if (!has_more && n_under_way_ == 0) break;
-    for (const LineServer::Event& event : server_.wait(wait_ms)) take(work, event);
+    for (const LineServer::Event& event : server_.wait(longest_wait_ms)) take(work, event);
     check_that_somebody_works();
   }
   refuse_given_up();

@@ -17,8 +17,7 @@ using Esm = void (*)(int* npt, int* noel, int* idset, double* stress, double* eu
     double* dstran, int* nstatev, double* statev, int* naddvar, double* additionalvar, char* cmname, int* nprops,
     double* props, int* numberofphases, int* ntens, std::size_t length_of_cmname);
 
-constexpr int n_tens = 4, most_tens = 6, n_additional = 12;
-constexpr std::size_t name_length = 80;
+constexpr int n_additional = 12;
 constexpr Real not_known = std::numeric_limits<Real>::quiet_NaN();
 
 class EsmCalls final : public LawCalls {

@@ -11,6 +11,9 @@
 
 namespace terp {
 
+inline constexpr int n_tens = 4, most_tens = 6;  ///< stresses that a law takes: of plane strain, of all
+inline constexpr std::size_t name_length = 80;   ///< letters of the name of a material
+
 class FencedArrays {
   static constexpr std::size_t fence = 128;                     // more than the numbers of state that a case may give
   static constexpr std::uint64_t mark = 0x7ff8'5465'7270'4c61;  // as a double: not a number

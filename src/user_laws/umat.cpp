@@ -25,8 +25,6 @@ using Umat = void (*)(double* stress, double* statev, double* ddsdde, double* ss
     double* dfgrd0, double* dfgrd1, int* noel, int* npt, int* layer, int* kspt, int* jstep, int* kinc,
     std::size_t length_of_cmname);
 
-constexpr int n_tens = 4, most_tens = 6;
-constexpr std::size_t name_length = 80;
 constexpr Real not_given = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real least_cut = 0.1;  // of a part by one answer
 

@@ -5,18 +5,16 @@
 #include "verification/judge.hpp"
 
 #include "base/convergence.hpp"
+#include "base/nan.hpp"
 #include "input/case_file.hpp"
 #include "verification/scope.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace terp {
 namespace {
-
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
 std::string number(Real value, const std::string& unit)
 {

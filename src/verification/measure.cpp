@@ -3,6 +3,7 @@
 
 #include "verification/measure.hpp"
 
+#include "base/nan.hpp"
 #include "input/case_file.hpp"
 #include "verification/frame_table.hpp"
 #include "verification/series.hpp"
@@ -16,7 +17,7 @@
 namespace terp {
 namespace {
 
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN(), infinity = std::numeric_limits<Real>::infinity();
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
 /// From numbers of summary.json and the last softened share, or from those measured before it in the same run.
 class NumberMeasure : public Measure {

@@ -1,14 +1,13 @@
 #include "verification/series.hpp"
 
+#include "base/nan.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace terp {
 namespace {
-
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
 Real time_of_value(const Series& s, std::size_t k, Real value, Real a, Real b)
 {

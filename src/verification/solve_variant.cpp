@@ -5,6 +5,7 @@
 #include "verification/solve_variant.hpp"
 
 #include "base/errors.hpp"
+#include "base/nan.hpp"
 #include "followers/followers.hpp"
 #include "simulation/simulation.hpp"
 #include "stability/factor_of_safety.hpp"
@@ -18,8 +19,6 @@
 
 namespace terp {
 namespace {
-
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
 CaseFile read_solved_case(const Solve& solve)
 {

@@ -2,7 +2,7 @@
 #include "dstability/archives.hpp"
 #include "support/process.hpp"
 
-namespace {
+namespace assess_doubt_test {
 
 /// The sample with points of its embankment outside of the section.
 std::string write_doubtful(const ScratchFolder& scratch)
@@ -27,4 +27,4 @@ TEST(AssessDoubt, OfTheImportIsKeptWithTheSection)
   EXPECT_THAT(record["notes"][0], StartsWith("The file has a point of its embankment at x = -1000.00 m, outside of"));
 }
 
-}  // namespace
+}  // namespace assess_doubt_test

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-namespace {
+namespace assess_test {
 
 namespace fs = std::filesystem;
 
@@ -303,4 +303,4 @@ TEST(Assess, AReportInAnotherLanguageIsMadeAnew)
   EXPECT_THAT(test::terp(assess_command(folder, {example}, {"--language", "nl"})).out, HasSubstr("kept"));
 }
 
-}  // namespace
+}  // namespace assess_test

@@ -2,7 +2,7 @@
 #include "app/coarse_column.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace check_test {
 
 TEST(Check, TellsWhatWouldRun)
 {
@@ -156,4 +156,4 @@ TEST(Check, PointsAtTheChangeThatSetUpCannotUse)
           "error: --set mesh.polygon=[[0, 0], [3, 0], [3, 2], [2, 3], [0, 2]]: the body lies outside the mesh\n"));
 }
 
-}  // namespace
+}  // namespace check_test

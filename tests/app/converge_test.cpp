@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace converge_test {
 
 namespace fs = std::filesystem;
 
@@ -308,4 +308,4 @@ TEST(Converge, RefusesAFolderThatHoldsSomethingElse)
                                                             "  Choose another: -o DIR\n");
 }
 
-}  // namespace
+}  // namespace converge_test

@@ -2,7 +2,7 @@
 #include "support/process.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace import_folder_test {
 
 const std::string tutorial = source_path("tests/dstability/samples/tutorial-2023.stix");
 
@@ -156,4 +156,4 @@ TEST(ImportFolder, PrintsTheTableOfDefaults)
   EXPECT_THAT(test::terp({"import", "--soil-defaults-table"}).out, HasSubstr("\npeat,peat veen,10.8,50,"));
 }
 
-}  // namespace
+}  // namespace import_folder_test

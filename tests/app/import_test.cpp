@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace import_test {
 
 const std::string samples = source_path("tests/dstability/samples/");
 
@@ -62,4 +62,4 @@ TEST(Import, RefusesABadFileWithStatus2)
   EXPECT_EQ(test::terp({"import", samples + "SOURCES.md"}).status, 2);
 }
 
-}  // namespace
+}  // namespace import_test

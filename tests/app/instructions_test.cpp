@@ -7,7 +7,7 @@
 #include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace instructions_test {
 
 bool offered(std::string_view name)
 {
@@ -112,4 +112,4 @@ TEST(Instructions, AWordThatIsNoneIsBadInputWhateverTheCommand)
   EXPECT_EQ(test::terp({"--help"}).status, 0);
 }
 
-}  // namespace
+}  // namespace instructions_test

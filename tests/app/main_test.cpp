@@ -5,7 +5,7 @@
 #include "support/process.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace main_test {
 
 std::size_t longest_line(const std::string& text)
 {
@@ -161,4 +161,4 @@ TEST(List, NamesEverySchemeMaterialAndOutput)
     EXPECT_THAT(f.out, HasSubstr(name));
 }
 
-}  // namespace
+}  // namespace main_test

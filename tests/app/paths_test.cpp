@@ -2,7 +2,7 @@
 #include "app/coarse_column.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace paths_test {
 
 namespace fs = std::filesystem;
 
@@ -164,4 +164,4 @@ TEST(Paths, GmshIsCalledWithoutAShell)
   EXPECT_THAT(place.written(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace paths_test

@@ -6,7 +6,7 @@
 #include <poll.h>
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace report_test {
 
 /// Two short runs of the column, made once.
 struct Runs {
@@ -176,4 +176,4 @@ TEST(Watch, OfAFolderThatIsNoRunSaysSo)
       missing.err, StartsWith("error: no/such: no such run folder\n  Give the folder that `terp run` writes to"));
 }
 
-}  // namespace
+}  // namespace report_test

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
 
-namespace {
+namespace resume_test {
 
 const std::string last_checkpoint = "/checkpoint_000000066.h5";
 
@@ -278,4 +278,4 @@ TEST(Resume, SaysFirstThatAnotherTerpIsWriting)
   EXPECT_EQ(test::terp({"resume", folder}).err, refused);
 }
 
-}  // namespace
+}  // namespace resume_test

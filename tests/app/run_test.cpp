@@ -13,7 +13,7 @@
 /// For the leak sanitizer: HDF5 1.10 itself loses memory.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
 
-namespace {
+namespace run_test {
 
 const std::string last_checkpoint = "/checkpoint_000000066.h5";
 
@@ -337,4 +337,4 @@ TEST(Run, EqualRunsLeaveEqualFilesButForTheSummary)
   EXPECT_THAT(frames_of(one), SizeIs(testing::Gt(3)));
 }
 
-}  // namespace
+}  // namespace run_test

@@ -4,7 +4,7 @@
 #include "points/polygon.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace section_export_test {
 
 TEST(SectionExport, DrawsTheGroundAndTheOutlinesOfARun)
 {
@@ -26,4 +26,4 @@ TEST(SectionExport, DrawsTheGroundAndTheOutlinesOfARun)
   EXPECT_THAT(text_of(csv), StartsWith("x,start,end\n"));
 }
 
-}  // namespace
+}  // namespace section_export_test

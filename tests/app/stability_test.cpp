@@ -3,7 +3,7 @@
 #include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace stability_test {
 
 const std::string cut = source_path("cases/verification/vertical_cut/case.toml");
 
@@ -44,4 +44,4 @@ TEST(Stability, TakesDifferentSizesOfCells)
   EXPECT_EQ(f.err, "error: --cells: the size 1 m is given twice\n  Give each size once.\n");
 }
 
-}  // namespace
+}  // namespace stability_test

@@ -4,7 +4,7 @@
 #include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace stages_test {
 
 const std::string soil = R"([mesh]
 size = [4.0, 2.0]
@@ -232,4 +232,4 @@ TEST(ARunWithAVerdict, WarnsOfDamagedGroundJustAboveTheWater)
   EXPECT_THAT(solved("far", "1.3").err, testing::Not(HasSubstr("only")));
 }
 
-}  // namespace
+}  // namespace stages_test

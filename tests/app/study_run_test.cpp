@@ -9,7 +9,7 @@
 #include <csignal>
 #include <thread>
 
-namespace {
+namespace study_run_test {
 
 constexpr int n_ranks = 4;
 
@@ -183,4 +183,4 @@ TEST(StudyRun, AWrongStudyIsRefusedOnce)
   for (int rank = 1; rank < n_ranks; ++rank) EXPECT_EQ(all[static_cast<std::size_t>(rank)].err, "") << rank;
 }
 
-}  // namespace
+}  // namespace study_run_test

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-namespace {
+namespace study_test {
 
 TEST(StudyCommand, ChecksRunsAndReports)
 {
@@ -182,4 +182,4 @@ TEST(StudyCommand, RefusesWrongWords)
   EXPECT_THAT(test::terp({"study", "status", study}, folder.path()).out, HasSubstr("0 realisations"));
 }
 
-}  // namespace
+}  // namespace study_test

@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace {
+namespace trouble_test {
 
 namespace fs = std::filesystem;
 
@@ -245,4 +245,4 @@ TEST(Trouble, WhatAKillLeavesUnderTemporaryNamesIsRemovedByResume)
     for (const std::string& name : names_in(in)) EXPECT_FALSE(name.ends_with(".tmp")) << name;
 }
 
-}  // namespace
+}  // namespace trouble_test

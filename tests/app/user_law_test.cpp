@@ -3,7 +3,7 @@
 #include "support/process.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace user_law_test {
 
 /// A case with wrong_umat.c beside it. kind, time: what its law does wrong, from when [s].
 class UserLawProgram : public testing::Test {
@@ -181,4 +181,4 @@ TEST_F(UserLawProgram, IsNotJudgedForItsFactorOfSafety)
   EXPECT_THAT(judged.err, HasSubstr("Terp cannot know which of the library's parameters are strengths"));
 }
 
-}  // namespace
+}  // namespace user_law_test

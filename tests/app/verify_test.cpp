@@ -3,7 +3,7 @@
 #include "verification/ledger_samples.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace verify_test {
 
 /// Cases in a folder of their own; the block of flying_case moves by 2 m/s for 0.5 s.
 struct Ledger {
@@ -145,4 +145,4 @@ TEST(Verify, ListsWithoutSolvingAndChoosesByNameAndLength)
   EXPECT_EQ(ledger.verify({"--short", "--long"}).status, 2);
 }
 
-}  // namespace
+}  // namespace verify_test

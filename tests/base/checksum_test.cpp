@@ -3,7 +3,7 @@
 #include "support/test.hpp"
 #include <string_view>
 
-namespace {
+namespace checksum_test {
 
 std::uint64_t hash_of(std::string_view text)
 {
@@ -20,4 +20,4 @@ TEST(Checksum, IsTheFnv1aOfTheStandard)
   EXPECT_EQ(Fnv1a().digits(), "cbf29ce484222325");
 }
 
-}  // namespace
+}  // namespace checksum_test

@@ -1,7 +1,7 @@
 #include "base/closest.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace closest_test {
 
 TEST(Closest, CountsASwapOfNeighboursAsOneEdit)
 {
@@ -30,4 +30,4 @@ TEST(Closest, SaysNothingWhenNothingIsNear)
   EXPECT_EQ(closest("foo", {"box"}), "");
 }
 
-}  // namespace
+}  // namespace closest_test

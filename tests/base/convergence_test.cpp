@@ -2,7 +2,7 @@
 #include "base/convergence.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace convergence_test {
 
 TEST(Convergence, OrdersFromErrorsAndFromDifferences)
 {
@@ -105,4 +105,4 @@ TEST(Convergence, IsNoNumberWhereNothingConverges)
   EXPECT_TRUE(std::isnan(extrapolate({0.25, 0.5, 1.0}, {1.0, 0.9, 1.4}).value));  // it swings
 }
 
-}  // namespace
+}  // namespace convergence_test

@@ -2,7 +2,7 @@
 #include "base/errors.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace errors_test {
 
 TEST(InputError, NamesItsFirstProblemAndKeepsThemAll)
 {
@@ -23,4 +23,4 @@ TEST(FailAssert, EndsTheProgramAndAsksForAReport)
       "terp: internal error at points.cpp:42: n > 0 does not hold. Please report it.");
 }
 
-}  // namespace
+}  // namespace errors_test

@@ -3,7 +3,7 @@
 
 #include "support/test.hpp"
 
-namespace {
+namespace philox_test {
 
 TEST(Philox, GivesTheKnownAnswers)
 {
@@ -31,4 +31,4 @@ TEST(Philox, UniformNumbersLieStrictlyBetweenZeroAndOne)
   EXPECT_NEAR(squares / n, 1.0 / 3.0, 4.0 * std::sqrt(4.0 / 45.0 / n));
 }
 
-}  // namespace
+}  // namespace philox_test

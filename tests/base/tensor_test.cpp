@@ -3,7 +3,7 @@
 #include "parallel/pack.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace tensor_test {
 
 TEST(SymTensor, TraceAddsTheThreeDirectComponents)
 {
@@ -45,4 +45,4 @@ TEST(SymTensor, ElasticStressIsTheSameInAPackAndAlone)
     for (int lane = 0; lane < pack_width; ++lane) EXPECT_EQ(eight[k][lane], one[k]);
 }
 
-}  // namespace
+}  // namespace tensor_test

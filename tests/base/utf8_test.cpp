@@ -2,7 +2,7 @@
 #include "base/utf8.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace utf8_test {
 
 TEST(Utf8, PutsASignForEachByteThatIsNone)
 {
@@ -26,4 +26,4 @@ TEST(Utf8, WritesANumberAsACharacter)
   EXPECT_EQ(utf8_of(0x20AC), "\xE2\x82\xAC");
 }
 
-}  // namespace
+}  // namespace utf8_test

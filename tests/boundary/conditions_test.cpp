@@ -5,7 +5,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace conditions_test {
 
 constexpr Real mass = 30.0, dt = 0.002;
 
@@ -458,4 +458,4 @@ TEST(Boundary, RefusesAThirdSideAtANode)
       "boundary.base left: a node lies on more than two sides with conditions");
 }
 
-}  // namespace
+}  // namespace conditions_test

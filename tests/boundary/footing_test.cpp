@@ -2,7 +2,7 @@
 #include "boundary/footing.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace footing_test {
 
 Footing footing()
 {
@@ -79,4 +79,4 @@ TEST(PlacedFooting, SmoothTakesTheComponentAlongItsMotion)
   EXPECT_THAT(placed.free_part({5.0, 7.0}), ElementsAre(DoubleNear(0.8 * 8.2, 1e-12), DoubleNear(0.6 * 8.2, 1e-12)));
 }
 
-}  // namespace
+}  // namespace footing_test

@@ -2,7 +2,7 @@
 #include "boundary/load.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace load_test {
 
 constexpr Real never = std::numeric_limits<Real>::infinity();
 
@@ -42,4 +42,4 @@ TEST(Load, BeginsWithTheStepThatHoldsItsStart)
   EXPECT_EQ(traffic(0.35, never, 0.0).first_step(0.1), 3);
 }
 
-}  // namespace
+}  // namespace load_test

@@ -2,7 +2,7 @@
 #include "boundary/side_kind.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace side_kind_test {
 
 TEST(SideKinds, StandInTheOrderOfTheirWordsAndAreWhole)
 {
@@ -71,4 +71,4 @@ TEST(SideKinds, ADrivenSideHasAVelocityOrAFormulaOfOne)
   EXPECT_EQ(describe(side), "velocity by a formula");
 }
 
-}  // namespace
+}  // namespace side_kind_test

@@ -4,7 +4,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace clean_regions_test {
 
 Polygon box(Real x, Real y, Real width, Real height)
 {
@@ -287,4 +287,4 @@ TEST(CleanRegions, SimplifyALaserScanWithinTheTolerance)
   EXPECT_EQ(section.regions[0].polygon[0][0] * 0.0, 0.0);
 }
 
-}  // namespace
+}  // namespace clean_regions_test

@@ -2,7 +2,7 @@
 #include "drawing/code_pages.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace code_pages_test {
 
 char16_t letter(std::string_view page, unsigned byte) { return letters_of_code_page(page)[byte - 0x80]; }
 
@@ -25,4 +25,4 @@ TEST(CodePages, AreKnownInWhateverLettersTheirNamesAre)
   EXPECT_TRUE(letters_of_code_page("ANSI_932").empty());
 }
 
-}  // namespace
+}  // namespace code_pages_test

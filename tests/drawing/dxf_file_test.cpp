@@ -3,7 +3,7 @@
 #include "base/errors.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace dxf_file_test {
 
 std::string drawing(const std::string& entities, const std::string& header = "")
 {
@@ -195,4 +195,4 @@ TEST(Dxf, NamesAFileThatIsNotThere)
   EXPECT_THAT(refusal<FileError>([] { read_dxf("/no/such.dxf"); }), HasSubstr("cannot read /no/such.dxf"));
 }
 
-}  // namespace
+}  // namespace dxf_file_test

@@ -2,7 +2,7 @@
 #include "drawing/dxf_letters.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace dxf_letters_test {
 
 TEST(DxfLetters, OfUtf8Stay) { EXPECT_EQ(dxf_letters("kle\xC3\xAF", "ANSI_1252"), "kle\xC3\xAF"); }
 
@@ -21,4 +21,4 @@ TEST(DxfLetters, MayBeEscaped)
   EXPECT_EQ(dxf_letters("\\U+D800 \\U+12", ""), "\\U+D800 \\U+12");
 }
 
-}  // namespace
+}  // namespace dxf_letters_test

@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-namespace {
+namespace dxf_regions_test {
 
 TEST(DxfRegions, AreTheClosedPolylines)
 {
@@ -65,4 +65,4 @@ TEST(DxfRegions, OfThousandsOfLinesTakeMilliseconds)
   EXPECT_LT(took.count(), 2.0);  // 0.05 s on an idle core
 }
 
-}  // namespace
+}  // namespace dxf_regions_test

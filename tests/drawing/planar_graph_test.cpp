@@ -2,7 +2,7 @@
 #include "drawing/planar_graph.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace planar_graph_test {
 
 std::vector<Real> face_areas(const PlanarGraph& graph)
 {
@@ -58,4 +58,4 @@ TEST(PlanarGraph, ForgetsASpikeOfAnOutline)
   EXPECT_THAT(face_areas(graph), ElementsAre(DoubleNear(16.0, 1e-13)));
 }
 
-}  // namespace
+}  // namespace planar_graph_test

@@ -2,7 +2,7 @@
 #include "drawing/point_section.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace point_section_test {
 
 struct PointSet {
   std::vector<Vec<2>> places;
@@ -69,4 +69,4 @@ TEST(PointSection, DoesNotSeeASinglePointInTheAirAsAnOutline)
   EXPECT_TRUE(section_of_points({}, {}, {}).ground.empty());
 }
 
-}  // namespace
+}  // namespace point_section_test

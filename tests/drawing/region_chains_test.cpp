@@ -2,7 +2,7 @@
 #include "drawing/region_chains.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace region_chains_test {
 
 /// Two layers, 10 m wide; between them a boundary with the given corners.
 ChainMap two_layers(const Polygon& boundary)
@@ -109,4 +109,4 @@ TEST(Chains, SeeLinesThatCrossOrTouch)
   EXPECT_TRUE(lines_are_apart({places, {line(0, 4), line(2, 4)}, {}}));
 }
 
-}  // namespace
+}  // namespace region_chains_test

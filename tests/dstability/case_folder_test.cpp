@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace {
+namespace case_folder_test {
 
 const std::vector<SoilKind>& kinds()
 {
@@ -388,4 +388,4 @@ TEST(CaseFolder, HasNoFloodWhereTheRiverIsNarrowerThanACell)
   EXPECT_THAT(text_of(1.0).front().second, HasSubstr("[flood]"));
 }
 
-}  // namespace
+}  // namespace case_folder_test

@@ -3,7 +3,7 @@
 #include "input/printable.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace case_text_test {
 
 TEST(SectionTextOf, NumbersAreShortAndExactEnough)
 {
@@ -80,4 +80,4 @@ TEST(CaseText, WrapsBetweenLettersAndLosesNone)
   EXPECT_EQ(together, name);
 }
 
-}  // namespace
+}  // namespace case_text_test

@@ -4,7 +4,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace drawing_folder_test {
 
 const std::vector<SoilKind>& kinds()
 {
@@ -65,4 +65,4 @@ TEST(DrawingFolder, ListsRegionsWithTheirAreas)
       AllOf(ContainsRegex("klei +105\\.500 "), ContainsRegex("all +185\\.500"), HasSubstr("A note.\n")));
 }
 
-}  // namespace
+}  // namespace drawing_folder_test

@@ -2,7 +2,7 @@
 #include "dstability/folder_report.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace folder_report_test {
 
 TEST(FolderReport, AddsTheWeightsAndSaysWhereThereIsNothing)
 {
@@ -16,4 +16,4 @@ TEST(FolderReport, AddsTheWeightsAndSaysWhereThereIsNothing)
   EXPECT_THAT(text, HasSubstr("## Not in any file of this kind\n\n- Softening: "));
 }
 
-}  // namespace
+}  // namespace folder_report_test

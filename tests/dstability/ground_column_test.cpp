@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace {
+namespace ground_column_test {
 
 TEST(GroundColumn, GivesTheLayersFromTheTopDown)
 {
@@ -91,4 +91,4 @@ TEST(GroundColumn, FindsTheNearestBandInAGapAndNoneAboveTheGround)
   EXPECT_EQ(band_at(bands, -99.0)->layer, 1U);
 }
 
-}  // namespace
+}  // namespace ground_column_test

@@ -5,7 +5,7 @@
 #include "input/case_file.hpp"
 #include "sections.hpp"
 
-namespace {
+namespace import_doubts_test {
 
 CaseFolder folder_of(const StixProject& project)
 {
@@ -177,4 +177,4 @@ TEST(ImportDoubts, StandInTheCaseAndAreRepeatedByWhatReadsIt)
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120u) << line;
 }
 
-}  // namespace
+}  // namespace import_doubts_test

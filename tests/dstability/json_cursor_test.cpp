@@ -3,7 +3,7 @@
 
 #include "support/test.hpp"
 
-namespace {
+namespace json_cursor_test {
 
 struct Read {
   JsonNode tree;
@@ -84,4 +84,4 @@ TEST(JsonCursor, TellsOnceOfAKeyThatNobodyAskedFor)
   EXPECT_EQ(remarks[0].what, "This key is not known to Terp and was not used (2 times).");
 }
 
-}  // namespace
+}  // namespace json_cursor_test

@@ -4,7 +4,7 @@
 #include "base/errors.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace json_tree_test {
 
 std::string refusal_of(const std::string& text)
 {
@@ -56,4 +56,4 @@ TEST(JsonTree, RefusesTwoMeaningsAndShapesThatTakeAllMemory)
   EXPECT_THAT(refusal_of(wide + "}"), HasSubstr("has an object with too many keys\n  At most 1000."));
 }
 
-}  // namespace
+}  // namespace json_tree_test

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace listing_json_test {
 
 TEST(ListingJson, IsTheSameForAProgram)
 {
@@ -20,4 +20,4 @@ TEST(ListingJson, IsTheSameForAProgram)
   EXPECT_EQ(json["remarks"][0]["what"], "A remark.");
 }
 
-}  // namespace
+}  // namespace listing_json_test

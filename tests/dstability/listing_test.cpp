@@ -3,7 +3,7 @@
 
 #include "sections.hpp"
 
-namespace {
+namespace listing_test {
 
 TEST(Listing, IsATableThatAnEngineerReads)
 {
@@ -32,4 +32,4 @@ TEST(Listing, HasAWordForEveryModel)
   EXPECT_STREQ(word_of(StixStrengthModel::unknown), "unknown");
 }
 
-}  // namespace
+}  // namespace listing_test

@@ -3,7 +3,7 @@
 
 #include "sections.hpp"
 
-namespace {
+namespace load_text_test {
 
 const SectionLayout layout{.low = {0.0, -10.0}, .high = {20.0, 0.0}};
 
@@ -45,4 +45,4 @@ TEST(LoadText, BesideTheSectionIsLeftOut)
                           "Layers that count as loads without full consolidation: their excess pore pressure."));
 }
 
-}  // namespace
+}  // namespace load_text_test

@@ -4,7 +4,7 @@
 
 #include "sections.hpp"
 
-namespace {
+namespace preload_test {
 
 const CleanRegion clay{0, {{0, -6}, {20, -6}, {20, 0}, {0, 0}}, {}};
 const LayerPiece all_clay{&clay, 0};
@@ -105,4 +105,4 @@ TEST(Preload, SharesAGridBetweenLayersOfOneHistory)
   EXPECT_EQ(pop_history(section, {&left, 0}, 0.5), pop_history(section, {&right, 2}, 0.5));
 }
 
-}  // namespace
+}  // namespace preload_test

@@ -1,7 +1,7 @@
 // The members that make a stage: what is taken, turned, left out and refused.
 #include "archives.hpp"
 
-namespace {
+namespace read_parts_test {
 
 TEST(ReadParts, LeavesOutWhatHasNoPlacesAndTellsOfIt)
 {
@@ -92,4 +92,4 @@ TEST(ReadParts, TellsOfUnknownKeysAndMissingPlacesOfWhatItLeavesOut)
           HasSubstr("often sheet piles: `wall`. Left out.")));
 }
 
-}  // namespace
+}  // namespace read_parts_test

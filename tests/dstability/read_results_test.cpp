@@ -1,7 +1,7 @@
 // Stored results: what their numbers mean in each version.
 #include "archives.hpp"
 
-namespace {
+namespace read_results_test {
 
 TEST(ReadResults, TakesSuFromTheInputWhereTheOutputIsDividedByTheFactor)
 {
@@ -41,4 +41,4 @@ TEST(ReadResults, LeaveOutSlicesWithoutAFoot)
   EXPECT_THAT(remarks_of(project), ElementsAre(member + ": 1 slices have no foot. Left out."));
 }
 
-}  // namespace
+}  // namespace read_results_test

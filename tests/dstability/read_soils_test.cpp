@@ -1,7 +1,7 @@
 // Soils of both data models.
 #include "archives.hpp"
 
-namespace {
+namespace read_soils_test {
 
 StixSoil soil_of(const StixProject& project, const std::string& name)
 {
@@ -57,4 +57,4 @@ TEST(ReadSoils, RefusesAnIdTwice)
       HasSubstr("soils.json, Soils[1].Id: is there twice\n  Got " + a + ", which another soil has."));
 }
 
-}  // namespace
+}  // namespace read_soils_test

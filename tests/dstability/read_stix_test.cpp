@@ -2,7 +2,7 @@
 #include "archives.hpp"
 #include "dstability/section.hpp"
 
-namespace {
+namespace read_stix_test {
 
 TEST(ReadStix, GivesWhatAFileOfDataModel2Holds)
 {
@@ -180,4 +180,4 @@ TEST(ReadStix, SaysThatTheFolderWasZippedAsAWhole)
       refusal_of(members), HasSubstr("soils.json: is missing\n  All members lie in a folder. Zip the files in it"));
 }
 
-}  // namespace
+}  // namespace read_stix_test

@@ -3,7 +3,7 @@
 
 #include "sections.hpp"
 
-namespace {
+namespace reference_text_test {
 
 StixProject with_plane(const StixLine& plane)
 {
@@ -78,4 +78,4 @@ TEST(ReferenceText, SaysThatAPlaneIsOfAnotherSection)
       HasSubstr("(stale: of another section)"));
 }
 
-}  // namespace
+}  // namespace reference_text_test

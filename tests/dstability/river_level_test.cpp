@@ -5,7 +5,7 @@
 #include "dstability/case_folder.hpp"
 #include "river_dike.hpp"
 
-namespace {
+namespace river_level_test {
 
 /// The dike in so many stages, the first with a POP of 10 kPa.
 StixProject dike(std::size_t n_stages)
@@ -115,4 +115,4 @@ TEST(RiverLevel, NeedsARiverAndGroundThatHoldsIt)
       HasSubstr("there is no river whose level could be changed"));
 }
 
-}  // namespace
+}  // namespace river_level_test

@@ -4,7 +4,7 @@
 #include "dstability/sections.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace river_side_test {
 
 /// A dike with its crest of 4 m from x = 4 to 8 m; ground of 1 m at the left end, of 0 m at the right one.
 StixProject dike(const StixLine& phreatic, std::array<Real, 2> tops = {not_given, not_given})
@@ -115,4 +115,4 @@ TEST(RiverSide, ARiverAboveTheCrestKeepsItsLevel)
       HasSubstr("The river of this stage (4.60 m) stands above the crest (4.00 m): it floods without any slide."));
 }
 
-}  // namespace
+}  // namespace river_side_test

@@ -4,7 +4,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace section_layout_test {
 
 SectionLayout layout(const Polygon& outline, const LayoutWishes& wishes = {})
 {
@@ -143,4 +143,4 @@ TEST(PutOnTop, PutsTheInnerRegionBehindTheOuterOne)
   EXPECT_TRUE(order.bodies[0].holes.empty());  // the inner one fills it
 }
 
-}  // namespace
+}  // namespace section_layout_test

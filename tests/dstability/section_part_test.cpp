@@ -3,7 +3,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace section_part_test {
 
 /// A dike of 4 m with slopes of 1:2 and a crest from x = 100 to 104 m, on 3 m of clay and 20 m of sand, 300 m wide.
 std::vector<DrawnRegion> dike()
@@ -66,4 +66,4 @@ TEST(SectionPart, OfARegionBelowTheBaseIsEmpty)
   EXPECT_EQ(std::abs(signed_area(part[1].polygon)), 900.0);
 }
 
-}  // namespace
+}  // namespace section_part_test

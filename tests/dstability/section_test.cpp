@@ -2,7 +2,7 @@
 #include "base/errors.hpp"
 #include "sections.hpp"
 
-namespace {
+namespace section_test {
 
 const Vec<2> in_clay{10.0, -4.0};  // sigma = 15 + 3 * 16 = 63 kPa, u = 30 kPa
 
@@ -185,4 +185,4 @@ TEST(StixSection, RefusesLayersWithoutSoilOrWeight)
                                    "18000 and nan N/m3."));
 }
 
-}  // namespace
+}  // namespace section_test

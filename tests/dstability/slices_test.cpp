@@ -4,7 +4,7 @@
 #include "archives.hpp"
 #include "dstability/section.hpp"
 
-namespace {
+namespace slices_test {
 
 std::map<std::string, ResultSlices> results_of(const std::string& sample)
 {
@@ -135,4 +135,4 @@ TEST(Slices, HaveNamesInQuotesWhereTheTableNeedsThem)
   EXPECT_THAT(slices_csv({result}), HasSubstr("\n\"bishop/a,\"\"b\"\"?[31m\","));
 }
 
-}  // namespace
+}  // namespace slices_test

@@ -3,7 +3,7 @@
 #include "points/csv_rows.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace soil_defaults_test {
 
 TEST(SoilDefaults, FindTheKindInTheName)
 {
@@ -37,4 +37,4 @@ TEST(SoilDefaults, RefuseWhatNoSoilHas)
       HasSubstr("no rows below the names of the columns"));
 }
 
-}  // namespace
+}  // namespace soil_defaults_test

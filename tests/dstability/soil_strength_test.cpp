@@ -3,7 +3,7 @@
 
 #include "support/test.hpp"
 
-namespace {
+namespace soil_strength_test {
 
 TEST(SoilStrength, TakesTheFivePercentFractileOfTheLognormalDistributionAsDesignValue)
 {
@@ -61,4 +61,4 @@ TEST(SoilStrength, IsReducedByDavisWithTheDilatancy)
   EXPECT_NEAR(some.cohesion, 7e3 * 0.984808 * 0.866025 / 0.913176, 0.1);
 }
 
-}  // namespace
+}  // namespace soil_strength_test

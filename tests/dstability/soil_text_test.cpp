@@ -4,7 +4,7 @@
 #include "sections.hpp"
 #include "support/problems.hpp"
 
-namespace {
+namespace soil_text_test {
 
 const std::vector<SoilKind>& kinds()
 {
@@ -145,4 +145,4 @@ TEST(SoilText, OfADrawingIsThatOfItsKind)
   EXPECT_EQ(line->value, "{ shansep = { S = 0.25, m = 0.9, pop = \"22 kPa\", minimum = \"2 kPa\" } }");
 }
 
-}  // namespace
+}  // namespace soil_text_test

@@ -2,7 +2,7 @@
 #include "dstability/stage_text.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace stage_text_test {
 
 std::string lines_of(const CaseTableText& table)
 {
@@ -65,4 +65,4 @@ TEST(StageText, ATriggerIsTheLastStage)
   EXPECT_THAT(lines_of(water[1]), HasSubstr("trigger = true; water = \"raised_water\"; ramp = 10.0; until"));
 }
 
-}  // namespace
+}  // namespace stage_text_test

@@ -9,7 +9,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace trigger_test {
 
 StixProject dike() { return project_of({river_dike()}); }
 
@@ -192,4 +192,4 @@ TEST(Trigger, OfWaterNeedsARiverBelowTheCrest)
   EXPECT_THAT(text, HasSubstr("water_level = 3.9"));
 }
 
-}  // namespace
+}  // namespace trigger_test

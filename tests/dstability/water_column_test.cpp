@@ -1,7 +1,7 @@
 // Pressures of lines and meshes by hand.
 #include "sections.hpp"
 
-namespace {
+namespace water_column_test {
 
 /// Water of 10 kN/m3: phreatic line at 2 m, an aquifer below z = -8 m with its head at 5 m.
 StixWater aquifer()
@@ -112,4 +112,4 @@ TEST(WaterColumn, HasNoSuctionInAMesh)
   EXPECT_NEAR(column.pressure(-1.5), 10e3, 1e-9);
 }
 
-}  // namespace
+}  // namespace water_column_test

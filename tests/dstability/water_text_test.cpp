@@ -3,7 +3,7 @@
 
 #include "sections.hpp"
 
-namespace {
+namespace water_text_test {
 
 SectionLayout layout()
 {
@@ -91,4 +91,4 @@ TEST(WaterText, OfADryStageIsEmptyAndBelowTheSectionBesideOthers)
   EXPECT_TRUE(water_below(layout()).phreatic.empty());
 }
 
-}  // namespace
+}  // namespace water_text_test

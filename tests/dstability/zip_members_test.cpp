@@ -3,7 +3,7 @@
 
 #include "archives.hpp"
 
-namespace {
+namespace zip_members_test {
 
 std::string refusal_of_all(const std::string& bytes, ZipLimits limits = {})
 {
@@ -58,4 +58,4 @@ TEST(ZipMembers, RefuseBombs)
   EXPECT_THAT(refusal_of_all(zip_of(two), {.members = 1}), HasSubstr("has too many members\n  2, at most 1."));
 }
 
-}  // namespace
+}  // namespace zip_members_test

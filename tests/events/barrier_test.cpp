@@ -4,7 +4,7 @@
 #include "support/blocks.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace barrier_test {
 
 constexpr Real size = 0.5;  // of a cell [m]
 constexpr int n_x = 40, n_y = 12;
@@ -212,4 +212,4 @@ TEST(Barrier, OnSlantingCellsIsThatOfTheSameDrawing)
   EXPECT_NEAR(find_barrier(ground, {0, 20}).width, 5.0, 1e-9);
 }
 
-}  // namespace
+}  // namespace barrier_test

@@ -4,7 +4,7 @@
 #include "support/blocks.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace crest_test {
 
 /// A flat surface of columns of 0.1 m over 8 m, 2 m high: a slide is a retreat of 0.5 m.
 CrestHistory column_history()
@@ -359,4 +359,4 @@ TEST(Slides, OfAMirroredCrestAreMirrored)
   }
 }
 
-}  // namespace
+}  // namespace crest_test

@@ -4,7 +4,7 @@
 #include "support/blocks.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace moved_test {
 
 TEST(MovedVolume, IsThatOfThePointsFartherThanTheDistance)
 {
@@ -58,4 +58,4 @@ TEST(Reach, IsThatOfSoilThatCameThatWay)
   EXPECT_EQ(join(none, moved).volume, 13.0);
 }
 
-}  // namespace
+}  // namespace moved_test

@@ -2,7 +2,7 @@
 #include "events/section.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace section_test {
 
 constexpr Real none = -INFINITY;
 
@@ -145,4 +145,4 @@ TEST(Section, TheMirrorImageOfASlopingPlateauIsMirrored)
   EXPECT_EQ(b.height, a.height);
 }
 
-}  // namespace
+}  // namespace section_test

@@ -5,7 +5,7 @@
 #include "support/test.hpp"
 #include <functional>
 
-namespace {
+namespace slip_surface_test {
 
 /// A block 8 m wide and 2 m high of cells of 0.25 m with one point each, whose strain grew by f(x).
 struct Soil {
@@ -102,4 +102,4 @@ TEST(SlipSurface, OfABandThatAlternatesFromCellToCellIsStraightOverTheNodes)
   EXPECT_NEAR(after, 0.0, 1e-9);
 }
 
-}  // namespace
+}  // namespace slip_surface_test

@@ -4,7 +4,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace surface_test {
 
 const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {4, 2});
 
@@ -69,4 +69,4 @@ TEST(Surface, IsThatOfAllPointsInWhateverOrderTheirCellsCome)
   }
 }
 
-}  // namespace
+}  // namespace surface_test

@@ -3,7 +3,7 @@
 #include "support/blocks.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace top_points_test {
 
 /// Points at given places, all of one cell that holds them.
 PointBlocks<2> points_at(const Mesh<2>& mesh, const std::vector<Vec<2>>& places, Real size)
@@ -86,4 +86,4 @@ TEST(TopPoints, AreSortedAndWithinTheStretch)
   EXPECT_TRUE(find_top_points(points, 9.0, 9.5).empty());
 }
 
-}  // namespace
+}  // namespace top_points_test

@@ -10,7 +10,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace flood_test {
 
 /// What slid: all to the right of a line that falls from (x, 5 m) at 45 degrees, by so much to the right and down.
 Vec<2> slide_right(Vec<2> p, Real x, Real along, Real down)
@@ -469,4 +469,4 @@ TEST(Flood, ARunThatResumesRemembers)
   EXPECT_EQ(flood_clause(other.flood()), flood_clause(s.flood()));
 }
 
-}  // namespace
+}  // namespace flood_test

@@ -2,7 +2,7 @@
 #include "followers/flood_dike.hpp"
 #include "support/stages.hpp"
 
-namespace {
+namespace flood_trigger_test {
 
 /// The dike with a stage that changes nothing, one of weaker soil, and one with a higher river.
 Case triggered_dike()
@@ -136,4 +136,4 @@ TEST(Flood, OfDividedStrengthsWithoutStagesIsUnderATrigger)
   EXPECT_EQ(trigger_words({.stage = "w", .river = 3.0}), "after the river was brought to 3.00 m");
 }
 
-}  // namespace
+}  // namespace flood_trigger_test

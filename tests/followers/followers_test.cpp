@@ -11,7 +11,7 @@
 #include "support/test.hpp"
 #include <fmt/format.h>
 
-namespace {
+namespace followers_test {
 
 TEST(Followers, HaveNamesOfTheirOwnAndDescribeWhatTheyReport)
 {
@@ -94,4 +94,4 @@ TEST(Formats, HaveTheNumbersOfTheSummary)
   expect_table("summary.json", "key", quantities);
 }
 
-}  // namespace
+}  // namespace followers_test

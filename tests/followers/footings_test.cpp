@@ -9,7 +9,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace footings_test {
 
 /// What the first footing has met.
 struct Meter {
@@ -175,4 +175,4 @@ TEST(Footings, OneThatMovesOutOfWhatItHoldsIsToldOf)
                                         "front leave it at its back after 0.5 m. Make the box larger."));
 }
 
-}  // namespace
+}  // namespace footings_test

@@ -6,7 +6,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace history_audit_test {
 
 using Rows = PointRows<2>;
 
@@ -78,4 +78,4 @@ TEST(HistoryAudit, AColumnViolatesItsHistoryInMixedAndNotInGp)
   }
 }
 
-}  // namespace
+}  // namespace history_audit_test

@@ -8,7 +8,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace sides_test {
 
 /// A box that flies to the right at 10 m/s, 1 m from the side; a cell is 0.25 m, its points are 0.025 m inside its
 /// face.
@@ -94,4 +94,4 @@ TEST(ReachedSides, AreKeptInCheckpoints)
   EXPECT_EQ(summarise(s.model, back).reached_sides[0].time, summarise(s.model, s.state).reached_sides[0].time);
 }
 
-}  // namespace
+}  // namespace sides_test

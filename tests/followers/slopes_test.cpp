@@ -7,7 +7,7 @@
 #include "support/stages.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace slopes_test {
 
 /// The column for a time, with a row of the ledger every 0.02 s.
 struct Collapse : Simulation {
@@ -320,4 +320,4 @@ TEST(Slopes, APlateauThatFallsGentlySlidesFromItsEdge)
   EXPECT_NEAR(slides[1].crest_to, 28.0, 0.51);
 }
 
-}  // namespace
+}  // namespace slopes_test

@@ -6,7 +6,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace softened_soil_test {
 
 using Rows = PointRows<2>;
 
@@ -63,4 +63,4 @@ TEST(SoftenedSoil, AMaterialWithoutStrengthNeverSoftens)
   EXPECT_EQ(flags_set(s.state, "followers/history_audit/rose"), 0);
 }
 
-}  // namespace
+}  // namespace softened_soil_test

@@ -4,7 +4,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace softening_length_test {
 
 using Rows = PointRows<2>;
 
@@ -35,4 +35,4 @@ TEST(SofteningLength, IsNoNumberWithoutOne)
     EXPECT_TRUE(std::isnan(summarise(s.model, s.state).numbers.at(name))) << name;
 }
 
-}  // namespace
+}  // namespace softening_length_test

@@ -2,7 +2,7 @@
 #include "forces/damping.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace damping_test {
 
 TEST(Damping, LocalDampingTakesItsShareAgainstTheMotion)
 {
@@ -72,4 +72,4 @@ TEST(Damping, TurnsWithGravity)  // everything turned by the angle of the 3-4-5 
 
 TEST(Damping, IsOffByDefault) { EXPECT_EQ(damping_force({}, 50.0, 3.0, 2.0), 0.0); }
 
-}  // namespace
+}  // namespace damping_test

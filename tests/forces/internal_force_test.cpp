@@ -3,7 +3,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace internal_force_test {
 
 GaussValues<Quad4> random_gauss(Random& random)
 {
@@ -195,4 +195,4 @@ TEST(StrainAtGaussPoints, BBarKeepsTheDeviatorAndTakesTheTraceOfTheCentre)  // r
   }
 }
 
-}  // namespace
+}  // namespace internal_force_test

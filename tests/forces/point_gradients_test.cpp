@@ -4,7 +4,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace point_gradients_test {
 
 Mesh<2> one_cell(const std::array<Vec<2>, 4>& corners)
 {
@@ -90,4 +90,4 @@ TEST(InternalForceOfPoints, IsInEquilibriumWithItself)
   for (const auto& f : sums.internal_force) EXPECT_NEAR(f[0] + f[1] + f[2] + f[3], 0.0, 1e-9);
 }
 
-}  // namespace
+}  // namespace point_gradients_test

@@ -10,7 +10,7 @@
 #include "support/verification.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace pore_pressure_test {
 
 constexpr Index n_cells = 6;
 constexpr Real h = 0.5, a = 3.0e3, b = 500.0, c = -900.0;  // p = a + b x + c y [Pa]
@@ -130,4 +130,4 @@ TEST(PoreForceOfPoints, HaveTheSameSumOnDrainedSoil)
   EXPECT_NEAR(sum[1], -c * area, 2e-3 * std::abs(c) * area);
 }
 
-}  // namespace
+}  // namespace pore_pressure_test

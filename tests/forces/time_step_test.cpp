@@ -2,7 +2,7 @@
 #include "forces/time_step.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace time_step_test {
 
 constexpr Real bulk = 148e6 / 3.0, shear = 2e6;  // [Pa]
 
@@ -50,4 +50,4 @@ TEST(ViscousReduction, IsWhereTheDampedOscillatorOfTheShortestWaveTurnsUnstable)
   EXPECT_TRUE(grows(1.001 * limit));
 }
 
-}  // namespace
+}  // namespace time_step_test

@@ -4,7 +4,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace case_file_test {
 
 std::string error_of(const std::string& path)
 {
@@ -173,4 +173,4 @@ TEST(CaseFile, BesideAnErrorNothingIsSaidOfWhatIsNotUsed)
   EXPECT_THAT(render_warnings(without_error), HasSubstr("no reference line uses the head line `aquifr`"));
 }
 
-}  // namespace
+}  // namespace case_file_test

@@ -6,7 +6,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace case_record_test {
 
 CaseRecord record_of(const std::string& text, const std::string& folder = ".")
 {
@@ -120,4 +120,4 @@ TEST(CaseRecord, WhatMayChangeOnResume)
   EXPECT_EQ(value_in_record("", "time.end"), "");
 }
 
-}  // namespace
+}  // namespace case_record_test

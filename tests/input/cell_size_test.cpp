@@ -3,7 +3,7 @@
 #include "input/samples.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace cell_size_test {
 
 /// A case with a mesh of this kind. What else it says does not count.
 template <class Change>
@@ -88,4 +88,4 @@ TEST(CellSize, OfAMeshFileCannotBeChosen)
       "  with terp run, and set them side by side with terp compare.\n");
 }
 
-}  // namespace
+}  // namespace cell_size_test

@@ -4,7 +4,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace check_mesh_test {
 
 MeshCase mesh_of(const std::string& keys) { return read_case_text(small_case_on(keys), "case.toml").values.mesh; }
 
@@ -107,4 +107,4 @@ TEST(CheckMesh, TakesARefinementBelowItsOwnHeader)
   EXPECT_EQ(mesh.refine[0].cell, 0.1);
 }
 
-}  // namespace
+}  // namespace check_mesh_test

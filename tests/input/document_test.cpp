@@ -1,7 +1,7 @@
 #include "input/document.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace document_test {
 
 const std::string text = R"(title = "a \"b\" \\ ä"
 n = 3
@@ -155,4 +155,4 @@ TEST(Document, TheDeepestThatItTakesIsWalkedWithoutTrouble)
 
 TEST(Document, ReportsAHeaderThatStartsWithASign) { EXPECT_THROW(parse_toml("[=a]\n"), SyntaxError); }
 
-}  // namespace
+}  // namespace document_test

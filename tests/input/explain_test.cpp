@@ -5,7 +5,7 @@
 #include "schemes/scheme.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace explain_test {
 
 TEST(Explain, KnowsEveryKeyDottedAndByItsLastPart)
 {
@@ -134,4 +134,4 @@ TEST(Explain, KnowsTheQuantitiesThatARunReports)
   EXPECT_THAT(explain("parameter_su_peak"), HasSubstr("in the frames\n  parameter_su_peak\n"));
 }
 
-}  // namespace
+}  // namespace explain_test

@@ -5,7 +5,7 @@
 #include "support/test.hpp"
 #include <thread>
 
-namespace {
+namespace expression_test {
 
 std::string fault_of(const std::string& text, const std::map<std::string, Real>& constants = {})
 {
@@ -160,4 +160,4 @@ TEST(Expression, RefusesAnAssignment)
     EXPECT_EQ(Expression(text, {"x"}, {})(std::vector<Real>{1.0}), 1.0) << text;
 }
 
-}  // namespace
+}  // namespace expression_test

@@ -9,7 +9,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace field_kinds_test {
 
 /// small_case with gravity and water, and `keys` for those of the strength and the stiffness.
 std::string wet(const std::string& keys)
@@ -150,4 +150,4 @@ TEST(FieldKinds, EveryKindIsExplained)
       text, HasSubstr("  pop           [Pa] sigma'_p - sigma'_v,daily; at least 0 Pa, usual 500 to 1000000 Pa\n"));
 }
 
-}  // namespace
+}  // namespace field_kinds_test

@@ -1,7 +1,7 @@
 #include "input/key_text.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace key_text_test {
 
 TEST(KeyText, SaysRangesWithUnits)
 {
@@ -56,4 +56,4 @@ TEST(KeyText, TakesPathsApart)
   EXPECT_EQ(header_of("body[]"), "[[body]]");
 }
 
-}  // namespace
+}  // namespace key_text_test

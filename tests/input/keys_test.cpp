@@ -2,7 +2,7 @@
 #include "input/key_text.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace keys_test {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
@@ -86,4 +86,4 @@ TEST(Keys, OutputFieldsHoldTheStateOfEveryLawAndItsParametersThatMayVary)
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
 }
 
-}  // namespace
+}  // namespace keys_test

@@ -3,7 +3,7 @@
 #include "input/document.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace lifted_text_test {
 
 TEST(LiftedText, MovesLettersToPlane15AndBack)
 {
@@ -47,4 +47,4 @@ TEST(LiftedText, ALetterInABrokenDateIsRefused)
   EXPECT_THROW(parse_toml("x = \"\U000F00E9\""), SyntaxError);
 }
 
-}  // namespace
+}  // namespace lifted_text_test

@@ -2,7 +2,7 @@
 #include "input/keys.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mesh_kinds_test {
 
 MeshKind kind_of(const std::string& keys) { return mesh_kind_of(parse_toml(keys)).kind; }
 
@@ -54,4 +54,4 @@ TEST(MeshKinds, KnowTheNamesOfTheirSides)
   EXPECT_FALSE(sides("file = \"a.msh\"").has_value());
 }
 
-}  // namespace
+}  // namespace mesh_kinds_test

@@ -3,7 +3,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace other_files_test {
 
 TEST(OtherFiles, AreLookedForBesideTheCaseFile)
 {
@@ -47,4 +47,4 @@ TEST(OtherFiles, AreNamedAsTheirCopiesAreCalled)
   EXPECT_EQ(find_node(root, "mesh.file")->text, "mesh.unv");
 }
 
-}  // namespace
+}  // namespace other_files_test

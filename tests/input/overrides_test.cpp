@@ -3,7 +3,7 @@
 #include "input/samples.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace overrides_test {
 
 Case with(const std::vector<std::string>& overrides)
 {
@@ -112,4 +112,4 @@ TEST(Overrides, TakeThePlaceOfWhatSaysTheSameInAnotherWay)
 
 TEST(Overrides, AreAppliedInOrder) { EXPECT_EQ(with({"time.end=1", "time.end=2"}).time.end, 2.0); }
 
-}  // namespace
+}  // namespace overrides_test

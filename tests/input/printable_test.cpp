@@ -1,7 +1,7 @@
 #include "input/printable.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace printable_test {
 
 TEST(Printable, KeepsLettersOfAnyAlphabetTabsAndLineFeeds)
 {
@@ -28,4 +28,4 @@ TEST(Printable, ShowsAQuestionMarkForEachByteThatIsNotUtf8)
   EXPECT_EQ(printable("\xF4\x90\x80\x80"), "????");
 }
 
-}  // namespace
+}  // namespace printable_test

@@ -4,7 +4,7 @@
 #include "input/samples.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace read_stages_test {
 
 const std::string stages = R"([[load]]
 name = "traffic"
@@ -113,4 +113,4 @@ TEST(ReadStages, WarnOfWhatGoesOnInStagesThatEndAtRestAlone)
 
 TEST(ReadStages, ACaseWithoutThemHasNone) { EXPECT_TRUE(read_case_text(small_case, "a.toml").values.stages.empty()); }
 
-}  // namespace
+}  // namespace read_stages_test

@@ -4,7 +4,7 @@
 #include "input/samples.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace reader_test {
 
 /// Every key, each with a value that is not its default.
 const std::string every_key = R"(title = "all"
@@ -447,4 +447,4 @@ TEST(Reader, GivesAParameterTheValueOfAnotherWhereTheLawSaysSo)
       ElementsAre(1e7, 0.3, 3e3, 33.0, 5.0, inf, 1e3, 33.0, 5.0, 20.0));
 }
 
-}  // namespace
+}  // namespace reader_test

@@ -2,7 +2,7 @@
 #include "input/samples.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace render_test {
 
 std::string shown(const Problem& problem, const std::vector<std::string>& overrides = {})
 {
@@ -125,4 +125,4 @@ TEST(Render, AWarningThatSaysAllInItsFirstLineHasNoOther)
       "warning: case.toml:8:7: the box is wide; give half of it\n");
 }
 
-}  // namespace
+}  // namespace render_test

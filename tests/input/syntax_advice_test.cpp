@@ -3,7 +3,7 @@
 #include "input/samples.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace syntax_advice_test {
 
 SyntaxAdvice advice_for(const std::string& text)
 {
@@ -138,4 +138,4 @@ TEST(SyntaxAdvice, KnowsUtf16)
           "case.toml: this is text in UTF-16\n  Save it as UTF-8: in the editor, \"Save as\", encoding UTF-8.\n"));
 }
 
-}  // namespace
+}  // namespace syntax_advice_test

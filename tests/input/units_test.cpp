@@ -7,7 +7,7 @@
 #include "simulation/setup_mesh.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace units_test {
 
 Real value_of(const std::string& text, const std::string& unit_of_key)
 {
@@ -124,4 +124,4 @@ TEST(Units, AVelocityTakesUnitsAndFormulasSideBySide)
   EXPECT_EQ(record_of(body("[\"20 mm/s\", \"x\"]")), record_of(body("[0.02, \"x\"]")));
 }
 
-}  // namespace
+}  // namespace units_test

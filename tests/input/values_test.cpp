@@ -3,7 +3,7 @@
 #include "input/samples.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace values_test {
 
 TEST(Values, AVelocityMayBeAFormulaOfThePlace)
 {
@@ -28,4 +28,4 @@ TEST(Values, ABoxIsKeptAsFourCornersCounterClockwise)
       ElementsAre(Vec<2>{0, 0}, Vec<2>{8, 0}, Vec<2>{8, 2}, Vec<2>{0, 2}));
 }
 
-}  // namespace
+}  // namespace values_test

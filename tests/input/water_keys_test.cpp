@@ -10,7 +10,7 @@
 
 #include <fstream>
 
-namespace {
+namespace water_keys_test {
 
 class WaterOnAGrid : public testing::Test {
  protected:
@@ -86,4 +86,4 @@ TEST_F(WaterOnAGrid, IsCopiedIntoTheFolderOfTheRun)
   EXPECT_EQ(find_node(root, "water.situation[0].head.csv")->text, "values_2.csv");
 }
 
-}  // namespace
+}  // namespace water_keys_test

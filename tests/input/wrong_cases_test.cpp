@@ -8,7 +8,7 @@
 #include "support/process.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace wrong_cases_test {
 
 const std::string folder = source_path("tests/input/wrong_cases/");
 
@@ -170,4 +170,4 @@ TEST_F(WrongCases, PointAtTheChangeThatMadeAnOptionUseless)
       HasSubstr("warning: --set scheme=standard_mpm: `b_bar` has no effect\n"));
 }
 
-}  // namespace
+}  // namespace wrong_cases_test

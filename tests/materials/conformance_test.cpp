@@ -6,7 +6,7 @@
 #include "support/test.hpp"
 #include <bit>
 
-namespace {
+namespace conformance_test {
 
 /// Everything that the law knows is on.
 std::vector<Real> typical_parameters(const MaterialType& type)
@@ -369,4 +369,4 @@ TEST(AllMaterials, ShareRowsOnlyWhereTheyMeanTheSame)  // one table for all of t
   for (const RowInfo& row : table.entries()) EXPECT_TRUE(names.insert(row.name).second) << row.name;
 }
 
-}  // namespace
+}  // namespace conformance_test

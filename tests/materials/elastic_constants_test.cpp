@@ -2,7 +2,7 @@
 #include "materials/elastic_constants.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace elastic_constants_test {
 
 TEST(ElasticConstants, BulkModulusIsThatOfTheHandbook)
 {
@@ -28,4 +28,4 @@ TEST(ElasticConstants, TakeNoIncompressibleSoilAndNoNegativeRatio)
   EXPECT_FALSE(shear_modulus_info.range.contains(0.0));
 }
 
-}  // namespace
+}  // namespace elastic_constants_test

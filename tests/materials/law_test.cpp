@@ -3,7 +3,7 @@
 #include "materials/elastic_constants.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace law_test {
 
 /// Shear stress up to a limit that grows with the rate of shear: one component, for tests of the frame around a law.
 template <class P>
@@ -98,4 +98,4 @@ TEST(Law, TakesAParameterFromEachPointAndTheReferenceValueInPadding)
   for (int k = 4; k < pack_width; ++k) EXPECT_EQ(own[static_cast<std::size_t>(k)], same[0]) << k;
 }
 
-}  // namespace
+}  // namespace law_test

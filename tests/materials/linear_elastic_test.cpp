@@ -3,7 +3,7 @@
 #include "materials/probe.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace linear_elastic_test {
 
 Probe soil() { return {*find_material("linear_elastic"), {2e6, 0.48}}; }
 
@@ -56,4 +56,4 @@ TEST(LinearElastic, HasNoStateAndNothingToCheck)
   EXPECT_TRUE(find_material("linear_elastic")->check(std::vector<Real>{2e6, 0.48}).empty());
 }
 
-}  // namespace
+}  // namespace linear_elastic_test

@@ -2,7 +2,7 @@
 #include "materials/material.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace material_test {
 
 TEST(Materials, AreFoundByNameAndOnlyByName)
 {
@@ -38,4 +38,4 @@ TEST(Range, HoldsNothingThatIsNotANumber)
   EXPECT_FALSE(positive.contains(std::numeric_limits<Real>::quiet_NaN()));
 }
 
-}  // namespace
+}  // namespace material_test

@@ -4,7 +4,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace modified_cam_clay_test {
 
 constexpr Real phi = 30.0 * std::numbers::pi / 180.0, kappa = 0.05, lambda = 0.25, e0 = 1.5, nu = 0.25;
 constexpr Real kappa_star = kappa / (1.0 + e0), lambda_star = lambda / (1.0 + e0);
@@ -346,4 +346,4 @@ TEST(ModifiedCamClay, RefusesParametersThatDoNotFit)
           "smaller\nsmallest_mean_stress.")));
 }
 
-}  // namespace
+}  // namespace modified_cam_clay_test

@@ -4,7 +4,7 @@
 #include "support/test.hpp"
 #include <optional>
 
-namespace {
+namespace mohr_coulomb_return_test {
 
 using Vector = std::array<Real, 3>;
 
@@ -200,4 +200,4 @@ TEST(MohrCoulombReturn, EndsAtTheApexOfSoilWithoutCohesionThatIsPulledApart)
   EXPECT_EQ(s.minor, 0.0);
 }
 
-}  // namespace
+}  // namespace mohr_coulomb_return_test

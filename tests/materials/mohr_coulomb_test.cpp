@@ -4,7 +4,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mohr_coulomb_test {
 
 constexpr Real degree = std::numbers::pi / 180.0;
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
@@ -371,4 +371,4 @@ TEST(MohrCoulombCheck, RefusesWhatNoSoilIs)
           "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= 375, or a stiffer soil.")));
 }
 
-}  // namespace
+}  // namespace mohr_coulomb_test

@@ -2,7 +2,7 @@
 #include "materials/probe.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace newtonian_fluid_test {
 
 Probe fluid(Real bulk, Real viscosity, Real tension_cutoff = 0.0)
 {
@@ -79,4 +79,4 @@ TEST(NewtonianFluid, TellsTheTimeStepOfItsViscosity)
   EXPECT_EQ(find_material("linear_elastic")->make(std::vector<Real>{2e6, 0.3})->viscosity(), 0.0);
 }
 
-}  // namespace
+}  // namespace newtonian_fluid_test

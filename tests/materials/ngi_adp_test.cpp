@@ -3,7 +3,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace ngi_adp_test {
 
 constexpr Real G = 2.0e6, nu = 0.49, active = 14e3, direct = 9e3, passive = 6e3;
 constexpr Real a = 0.5 * (active + passive), b = direct, c = 0.5 * (active - passive);
@@ -123,4 +123,4 @@ TEST(NgiAdp, RefusesSofteningThatIsTooSteep)
           "(beyond 2 G the return mapping has no unique answer). Use eta <= 21.4, or a stiffer soil.")));
 }
 
-}  // namespace
+}  // namespace ngi_adp_test

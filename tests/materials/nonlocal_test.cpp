@@ -4,7 +4,7 @@
 #include "materials/probe.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace nonlocal_test {
 
 enum Row { eps, nonlocal, driver, increment };  // of tresca_softening
 
@@ -136,4 +136,4 @@ TEST(Nonlocal, NoStrainKeepsStressAndHistory)
   EXPECT_THAT(point.state, ElementsAre(0.02, 0.013, 0.011, 0.0));
 }
 
-}  // namespace
+}  // namespace nonlocal_test

@@ -3,7 +3,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace principal_test {
 
 using Tensor = SymTensor<Real, 2>;
 
@@ -86,4 +86,4 @@ TEST(AssignByRank, UndoesTheSorting)
   }
 }
 
-}  // namespace
+}  // namespace principal_test

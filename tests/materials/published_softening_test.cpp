@@ -5,7 +5,7 @@
 #include <functional>
 #include <numbers>
 
-namespace {
+namespace published_softening_test {
 
 constexpr Real G = 50e6, peak = 20e3, residual = 4e3;  // stiff, so that elastic strain is small beside plastic
 
@@ -106,4 +106,4 @@ TEST(PublishedSoftening, RateOfEinavAndRandolphHasHalfTheirReferenceRate)
   }
 }
 
-}  // namespace
+}  // namespace published_softening_test

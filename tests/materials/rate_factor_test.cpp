@@ -4,7 +4,7 @@
 #include "materials/tresca_soil.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace rate_factor_test {
 
 /// The equation of a plane, S = 1 + slope d: how often it was asked, and its answer.
 struct Plane {
@@ -112,4 +112,4 @@ TEST(RateFactor, RelaxesWithTheLogarithmOfTime)  // held strain: d(tau)/dt = -2 
   EXPECT_NEAR(point.sigma[3], 8e3, 1e-8);
 }
 
-}  // namespace
+}  // namespace rate_factor_test

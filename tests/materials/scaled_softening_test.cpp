@@ -6,7 +6,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace scaled_softening_test {
 
 const std::vector<Real> clay{2e6, 0.48, 8e3, 2e3, 50.0};
 const std::vector<Real> quick_clay{2e6, 0.48, 8e3, 2e3, 50.0, 200.0, 3.0, 0.1, 1e-3};
@@ -112,4 +112,4 @@ TEST(ScaledSoftening, WithAShapeFactorOfZeroIsTheLaw)
   EXPECT_EQ(form.law().softened_strain(), INFINITY);
 }
 
-}  // namespace
+}  // namespace scaled_softening_test

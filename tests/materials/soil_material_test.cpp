@@ -2,7 +2,7 @@
 #include "materials/soil_material.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace soil_material_test {
 
 const std::vector<Real> clay_values{2e6, 0.4, 8e3, 2e3, 50.0};
 
@@ -79,4 +79,4 @@ TEST(SoilMaterial, OfALawWithoutARoleSaysSo)
   EXPECT_EQ(row_of(clay(), Role::plastic_strain), -1) << "no body is of it: it has no rows";
 }
 
-}  // namespace
+}  // namespace soil_material_test

@@ -3,7 +3,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace tresca_softening_test {
 
 /// Where zz stands among the principal stresses of a trial.
 enum class Zz { major, middle, minor };
@@ -461,4 +461,4 @@ TEST(TrescaSofteningCheck, AdmitsSoilThatDoesNotSoften)
   EXPECT_TRUE(problems_of({.eta = 0.0}).empty());
 }
 
-}  // namespace
+}  // namespace tresca_softening_test

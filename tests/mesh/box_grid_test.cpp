@@ -3,7 +3,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace box_grid_test {
 
 bool holds(const BoundingBox& box, Vec<2> x)
 {
@@ -87,4 +87,4 @@ TEST(Line, IsAsFarAsItsNextPlaceOrItsNextEnd)
   EXPECT_DOUBLE_EQ(distance_to_line({2.0, 1.0}, {2.0, 1.0}, {5.0, 5.0}), 5.0);  // a line of length zero
 }
 
-}  // namespace
+}  // namespace box_grid_test

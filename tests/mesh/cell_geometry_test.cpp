@@ -4,7 +4,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace cell_geometry_test {
 
 // Width 2 at the bottom, 1.5 at the top, height 1: detJ = (1.75 - 0.25 eta) / 4.
 constexpr std::array<Vec<2>, 4> trapezium{{{0.0, 0.0}, {2.0, 0.0}, {1.5, 1.0}, {0.0, 1.0}}};
@@ -203,4 +203,4 @@ TEST(InverseMap, IsTheSameInAPackAndAlone)
   }
 }
 
-}  // namespace
+}  // namespace cell_geometry_test

@@ -3,7 +3,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace check_mesh_test {
 
 std::string refusal_of(const Mesh<2>& mesh)
 {
@@ -190,4 +190,4 @@ TEST(CheckMesh, ListsTenOfManyFaults)
   EXPECT_THAT(text, Not(HasSubstr("cell 10 is")));
 }
 
-}  // namespace
+}  // namespace check_mesh_test

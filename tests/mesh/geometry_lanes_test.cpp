@@ -4,7 +4,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace geometry_lanes_test {
 
 void expect_lane(const GeometryLanes<Quad4>& lanes, int c, const CellGeometry<Quad4>& cell)
 {
@@ -30,4 +30,4 @@ TEST(GeometryLanes, HoldEachCellInItsLane)
   }
 }
 
-}  // namespace
+}  // namespace geometry_lanes_test

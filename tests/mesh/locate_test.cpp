@@ -3,7 +3,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace locate_test {
 
 /// Left of all four straight sides by more than `margin` [m]: an independent form of locate().
 bool holds(const Mesh<2>& mesh, Index cell, Vec<2> x, Real margin)
@@ -195,4 +195,4 @@ TEST(ClampToCell, MovesOnlyWhatLiesOutside)
   EXPECT_THAT(clamp_to_cell({-0.2, -7.0}), ElementsAre(-0.2, -1.0));
 }
 
-}  // namespace
+}  // namespace locate_test

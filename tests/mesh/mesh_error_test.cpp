@@ -2,7 +2,7 @@
 #include "mesh/mesh_error.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mesh_error_test {
 
 Mesh<2> one_cell() { return make_rectangle({0.5, 0.0}, {1.0, 2.0}, {1, 1}); }
 
@@ -60,4 +60,4 @@ TEST(MeshFaults, StopAtTheThousandth)
       StartsWith("the mesh has 1000 faults or more:\n  fault\n"));
 }
 
-}  // namespace
+}  // namespace mesh_error_test

@@ -2,7 +2,7 @@
 #include "mesh/mesh_quality.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mesh_quality_test {
 
 /// Columns of unit height with the given widths.
 Mesh<2> columns(const std::vector<Real>& widths)
@@ -96,4 +96,4 @@ TEST(DescribeQuality, WarnsOfParts)
       HasSubstr("warning: the mesh has 3 parts that share no side; soil cannot pass from one to the other"));
 }
 
-}  // namespace
+}  // namespace mesh_quality_test

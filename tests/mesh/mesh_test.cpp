@@ -3,7 +3,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mesh_test {
 
 using testing::Pair;
 
@@ -119,4 +119,4 @@ TEST(Connect, JoinsCellsWhoseCornersStartAnywhere)
   EXPECT_THAT(mesh.neighbours[1], ElementsAre(outside, outside, 0, outside));
 }
 
-}  // namespace
+}  // namespace mesh_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace terp {
-namespace {
+namespace patch_test {
 
 using P = Patch<Quad4>;
 
@@ -71,5 +71,5 @@ TEST(Patch, HasNoCornerWhereNotFourCellsMeet)
   }
 }
 
-}  // namespace
+}  // namespace patch_test
 }  // namespace terp

@@ -2,7 +2,7 @@
 #include "mesh/quad4.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace quad4_test {
 
 TEST(ShapeFunctions, HaveTheValuesOfTheirFormula)
 {
@@ -108,4 +108,4 @@ TEST(GaussPoints, IntegrateCubicsExactly)
   EXPECT_NEAR(cube, 0.0, 1e-16);
 }
 
-}  // namespace
+}  // namespace quad4_test

@@ -6,7 +6,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace random_places_test {
 
 constexpr Index nx = 14, ny = 9;
 constexpr Real h = 0.1;
@@ -120,4 +120,4 @@ TEST(RandomPlaces, OutsideTheMeshAreSaidToBeOutside)
   }
 }
 
-}  // namespace
+}  // namespace random_places_test

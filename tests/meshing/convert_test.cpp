@@ -6,7 +6,7 @@
 #include "support/process.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace convert_test {
 
 std::string reading_refusal(const std::string& path)
 {
@@ -119,4 +119,4 @@ TEST(NeedsConversion, LooksAtTheFirstWordsAndTheEnding)
   EXPECT_TRUE(needs_conversion("m.unv", "    -1\n"));
 }
 
-}  // namespace
+}  // namespace convert_test

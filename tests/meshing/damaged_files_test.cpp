@@ -6,7 +6,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace damaged_files_test {
 
 const std::string formats[] = {"41", "41_binary"};
 
@@ -63,4 +63,4 @@ TEST(DamagedFiles, WithAPieceMissingOrDoubledAreReadOrRefused)
   }
 }
 
-}  // namespace
+}  // namespace damaged_files_test

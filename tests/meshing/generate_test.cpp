@@ -13,7 +13,7 @@
 #include <unistd.h>
 #include <csignal>
 
-namespace {
+namespace generate_test {
 
 PolygonMesh rectangle()
 {
@@ -423,4 +423,4 @@ TEST(GenerateMeshWithoutGmsh, RefusesWhatCannotBeMeshed)
   EXPECT_THAT(error_of(polygon), HasSubstr("side `bottom` has edge 4; the polygon has edges 0 to 3"));
 }
 
-}  // namespace
+}  // namespace generate_test

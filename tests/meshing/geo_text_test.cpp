@@ -3,7 +3,7 @@
 #include "mesh/mesh_error.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace geo_text_test {
 
 constexpr Recipe recipe{9, 0, 0, 1.25};
 
@@ -108,4 +108,4 @@ TEST(TargetSize, GrowsFromTheRefinementToTheCellSize)
   EXPECT_DOUBLE_EQ(target_size(mesh, {3.5, 1.01}), 0.5);
 }
 
-}  // namespace
+}  // namespace geo_text_test

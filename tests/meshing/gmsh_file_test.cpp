@@ -5,7 +5,7 @@
 #include "support/test.hpp"
 #include <fmt/format.h>
 
-namespace {
+namespace gmsh_file_test {
 
 const std::string formats[] = {"41", "41_binary"};
 
@@ -246,4 +246,4 @@ TEST(ReadGmsh, SaysWhyAPathIsNoMeshFile)
   for (const auto& [path, why] : refused) EXPECT_EQ(refusal<MeshError>([&] { read_gmsh(path); }), path + ": " + why);
 }
 
-}  // namespace
+}  // namespace gmsh_file_test

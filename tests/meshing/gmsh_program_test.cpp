@@ -8,7 +8,7 @@
 #include <unistd.h>
 #include <chrono>
 
-namespace {
+namespace gmsh_program_test {
 
 namespace fs = std::filesystem;
 
@@ -78,4 +78,4 @@ TEST(GmshVersion, IsEmptyWithoutGmshAndRefusedIfItFails)
   EXPECT_EQ(refusal<MeshError>([] { gmsh_version("/home"); }), "`gmsh --version` fails: no display\n");
 }
 
-}  // namespace
+}  // namespace gmsh_program_test

@@ -3,7 +3,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace improve_test {
 
 Real worst(const Mesh<2>& mesh, const std::vector<Vec<2>>& nodes)
 {
@@ -78,4 +78,4 @@ TEST(EnlargeAltitudes, MovesNodesOnlyAsFarAsTheyAreFree)
   for (Index i = 0; i <= 5; ++i) EXPECT_EQ(nodes[i][1], 0.0);
 }
 
-}  // namespace
+}  // namespace improve_test

@@ -4,7 +4,7 @@
 #include "support/process.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mesh_cache_test {
 
 TEST(MeshCache, LiesWhereTheVariablesSay)
 {
@@ -46,4 +46,4 @@ TEST(MeshCache, SaysThatItCannotBeWritten)
   EXPECT_FALSE(keep_mesh("abc", "bytes"));
 }
 
-}  // namespace
+}  // namespace mesh_cache_test

@@ -4,7 +4,7 @@
 #include "support/process.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace msh_content_test {
 
 const std::string head_41 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
 const std::string square_41 =
@@ -171,4 +171,4 @@ TEST(MshTypeName, KnowsTheCommonTypes)
   EXPECT_EQ(msh_type_name(999), "");
 }
 
-}  // namespace
+}  // namespace msh_content_test

@@ -3,7 +3,7 @@
 #include "meshing/msh_text.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace msh_scanner_test {
 
 TEST(MshScanner, ReadsTextAndBytesAlike)
 {
@@ -74,4 +74,4 @@ TEST(MshScanner, RefusesACountBeyondTheRestOfTheFile)
       "m:1: n is 4, more than the rest of the file can hold");
 }
 
-}  // namespace
+}  // namespace msh_scanner_test

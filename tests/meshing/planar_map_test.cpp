@@ -4,7 +4,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace planar_map_test {
 
 using Polygon = std::vector<Vec<2>>;
 
@@ -137,4 +137,4 @@ TEST(CutPolygon, RefusesPolygonsThatAreNone)
       HasSubstr("edge 1 of the polygon has no length, at x = 1 m, y = 0 m"));
 }
 
-}  // namespace
+}  // namespace planar_map_test

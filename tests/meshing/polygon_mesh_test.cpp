@@ -2,7 +2,7 @@
 #include "meshing/polygon_mesh.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace polygon_mesh_test {
 
 PolygonMesh rectangle()
 {
@@ -31,4 +31,4 @@ TEST(EstimateCells, TakesNothingFromARefinementThatIsNone)
   EXPECT_EQ(estimate_more_cells(rectangle(), {{}, {1e5, 0.0}, {1e5 + 1.0, 1.0}, 0.2, 0.0}), 0.0);
 }
 
-}  // namespace
+}  // namespace polygon_mesh_test

@@ -3,7 +3,7 @@
 #include "mesh/check_mesh.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace structured_test {
 
 using Sides = std::array<std::vector<Vec<2>>, 4>;
 
@@ -136,4 +136,4 @@ TEST(MappedRectangle, RefusesSidesThatDoNotMeet)
       HasSubstr("side `bottom` has the place (5, 2) m twice"));
 }
 
-}  // namespace
+}  // namespace structured_test

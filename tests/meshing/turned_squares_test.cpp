@@ -3,7 +3,7 @@
 #include "support/test.hpp"
 #include <span>
 
-namespace {
+namespace turned_squares_test {
 
 const std::vector<Vec<2>> box{{0.0, 0.0}, {8.0, 0.0}, {8.0, 4.0}, {0.0, 4.0}};
 
@@ -83,4 +83,4 @@ TEST(TurnedSquares, KeepOutOfABay)
 
 TEST(TurnedSquares, AreNoneWhereNoneFits) { EXPECT_TRUE(turned_squares(box, 3.5, 10.0, 0.5).squares.empty()); }
 
-}  // namespace
+}  // namespace turned_squares_test

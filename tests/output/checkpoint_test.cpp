@@ -12,7 +12,7 @@
 /// For the leak sanitizer: HDF5 1.10 itself loses memory when it refuses a damaged file.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
 
-namespace {
+namespace checkpoint_test {
 
 bool same(const StateImage& a, const StateImage& b)
 {
@@ -260,4 +260,4 @@ TEST(Checkpoint, WhosePartsDoNotAllComeIsNotThere)
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-}  // namespace
+}  // namespace checkpoint_test

@@ -3,7 +3,7 @@
 #include "base/errors.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace compress_test {
 
 TEST(Compress, ComesBackToTheByte)
 {
@@ -37,4 +37,4 @@ TEST(Compress, Base64IsThatOfRfc4648)
   EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }
 
-}  // namespace
+}  // namespace compress_test

@@ -4,7 +4,7 @@
 #include "output/small_disk.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace files_test {
 
 TEST(Files, AnAtomicWriteReplacesTheContentAndLeavesNoTemporaryFile)
 {
@@ -82,4 +82,4 @@ TEST(Files, ATemporaryFileThatIsNotMovedLeavesNothingBehind)
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-}  // namespace
+}  // namespace files_test

@@ -6,7 +6,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace frame_files_test {
 
 const std::string run = "0123456789abcdef";
 
@@ -126,4 +126,4 @@ TEST(FrameFiles, ThatAreNotEndedLeaveNothing)
   EXPECT_TRUE(std::filesystem::is_empty(folder.path() + "/frames"));
 }
 
-}  // namespace
+}  // namespace frame_files_test

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <thread>
 
-namespace {
+namespace hdf5_file_test {
 
 constexpr Hdf5File::Layout packed{.packed = true};
 
@@ -130,4 +130,4 @@ TEST(Hdf5File, AFullDiskIsNoticedEvenWhereNoSpaceWasReserved)
       AllOf(HasSubstr("/t in " + disk.path()), HasSubstr("No space left on device")));
 }
 
-}  // namespace
+}  // namespace hdf5_file_test

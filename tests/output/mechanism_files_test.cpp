@@ -6,7 +6,7 @@
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mechanism_files_test {
 
 StabilityResult with_mechanism(const Case& c)
 {
@@ -46,4 +46,4 @@ TEST(MechanismFiles, AreAFrameTheMeshAndAPicture)
   EXPECT_FALSE(std::filesystem::exists(folder)) << "nothing without a mechanism";
 }
 
-}  // namespace
+}  // namespace mechanism_files_test

@@ -4,7 +4,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mesh_file_test {
 
 TEST(MeshFile, HoldsNodesAndCellsOfTheMesh)
 {
@@ -21,4 +21,4 @@ TEST(MeshFile, HoldsNodesAndCellsOfTheMesh)
   EXPECT_THAT(file.read<std::int64_t>("/VTKHDF/NumberOfConnectivityIds"), ElementsAre(8));
 }
 
-}  // namespace
+}  // namespace mesh_file_test

@@ -5,7 +5,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace point_frames_test {
 
 /// Path of frame `last` of a run with frames 0...last.
 std::string write_frames(const std::string& folder, int last)
@@ -90,4 +90,4 @@ TEST(PointFrames, AFrameInPartsIsThatInOnePieceAndThereWhenItsLastPartIs)
       Hdf5File(whole, Hdf5File::Mode::read).read<Real>("/VTKHDF/PointData/stress"));
 }
 
-}  // namespace
+}  // namespace point_frames_test

@@ -5,7 +5,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace run_folder_test {
 
 std::vector<std::string> files_in(const std::string& folder)
 {
@@ -115,4 +115,4 @@ TEST(RunFolder, KnowsTheStepInACheckpointsName)
   EXPECT_EQ(step_of_checkpoint("checkpoint_-1.h5"), -1);
 }
 
-}  // namespace
+}  // namespace run_folder_test

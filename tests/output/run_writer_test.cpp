@@ -10,7 +10,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace run_writer_test {
 
 RunWriterSettings settings_for(const std::string& folder)
 {
@@ -270,4 +270,4 @@ TEST(RunWriter, OnAFullDiskEveryWriteFailsAndNothingEarlierIsHarmed)
   EXPECT_THAT(list_frames(folder, point_frames), ElementsAre(0, 1));
 }
 
-}  // namespace
+}  // namespace run_writer_test

@@ -5,7 +5,7 @@
 #include "support/stages.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace section_svg_test {
 
 std::string drawing_of(const Case& c)
 {
@@ -83,4 +83,4 @@ TEST(SectionSvg, IsNoLargerForMoreCellsThanAPageCanShow)
   EXPECT_LT(drawing_of(column("mpm_gp", 0.03125)).size(), 100000u);  // cells of 2 pixels: their lines are left out
 }
 
-}  // namespace
+}  // namespace section_svg_test

@@ -4,7 +4,7 @@
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace section_water_test {
 
 std::string drawing_of(const Case& c, const SectionOverlay& overlay = {})
 {
@@ -82,4 +82,4 @@ TEST(SectionWater, DrawsTheWaterOfAGrid)
                        HasSubstr(">phreatic line of another situation</text>")));
 }
 
-}  // namespace
+}  // namespace section_water_test

@@ -2,7 +2,7 @@
 #include "output/soil_colours.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace soil_colours_test {
 
 MaterialCase soil(const std::string& name, const std::string& color = "")
 {
@@ -31,4 +31,4 @@ TEST(SoilColours, SoilAboveTheWaterIsLighter)
   EXPECT_THAT(soil_colours({below, above}), ElementsAre("#a3c293", "#bed4b3"));
 }
 
-}  // namespace
+}  // namespace soil_colours_test

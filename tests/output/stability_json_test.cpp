@@ -4,7 +4,7 @@
 #include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace stability_json_test {
 
 StabilityResult result()
 {
@@ -153,4 +153,4 @@ TEST(StabilityJson, IsWrittenIntoAFolderThatIsMade)
   std::filesystem::remove_all(testing::TempDir() + "stability_json_test");
 }
 
-}  // namespace
+}  // namespace stability_json_test

@@ -7,7 +7,7 @@
 #include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace summary_json_test {
 
 using nlohmann::json;
 
@@ -224,4 +224,4 @@ TEST(SummaryJson, IsWrittenToItsPath)
   EXPECT_EQ(json::parse(read_file(folder.path() + "/summary.json"))["steps"], 6598);
 }
 
-}  // namespace
+}  // namespace summary_json_test

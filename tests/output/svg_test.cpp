@@ -2,7 +2,7 @@
 #include "output/svg.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace svg_test {
 
 TEST(Svg, EscapesWhatMarkupWouldRead)
 {
@@ -16,4 +16,4 @@ TEST(Svg, StepsAreOneTwoOrFive)
   EXPECT_NEAR(nice_step(95.0, 10.0), 10.0, 1e-12);
 }
 
-}  // namespace
+}  // namespace svg_test

@@ -4,7 +4,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace table_csv_test {
 
 TEST(TableCsv, AHistoryRowIsWrittenWithShortestNumbersAndNan)
 {
@@ -139,4 +139,4 @@ TEST(TableCsv, OneLinePerFooting)
       "0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n");
 }
 
-}  // namespace
+}  // namespace table_csv_test

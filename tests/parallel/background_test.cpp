@@ -4,7 +4,7 @@
 #include "support/test.hpp"
 #include <atomic>
 
-namespace {
+namespace background_test {
 
 TEST(Background, SaysWhatToDoWhereTheSystemGrantsNoThread)
 {
@@ -69,4 +69,4 @@ TEST(Background, MakesTheGiverWaitWhenTooMuchIsWaiting)
   background.finish();
 }
 
-}  // namespace
+}  // namespace background_test

@@ -3,7 +3,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace functions_test {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
 constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
@@ -154,4 +154,4 @@ TEST(Functions, GiveTheSameBitsOnEverySetWithFusedProducts)
 #endif
 }
 
-}  // namespace
+}  // namespace functions_test

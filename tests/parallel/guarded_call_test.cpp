@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace guarded_call_test {
 
 std::string guarded(void (*f)(void*), void* argument = nullptr)
 {
@@ -69,4 +69,4 @@ TEST(GuardedCallDeathTest, LeavesSignalsOfOtherCodeAsTheyAre)
   EXPECT_EXIT((guarded([](void*) {}), std::raise(SIGSEGV)), testing::KilledBySignal(SIGSEGV), "");
 }
 
-}  // namespace
+}  // namespace guarded_call_test

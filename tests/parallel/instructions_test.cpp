@@ -3,7 +3,7 @@
 #include "support/test.hpp"
 #include <cstdlib>
 
-namespace {
+namespace instructions_test {
 
 /// A processor without AVX-512.
 const InstructionSet sets[] = {{"avx512", false}, {"avx2", true}, {"sse2", true}};
@@ -57,4 +57,4 @@ TEST(Processor, HasANameOnOneLine)
   EXPECT_TRUE(name.empty() || name.ends_with(" processors")) << name;
 }
 
-}  // namespace
+}  // namespace instructions_test

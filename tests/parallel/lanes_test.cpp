@@ -3,7 +3,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace lanes_test {
 
 using Table = std::array<std::array<Real, 4>, pack_width>;
 
@@ -63,4 +63,4 @@ TEST(Lanes, NumbersOfPacksStandOneAfterTheOther)
   for (int k = 0; k < 3 * pack_width; ++k) EXPECT_EQ(numbers_of(packs)[k], k);
 }
 
-}  // namespace
+}  // namespace lanes_test

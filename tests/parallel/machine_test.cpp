@@ -2,7 +2,7 @@
 #include "simulation/kernels.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace machine_test {
 
 constexpr double slowest = 1e-3, fastest = 1e5;  // a pocket calculator, a supercomputer's node
 
@@ -21,4 +21,4 @@ TEST(Machine, MultiplyAddIsAFiniteRate)
   EXPECT_LT(kernels().measure_multiply_add(), fastest);
 }
 
-}  // namespace
+}  // namespace machine_test

@@ -2,7 +2,7 @@
 #include "parallel/memory.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace memory_test {
 
 struct Pair {
   double a = 0.0, b = 0.0;
@@ -44,4 +44,4 @@ TEST(ZeroedArray, TakesMemoryOnlyWhereItIsWritten)
   EXPECT_EQ(array[(std::size_t{1} << 25) + 1].a, 0.0);
 }
 
-}  // namespace
+}  // namespace memory_test

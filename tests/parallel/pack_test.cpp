@@ -3,7 +3,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace pack_test {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
 constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
@@ -170,4 +170,4 @@ TEST(Pack, GathersWhatItsIndicesNameAndNothingElse)
   }
 }
 
-}  // namespace
+}  // namespace pack_test

@@ -2,7 +2,7 @@
 #include "parallel/prefetch.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace prefetch_test {
 
 TEST(Prefetch, LeavesNumbersAlone)
 {
@@ -12,4 +12,4 @@ TEST(Prefetch, LeavesNumbersAlone)
   EXPECT_EQ(numbers, std::vector<Real>(100, 3.5));
 }
 
-}  // namespace
+}  // namespace prefetch_test

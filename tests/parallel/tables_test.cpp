@@ -3,7 +3,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace tables_test {
 
 using Packs = std::array<Pack, pack_width>;
 
@@ -63,4 +63,4 @@ TEST(Tables, LookingUpFindsTheNumberOfEachPlace)
   }
 }
 
-}  // namespace
+}  // namespace tables_test

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <chrono>
 
-namespace {
+namespace threads_test {
 
 TEST(Threads, WhereTheSystemGrantsNoneTheCallerDoesTheWork)
 {
@@ -144,4 +144,4 @@ TEST(AvailableProcessors, IsAtLeastOneAndAtMostTheMachineHas)
   EXPECT_LE(available_processors(), static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-}  // namespace
+}  // namespace threads_test

@@ -2,7 +2,7 @@
 #include "points/body_outline.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace body_outline_test {
 
 Polygon box(Vec<2> low, Vec<2> high) { return {low, {high[0], low[1]}, high, {low[0], high[1]}}; }
 
@@ -129,4 +129,4 @@ TEST(CheckOutline, RefusesCellsAndAPolygonInOneBody)
       ElementsAre("a body of whole cells has no polygon and no holes"));
 }
 
-}  // namespace
+}  // namespace body_outline_test

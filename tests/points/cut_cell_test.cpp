@@ -3,7 +3,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace cut_cell_test {
 
 Polygon box(Vec<2> low, Vec<2> high) { return {low, {high[0], low[1]}, high, {low[0], high[1]}}; }
 
@@ -101,4 +101,4 @@ TEST(CutCell, GivesABodyThatIsCoveredNothing)
   EXPECT_THAT(cut_cell({square, {3, 3}}, {0, {{box({-3.0, -3.0}, {3.0, 3.0}), 1, false}}}, 0), IsEmpty());
 }
 
-}  // namespace
+}  // namespace cut_cell_test

@@ -4,7 +4,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace move_test {
 
 using Rows = PointRows<2>;
 
@@ -205,4 +205,4 @@ TEST(MoveToNewCell, KeepsTheMassOfAThousandWanderers)
   EXPECT_GT(put_back, 0);
 }
 
-}  // namespace
+}  // namespace move_test

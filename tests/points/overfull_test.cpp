@@ -2,7 +2,7 @@
 #include "points/overfull.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace overfull_test {
 
 const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 4.0}, {8, 8});  // cells of 0.5 m
 
@@ -74,4 +74,4 @@ TEST(Overfull, OnePointMayHaveTheVolumeOfFourCells)
   EXPECT_NEAR(found->limit, 1.0, 1e-15);
 }
 
-}  // namespace
+}  // namespace overfull_test

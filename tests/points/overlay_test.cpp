@@ -3,7 +3,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace overlay_test {
 
 using Corners = std::array<Vec<2>, 4>;
 
@@ -159,4 +159,4 @@ TEST(ShareOut, PutsCentroidsIntoTheirBody)
   }
 }
 
-}  // namespace
+}  // namespace overlay_test

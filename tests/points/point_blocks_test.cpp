@@ -3,7 +3,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace point_blocks_test {
 
 using Rows = PointRows<2>;
 
@@ -251,4 +251,4 @@ TEST(PointBlocks, LoseNothingInTwentyThousandRandomMoves)
   }
 }
 
-}  // namespace
+}  // namespace point_blocks_test

@@ -3,7 +3,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace points_csv_test {
 
 std::string message_for(const std::string& text)
 {
@@ -117,4 +117,4 @@ TEST(PointsCsv, ReadsAFileAndSaysWhichOneItCannotRead)
       "cannot read the table of points " + folder.path() + "/other.csv");
 }
 
-}  // namespace
+}  // namespace points_csv_test

@@ -2,7 +2,7 @@
 #include "points/polygon.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace polygon_test {
 
 // An L: 3 wide and 1 high, with a leg 1 wide up to 2.
 const Polygon ell{{0.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}, {0.0, 2.0}};
@@ -85,4 +85,4 @@ TEST(Polygon, ClippedIntoTwoItStillHasTheEvenOddRule)
   EXPECT_TRUE(contains(kept, {2.5, 1.5}));
 }
 
-}  // namespace
+}  // namespace polygon_test

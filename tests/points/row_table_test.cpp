@@ -3,7 +3,7 @@
 #include "points/point_blocks.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace row_table_test {
 
 RowInfo opening(Index material)
 {
@@ -65,4 +65,4 @@ TEST(RowView, TakesRowsInAnyOrder)
   EXPECT_EQ(*all(1), 3.0);
 }
 
-}  // namespace
+}  // namespace row_table_test

@@ -5,7 +5,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace seed_cut_test {
 
 constexpr Real h = 0.1;            // cell size [m]
 constexpr Real spacing = 0.2 * h;  // of points: 5 x 5 per cell
@@ -266,4 +266,4 @@ TEST(SeedCutBodies, AreTheSameWhicheverWayTheirCornersRun)
   }
 }
 
-}  // namespace
+}  // namespace seed_cut_test

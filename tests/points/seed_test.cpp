@@ -4,7 +4,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace seed_test {
 
 Polygon box(Vec<2> low, Vec<2> high) { return {low, {high[0], low[1]}, high, {low[0], high[1]}}; }
 
@@ -122,4 +122,4 @@ TEST(SeedPoints, FarFromTheOriginFollowTheMeshAllTheSame)
   EXPECT_NEAR(total_volume(seeds), 1.54, 1.54 * 1e-9);  // the corners themselves are known to 6e-11 m
 }
 
-}  // namespace
+}  // namespace seed_test

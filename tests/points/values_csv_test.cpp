@@ -2,7 +2,7 @@
 #include "points/values_csv.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace values_csv_test {
 
 std::string message_for(const std::string& text)
 {
@@ -58,4 +58,4 @@ TEST(ValuesCsv, NameTheLinesOfTheirFaults)
   EXPECT_THAT(message_for("x,y,value\n0,5,1,5,8,5\n"), HasSubstr("numbers have a decimal point, no comma"));
 }
 
-}  // namespace
+}  // namespace values_csv_test

@@ -2,7 +2,7 @@
 #include "report/backdrop.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace backdrop_test {
 
 TEST(Backdrop, EachLineOfTheMeshIsThereOnce)
 {
@@ -114,4 +114,4 @@ TEST(Backdrop, WaterStandsWhereGroundSlidAwayBelowThePhreaticLine)
   EXPECT_EQ(water_in_gap(first, slid, {}, Facing::left), 0.0);
 }
 
-}  // namespace
+}  // namespace backdrop_test

@@ -3,7 +3,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace codec_test {
 
 TEST(Codec, ACodeIsWithinHalfAStepOfItsValue)
 {
@@ -54,4 +54,4 @@ TEST(Codec, FramesComeBack)
   EXPECT_THROW(decode_frames("abc", 1), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace codec_test

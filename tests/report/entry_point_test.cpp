@@ -2,7 +2,7 @@
 #include "report/entry_point.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace entry_point_test {
 
 const std::vector<float> dike = {-5, 0, 0, 0, 8, 4, 12, 4, 20, 0, 30, 0};
 
@@ -68,4 +68,4 @@ TEST(EntryPoint, IsThatOfTheOnsetNotOfTheFastestShear)
   EXPECT_FALSE(entry_point(slide, dike));
 }
 
-}  // namespace
+}  // namespace entry_point_test

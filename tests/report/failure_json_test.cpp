@@ -3,7 +3,7 @@
 #include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace failure_json_test {
 
 const std::vector<float> ground = {0, 2, 6, 2, 8, 0, 12, 0}, outline = {0, 0, 12, 0, 7.75f, 0.5f, 7.6f, 1, 0, 1};
 
@@ -61,4 +61,4 @@ TEST(FailureJson, HasNoEventsOfASummaryThatIsStillEmpty)
   EXPECT_TRUE(written(RunResults{})["events"].is_null());  // killed before its summary was written again
 }
 
-}  // namespace
+}  // namespace failure_json_test

@@ -2,7 +2,7 @@
 #include "report/layers.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace layers_test {
 
 /// Points at the middles of squares of 1 m: sand below y = 2, clay above, 10 by 4.
 struct Layers : testing::Test {
@@ -77,4 +77,4 @@ TEST_F(Layers, ALoadLiesOnTheHighestPoints)
   EXPECT_EQ(place(load, 0), (Vec<2>{3.5, 4.0}));
 }
 
-}  // namespace
+}  // namespace layers_test

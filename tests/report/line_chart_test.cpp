@@ -2,7 +2,7 @@
 #include "report/line_chart.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace line_chart_test {
 
 TEST(LineChart, DrawsLinesMarksBarsAndALegend)
 {
@@ -32,4 +32,4 @@ TEST(LineChart, OfNothingIsEmptyAndOfALevelLineHasAnAxis)
   EXPECT_THAT(draw_chart({.title = "t", .lines = {{"", {{0.0, 0.0}, {1.0, 0.0}}}}}), HasSubstr(">0</text>"));
 }
 
-}  // namespace
+}  // namespace line_chart_test

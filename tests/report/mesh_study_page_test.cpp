@@ -4,7 +4,7 @@
 #include "support/test.hpp"
 #include <fmt/format.h>
 
-namespace {
+namespace mesh_study_page_test {
 
 TEST(MeshStudyPage, HasAnswerTableChartsAndNothingFromOutside)
 {
@@ -55,4 +55,4 @@ TEST(MeshStudyPage, OfRunsThatAllFailedSaysSo)
       AllOf(HasSubstr("nothing can be said of the mesh"), HasSubstr("step 3 &amp; more")));
 }
 
-}  // namespace
+}  // namespace mesh_study_page_test

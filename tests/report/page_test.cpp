@@ -2,7 +2,7 @@
 #include "report/page.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace page_test {
 
 const Payload payload{.json = R"({"format":1})", .chunks = {"QUJD", "Zg=="}, .notes = {}, .warnings = {}};
 
@@ -26,4 +26,4 @@ TEST(Page, ThatIsBuiltInTakesTheData)
   EXPECT_EQ(!has_page(), page_template().find("built without its report page") != std::string_view::npos);
 }
 
-}  // namespace
+}  // namespace page_test

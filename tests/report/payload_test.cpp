@@ -6,7 +6,7 @@
 #include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace payload_test {
 
 using nlohmann::json;
 
@@ -194,4 +194,4 @@ TEST(Payload, LeavesDamagedFramesOutAndNamesThem)
   EXPECT_THAT(payload.notes[0], HasSubstr("2 frames"));
 }
 
-}  // namespace
+}  // namespace payload_test

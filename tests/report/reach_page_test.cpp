@@ -2,7 +2,7 @@
 #include "report/reach_page.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace reach_page_test {
 
 ReachSection section_with(FloodVerdict verdict, const std::string& name)
 {
@@ -86,4 +86,4 @@ TEST(ReachPage, DrawsTheGroundBeforeAndAfter)
   EXPECT_EQ(reach_picture({}), "");
 }
 
-}  // namespace
+}  // namespace reach_page_test

@@ -4,7 +4,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace shown_test {
 
 /// A run of n points in F frames: point p moves right by k at frame k and has S_u = 8000 - 100 k p; the last leaves in
 /// the last frame. noise: what chance adds to coordinates [m], and a thousand times to S_u [Pa].
@@ -164,4 +164,4 @@ TEST(Fit, LeavesOutPointsLast)
   EXPECT_NEAR(runs[0].x.lo + runs[0].x.step * runs[0].x_codes[0][p], 0.5 * runs[0].ids[p], runs[0].x.step);
 }
 
-}  // namespace
+}  // namespace shown_test

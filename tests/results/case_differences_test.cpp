@@ -2,7 +2,7 @@
 #include "results/compare.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace case_differences_test {
 
 TEST(CaseDifferences, AreNamedByKeyWithBothValues)
 {
@@ -23,4 +23,4 @@ TEST(CaseDifferences, DoNotCountWhatIsThereToBeComparedOrDoesNotChangeTheSoil)
   EXPECT_THAT(case_differences("not TOML", "[mesh]\ncell = 8.0\n"), IsEmpty());
 }
 
-}  // namespace
+}  // namespace case_differences_test

@@ -4,7 +4,7 @@
 #include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace compare_test {
 
 /// Mixed with two slides and points that regained strength, GP with one slide.
 struct CompareTest : testing::Test {
@@ -143,4 +143,4 @@ TEST(SchemeTitle, IsThePapersName)
   EXPECT_EQ(scheme_title("another"), "another");
 }
 
-}  // namespace
+}  // namespace compare_test

@@ -4,7 +4,7 @@
 #include "support/test.hpp"
 #include <functional>
 
-namespace {
+namespace compare_words_test {
 
 TEST(CompareWords, SaysThatRunsEndAtDifferentTimes)
 {
@@ -128,4 +128,4 @@ TEST(CompareWords, MeasuresTheFrontInTheDirectionOfTheSlide)
       Contains("With a the front ends 0.50 m farther than with b (3.00 m against 3.50 m)."));
 }
 
-}  // namespace
+}  // namespace compare_words_test

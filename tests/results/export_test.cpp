@@ -3,7 +3,7 @@
 #include "results/runs.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace export_test {
 
 TEST(ParseFrames, TakesNumbersRangesAndLast)
 {
@@ -66,4 +66,4 @@ TEST_F(ExportTest, AFieldThatIsNotThereWritesNothing)
   EXPECT_FALSE(std::filesystem::exists(folder));
 }
 
-}  // namespace
+}  // namespace export_test

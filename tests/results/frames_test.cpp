@@ -3,7 +3,7 @@
 #include "results/runs.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace frames_test {
 
 struct FramesTest : testing::Test {
   ScratchFolder scratch;
@@ -140,4 +140,4 @@ TEST(Magnitudes, AreLengthsOfVectorsAndSizesOfNumbers)
   EXPECT_THAT(magnitudes({-2.5, 1.5}, 1), ElementsAre(2.5, 1.5));
 }
 
-}  // namespace
+}  // namespace frames_test

@@ -4,7 +4,7 @@
 #include "results/runs.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace measures_test {
 
 const RunMeasure& measure(const std::vector<RunMeasure>& all, const std::string& name)
 {
@@ -139,4 +139,4 @@ TEST(Measures, OfSizesWhoseVerdictDiffersSayItLoudly)
   EXPECT_THAT(study(FloodVerdict::damaged), HasSubstr("\nAll sizes agree: damaged, holds the water. "));
 }
 
-}  // namespace
+}  // namespace measures_test

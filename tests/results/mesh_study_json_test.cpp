@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <fmt/format.h>
 
-namespace {
+namespace mesh_study_json_test {
 
 /// Three runs of a sample on cells of 0.4, 0.2, 0.1 m; the front of the second is elsewhere, the third has no crest.
 MeshStudy sample_study(const ScratchFolder& scratch)
@@ -91,4 +91,4 @@ TEST(Formats, HaveTheKeysOfAQuantityInConvergenceJson)
   EXPECT_THAT(read_file(source_path("docs/formats.md")), HasSubstr(block)) << "the table must read\n" << block;
 }
 
-}  // namespace
+}  // namespace mesh_study_json_test

@@ -4,7 +4,7 @@
 #include "results/sequences.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mesh_study_test {
 
 constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 
@@ -208,4 +208,4 @@ TEST(MeshStudy, NothingIsSaidOfVariantsWhereThereIsOneOrNoSizeInCommon)
   EXPECT_TRUE(apart.spreads.empty());
 }
 
-}  // namespace
+}  // namespace mesh_study_test

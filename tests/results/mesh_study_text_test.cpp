@@ -2,7 +2,7 @@
 #include "results/sequences.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mesh_study_text_test {
 
 TEST(MeshStudyText, AmountsHaveThreeDigitsThatCount)
 {
@@ -52,4 +52,4 @@ TEST(MeshStudyText, AnswersForAllQuantitiesInOneSentence)
                                      ContainsRegex("front \\[m\\] +1.00 +1.00 +1.00 +0 % +- +- +-\n")));
 }
 
-}  // namespace
+}  // namespace mesh_study_text_test

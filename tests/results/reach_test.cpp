@@ -5,7 +5,7 @@
 #include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace reach_test {
 
 SectionRecord sample_record()
 {
@@ -196,4 +196,4 @@ TEST(Reach, ASectionWithoutItsRunHasNoResult)
   EXPECT_EQ(state_of(read_section(scratch.path())), "not finished");
 }
 
-}  // namespace
+}  // namespace reach_test

@@ -7,7 +7,7 @@
 #include "simulation/history.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace run_results_test {
 
 TEST(RunResults, HoldsWhatTheWritersWrote)
 {
@@ -113,4 +113,4 @@ TEST(DistinctNames, AreAsMuchOfThePathsAsTellsThemApart)
   EXPECT_THAT(distinct_names({"a/model_2", "b/model_2"}), ElementsAre("a/model_2", "b/model_2"));
 }
 
-}  // namespace
+}  // namespace run_results_test

@@ -4,7 +4,7 @@
 #include "followers/followers.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace table_test {
 
 TEST(Table, OfTheLedgerHasItsColumnsByName)
 {
@@ -62,4 +62,4 @@ TEST(DescribeColumn, NamesEveryColumnOfTheTables)
   EXPECT_EQ(describe_column("porosity").label, "porosity");
 }
 
-}  // namespace
+}  // namespace table_test

@@ -5,7 +5,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace admissible_state_test {
 
 class EveryScheme : public TestWithParam<const char*> {};
 
@@ -67,4 +67,4 @@ TEST_P(
 INSTANTIATE_TEST_SUITE_P(Schemes, EveryScheme, testing::Values("mpm_mixed", "mpm_gp", "standard_mpm"),
     [](const auto& info) { return std::string(info.param); });
 
-}  // namespace
+}  // namespace admissible_state_test

@@ -5,7 +5,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace cell_group_test {
 
 /// n cells of 1 m x 1 m side by side, or distorted ones, with room for one state variable.
 struct Row {
@@ -199,4 +199,4 @@ TEST(CellGroup, FetchingAheadChangesNothingAndEndsWithTheLastCell)
   prefetch_next(group, 6);
 }
 
-}  // namespace
+}  // namespace cell_group_test

@@ -4,7 +4,7 @@
 #include "support/blocks.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace cell_view_test {
 
 using Rows = PointRows<2>;
 
@@ -56,4 +56,4 @@ TEST(CellView, StrainIsAddedUpAndChangesTheVolumeByItsTrace)
   EXPECT_DOUBLE_EQ(cell.block().row(Rows::volume)[0], 0.2 * (1.0 - 0.015) * (1.0 - 0.015));
 }
 
-}  // namespace
+}  // namespace cell_view_test

@@ -7,7 +7,7 @@
 #include "support/test.hpp"
 #include "support/verification.hpp"
 
-namespace {
+namespace excess_pressure_test {
 
 struct Way {
   std::string scheme;
@@ -89,4 +89,4 @@ TEST(ExcessPressureOfABlock, TakesItsStiffnessFromTheUndrainedPoissonRatioOrAsIt
   EXPECT_EQ(Simulation(c).model.materials[0].excess_row, -1);
 }
 
-}  // namespace
+}  // namespace excess_pressure_test

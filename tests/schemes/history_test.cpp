@@ -4,7 +4,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace history_test {
 
 /// Plastic strain of two points of equal volume in one sub-cell, the only ones of their cell, after a step in which
 /// nothing deforms.
@@ -84,4 +84,4 @@ TEST(History, WithSofteningTheLargestPlasticStrainIsLowerInMixed)
   EXPECT_GE(largest("mpm_gp"), 1.15 * largest("mpm_mixed"));
 }
 
-}  // namespace
+}  // namespace history_test

@@ -4,7 +4,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mpm_gp_test {
 
 using Rows = PointRows<2>;
 
@@ -86,4 +86,4 @@ TEST(MpmGp, InRigidTranslationEveryStateIsCarriedExactly)
   }
 }
 
-}  // namespace
+}  // namespace mpm_gp_test

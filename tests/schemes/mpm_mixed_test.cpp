@@ -4,7 +4,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mpm_mixed_test {
 
 using Rows = PointRows<2>;
 
@@ -123,4 +123,4 @@ TEST(MpmMixed, DiffusionMovesTheSumOfTheStateWithTheSoil)
   EXPECT_NEAR(centre_after, centre + 4.7123 * s.state.time, 0.001);
 }
 
-}  // namespace
+}  // namespace mpm_mixed_test

@@ -5,7 +5,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace objective_rate_test {
 
 using Rows = PointRows<2>;
 
@@ -58,4 +58,4 @@ TEST(ObjectiveRate, NoneLeavesTheStressWhereItWas)
     }
 }
 
-}  // namespace
+}  // namespace objective_rate_test

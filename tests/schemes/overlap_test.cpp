@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace terp {
-namespace {
+namespace overlap_test {
 
 struct Overlap : testing::TestWithParam<std::string> {
   static Case with_overlap(Case c)
@@ -155,5 +155,5 @@ TEST_P(Overlap, KeepsThePointsNearTheYieldSurface)
   EXPECT_LT(shear.back(), 1.7 * su);
 }
 
-}  // namespace
+}  // namespace overlap_test
 }  // namespace terp

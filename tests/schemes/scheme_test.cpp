@@ -4,7 +4,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace scheme_test {
 
 TEST(Schemes, ListsEverySchemeOnceWithALineOfText)
 {
@@ -57,4 +57,4 @@ TEST(Schemes, SaysTruthfullyWhichOptionsChangeNothing)
   }
 }
 
-}  // namespace
+}  // namespace scheme_test

@@ -4,7 +4,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace standard_mpm_test {
 
 /// How far the front of a nearly incompressible column without softening has moved after 1 s [m].
 Real path_of_front(const char* scheme)
@@ -58,4 +58,4 @@ TEST(StandardMpm, ASofteningColumnStandsOnALockedMesh)
   EXPECT_GT(path("mpm_gp"), 1.0);
 }
 
-}  // namespace
+}  // namespace standard_mpm_test

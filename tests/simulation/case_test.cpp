@@ -2,7 +2,7 @@
 #include "simulation/case.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace case_test {
 
 TEST(Case, FilesAreNamedRelativeToTheCaseFile)
 {
@@ -20,4 +20,4 @@ TEST(Case, AFormulaOfTheVelocityGoesBeforeItsNumbers)
   EXPECT_EQ(velocity_of(body, {3.0, 4.0}), (Vec<2>{4.0, -3.0}));
 }
 
-}  // namespace
+}  // namespace case_test

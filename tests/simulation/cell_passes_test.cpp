@@ -3,7 +3,7 @@
 #include "support/blocks.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace cell_passes_test {
 
 using Rows = PointRows<2>;
 
@@ -113,4 +113,4 @@ TEST(CellPasses, PaddingNeverLeaves)
   EXPECT_THAT(cells.lanes_that_leave({5.0, 0.0}), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
 }
 
-}  // namespace
+}  // namespace cell_passes_test

@@ -12,7 +12,7 @@
 #include "support/stages.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace chain_test {
 
 MaterialCase frictional(const std::string& name, Real cohesion, Drainage drainage)
 {
@@ -270,4 +270,4 @@ TEST(Chain, CutsTheWaterToTheWeightOfTheStep)
   EXPECT_LT(highest, 1.0);
 }
 
-}  // namespace
+}  // namespace chain_test

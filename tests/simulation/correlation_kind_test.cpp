@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace {
+namespace correlation_kind_test {
 
 constexpr Real spacing = 0.125;
 
@@ -96,4 +96,4 @@ TEST(CorrelationKind, AMovingAverageEndsWhereItsWeightsAreNothing)
   EXPECT_LT(weights.front(), 1e-9 * weights[15]);
 }
 
-}  // namespace
+}  // namespace correlation_kind_test

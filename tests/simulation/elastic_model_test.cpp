@@ -6,7 +6,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace elastic_model_test {
 
 /// A vertical cut of 2 m on a rough base, on cells of 0.5 m: its factor of safety is 0.92 to 0.94 (decision 0035). It
 /// cannot stand at full strength.
@@ -134,4 +134,4 @@ TEST(ElasticModel, HasTheStiffnessOfTheSoilAndNoStrength)
     EXPECT_TRUE(std::ranges::any_of(elastic.rows.entries(), [&](const RowInfo& e) { return e.name == row.name; }));
 }
 
-}  // namespace
+}  // namespace elastic_model_test

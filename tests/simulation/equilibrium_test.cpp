@@ -9,7 +9,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace equilibrium_test {
 
 constexpr Real g = 9.81;
 
@@ -269,4 +269,4 @@ TEST(Settle, AValueThatIsNotANumberEndsIt)
       StartsWith("in the search for equilibrium: step 0, t = 0.0000 s: the "));
 }
 
-}  // namespace
+}  // namespace equilibrium_test

@@ -3,7 +3,7 @@
 #include "simulation/summary.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace flood_summary_test {
 
 TEST(StageAt, IsTheStageInWhichATimeLiesWithItsEnd)
 {
@@ -43,4 +43,4 @@ TEST(FloodClause, SaysInWhichStageTheGroundCameDown)
   EXPECT_THAT(flood_clause(gone), EndsWith(": no ground remains; it began in the stage `flood`"));
 }
 
-}  // namespace
+}  // namespace flood_summary_test

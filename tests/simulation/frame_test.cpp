@@ -10,7 +10,7 @@
 #include <tuple>
 #include <fmt/format.h>
 
-namespace {
+namespace frame_test {
 
 const PointField& field(const Frame& frame, const std::string& name)
 {
@@ -161,4 +161,4 @@ TEST(Frame, TheCaseChoosesTheNorm)
   EXPECT_NEAR(field(make_frame(s.model, s.state), "eps_deviatoric").values[2], 0.02 / std::sqrt(3.0), 1e-16);
 }
 
-}  // namespace
+}  // namespace frame_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace {
+namespace gaussian_field_test {
 
 GaussianFieldCase field_of(std::uint32_t realisation)
 {
@@ -181,4 +181,4 @@ TEST(GaussianField, MarginalsHaveMeanOneAndTheirCoefficientOfVariation)
   EXPECT_TRUE(std::isnan(score_of(FieldMarginal::lognormal, 0.2, -1.0)));
 }
 
-}  // namespace
+}  // namespace gaussian_field_test

@@ -9,7 +9,7 @@
 #include "support/test.hpp"
 #include <fmt/format.h>
 
-namespace {
+namespace guards_test {
 
 using Rows = PointRows<2>;
 
@@ -223,4 +223,4 @@ TEST(Guards, ARunWhoseSoilFliesOutOfTheMeshStops)
   EXPECT_EQ(s.state.points.n_points(), 9 * 25);  // none is lost
 }
 
-}  // namespace
+}  // namespace guards_test

@@ -5,7 +5,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace history_test {
 
 TEST(History, HoldsOneRowForEachNamedPointInTheOrderOfTheCase)
 {
@@ -68,4 +68,4 @@ TEST(History, FollowsItsPointsFromCellToCell)
   }
 }
 
-}  // namespace
+}  // namespace history_test

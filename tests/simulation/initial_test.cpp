@@ -6,7 +6,7 @@
 #include "support/stages.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace initial_test {
 
 constexpr Real g = 9.81;
 
@@ -203,4 +203,4 @@ TEST(InitialStress, AStageGivesNoLawThatDoesNotAdmitTheStress)
                          HasSubstr("At the point at (")));
 }
 
-}  // namespace
+}  // namespace initial_test

@@ -4,7 +4,7 @@
 #include "support/twin.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace invariants_test {
 
 class EveryScheme : public TestWithParam<const char*> {};
 
@@ -166,4 +166,4 @@ TEST_P(EveryScheme, GravityWorkIsTheChangeOfPotential)
   EXPECT_GT(s.state.work.gravity, 1e-4 * start);
 }
 
-}  // namespace
+}  // namespace invariants_test

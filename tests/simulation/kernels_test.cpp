@@ -5,7 +5,7 @@
 #include "schemes/scheme.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace kernels_test {
 
 TEST(Kernels, EveryCopyHasItsOwnNameAndEveryLawAndScheme)
 {
@@ -38,4 +38,4 @@ TEST(Kernels, LawsSchemesAndStepsOfThisProcessAreOfOneCopy)
   EXPECT_EQ(all_schemes()[0], schemes_of_set(chosen_set())[0]);
 }
 
-}  // namespace
+}  // namespace kernels_test

@@ -5,7 +5,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace ledger_test {
 
 using Rows = PointRows<2>;
 
@@ -155,4 +155,4 @@ TEST(Ledger, TheLargestSpeedsAreThoseOfPointsHoweverTheyAreStored)
   EXPECT_EQ(row["v_999"], speeds[static_cast<std::size_t>(0.999 * static_cast<double>(speeds.size() - 1))]);
 }
 
-}  // namespace
+}  // namespace ledger_test

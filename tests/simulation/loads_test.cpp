@@ -8,7 +8,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace loads_test {
 
 /// A free block of elastic soil, 2 m x 1 m, with a load on a part of it; cells of 0.25 m.
 Case loaded(const std::string& scheme, MethodOptions method = {})
@@ -195,4 +195,4 @@ TEST(Loads, AddToTheOverburdenOfK0)
   }
 }
 
-}  // namespace
+}  // namespace loads_test

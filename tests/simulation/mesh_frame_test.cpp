@@ -4,7 +4,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mesh_frame_test {
 
 struct Totals {
   Real mass = 0.0, momentum_x = 0.0, pressure = 0.0;  ///< the last: sum of tr(sigma)/3 Omega_p
@@ -73,4 +73,4 @@ TEST(MeshFrame, ABodyInUniformMotionGivesItsVelocityToEveryNodeItTouches)
   }
 }
 
-}  // namespace
+}  // namespace mesh_frame_test

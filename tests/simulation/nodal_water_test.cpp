@@ -5,7 +5,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace nodal_water_test {
 
 constexpr Real gamma_w = 10.0e3;
 
@@ -119,4 +119,4 @@ TEST(NodalWater, APointHasThePressureOfItsPlace)
   });
 }
 
-}  // namespace
+}  // namespace nodal_water_test

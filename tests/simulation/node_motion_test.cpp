@@ -5,7 +5,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace node_motion_test {
 
 using Rows = PointRows<2>;
 
@@ -58,4 +58,4 @@ TEST(NodalKineticEnergy, IsAtMostThatOfThePoints)
   EXPECT_LE(row["kinetic_nodal"], row["kinetic"] * (1.0 + 1e-12));
 }
 
-}  // namespace
+}  // namespace node_motion_test

@@ -5,7 +5,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace node_passes_test {
 
 using Rows = PointRows<2>;
 
@@ -157,4 +157,4 @@ TEST(NodePasses, AVelocityThatIsNotANumberIsNoticed)
   EXPECT_FALSE(s.work.finite);
 }
 
-}  // namespace
+}  // namespace node_passes_test

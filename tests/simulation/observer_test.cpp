@@ -2,7 +2,7 @@
 #include "simulation/observer.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace observer_test {
 
 Frame frame_of(std::int64_t n_points, std::int64_t first, std::int64_t n_all)
 {
@@ -31,4 +31,4 @@ TEST(Frame, InPartsEndsWithThePartThatHoldsTheLastPoint)
 
 TEST(Frame, WithoutPointsIsWholeToo) { EXPECT_TRUE(frame_of(0, 0, 0).ends()); }
 
-}  // namespace
+}  // namespace observer_test

@@ -9,7 +9,7 @@
 #include "support/stages.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace other_run_test {
 
 /// A run of the case that begins with the present state of another one, after its stage.
 Simulation continued(const Simulation& other, const std::string& stage, const Case& c)
@@ -171,4 +171,4 @@ TEST(OtherRun, GoesOnFromItsOwnCheckpoints)
   }
 }
 
-}  // namespace
+}  // namespace other_run_test

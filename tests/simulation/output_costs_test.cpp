@@ -4,7 +4,7 @@
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace output_costs_test {
 
 /// 1600 points of tresca_softening, 0.1 s.
 OutputCost cost_of(const OutputCase& output)
@@ -54,4 +54,4 @@ TEST(OutputCost, GrowsWithFramesAndFields)
   EXPECT_GT(more.seconds, few.seconds);
 }
 
-}  // namespace
+}  // namespace output_costs_test

@@ -5,7 +5,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace overburden_test {
 
 constexpr Real g = 9.81, gamma_w = 10.0e3;
 
@@ -96,4 +96,4 @@ TEST(Overburden, CarriesTheLoadsOfTheStartWhereTheyStand)
   EXPECT_DOUBLE_EQ(Overburden(model, 2.0).total({1.0, 0.5}, c.water.start), soil / g * 2.0 + 30e3);
 }
 
-}  // namespace
+}  // namespace overburden_test

@@ -2,7 +2,7 @@
 #include "simulation/passes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace passes_test {
 
 std::array<PassCost, n_passes> costs_of(std::string_view scheme) { return pass_costs(*find_scheme(scheme)); }
 
@@ -45,4 +45,4 @@ TEST(PassCosts, CountEachRowOnceForReadingAndOnceForWriting)
   EXPECT_EQ(costs_of("mpm_gp")[cells_to_points].rows, 7.0);  // xi, m, v read, v written
 }
 
-}  // namespace
+}  // namespace passes_test

@@ -16,7 +16,7 @@
 #include "support/stages.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace placed_bodies_test {
 
 constexpr Real g = 10.0, of_ground = 2000.0, of_fill = 1500.0;  // [m/s^2], [kg/m^3]
 
@@ -352,4 +352,4 @@ TEST(PlacedBodies, ThatGoWithTheLoadOnThemNeedNoGroundBelow)
   EXPECT_NEAR(dig(0.0), 0.15, 0.01);
 }
 
-}  // namespace
+}  // namespace placed_bodies_test

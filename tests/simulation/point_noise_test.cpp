@@ -4,7 +4,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace point_noise_test {
 
 using Rows = PointRows<2>;
 
@@ -102,4 +102,4 @@ TEST(PointNoise, SameBitsOnThreadsAndAfterASave)
   EXPECT_NE(one.state.work.relaxation, 0.0);
 }
 
-}  // namespace
+}  // namespace point_noise_test

@@ -10,7 +10,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace point_parameters_test {
 
 const std::vector<const char*> schemes = {"standard_mpm", "mpm_mixed", "mpm_gp"};
 constexpr std::size_t shear_modulus = 0, su_peak = 2, eta = 4;  // numbers in the table of tresca_softening
@@ -233,4 +233,4 @@ TEST(PointParameters, ThatTheLawKeepsUniformAreRefused)
       "The law newtonian_fluid does not let viscosity vary from point to point. Give one number.");
 }
 
-}  // namespace
+}  // namespace point_parameters_test

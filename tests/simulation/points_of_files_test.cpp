@@ -7,7 +7,7 @@
 #include "support/test.hpp"
 #include <fmt/format.h>
 
-namespace {
+namespace points_of_files_test {
 
 /// What is wrong with files of points beside a drawn body of 1 m x 1 m; its cells have 0.0625 m^2.
 Problem problem_of_files(const std::vector<std::string>& files, const Polygon& hole = {})
@@ -103,4 +103,4 @@ TEST(PointsOfFiles, TwoOfTwoFilesAtOnePlaceAreToldWithBothFiles)
   EXPECT_THAT(problem_of_files({lines, lines}).detail, AllOf(HasSubstr("more1.csv:2 and more2.csv:2: ")));
 }
 
-}  // namespace
+}  // namespace points_of_files_test

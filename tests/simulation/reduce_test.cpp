@@ -4,7 +4,7 @@
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace reduce_test {
 
 constexpr Real degree = std::numbers::pi / 180.0;
 
@@ -148,4 +148,4 @@ TEST(Stiffen, ScalesAParameterThatVariesAtEachPlace)
   EXPECT_DOUBLE_EQ(stiffen(c, 100.0).materials[0].fields[0].value_at({2.0, 0.0}), 3e8);
 }
 
-}  // namespace
+}  // namespace reduce_test

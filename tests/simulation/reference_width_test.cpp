@@ -10,7 +10,7 @@
 
 #include <numeric>
 
-namespace {
+namespace reference_width_test {
 
 MaterialCase layer_of_clay(Real reference_width)
 {
@@ -138,4 +138,4 @@ TEST(ReferenceWidth, WideCellsThatSoilMayComeToAreDoubted)
                               "soil may come to cells too wide for the reference width")));
 }
 
-}  // namespace
+}  // namespace reference_width_test

@@ -4,7 +4,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace repeat_test {
 
 StateImage state_after_300_steps(const char* scheme, int threads)
 {
@@ -34,4 +34,4 @@ TEST(Repeat, AChangeOfOneBitIsSeen)
   EXPECT_EQ(first_difference(make_image(a.state), make_image(b.state)), "points/velocity");
 }
 
-}  // namespace
+}  // namespace repeat_test

@@ -2,7 +2,7 @@
 #include "simulation/reporter.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace reporter_test {
 
 TEST(Due, IsTheStepNearestToEachMultiple)
 {
@@ -22,4 +22,4 @@ TEST(Due, NothingIsDueWithoutAnInterval)
   for (std::int64_t step = 0; step < 5; ++step) EXPECT_FALSE(due(step, 0.3, 0.0));
 }
 
-}  // namespace
+}  // namespace reporter_test

@@ -8,7 +8,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace run_test {
 
 /// Keeps the steps at which it was called, and may ask for a stop.
 struct Recorder : Observer {
@@ -240,4 +240,4 @@ TEST(Run, TheBooksBalanceToAFewPercentOfTheGravityWork)
   }
 }
 
-}  // namespace
+}  // namespace run_test

@@ -6,7 +6,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace scale_warnings_test {
 
 using testing::Field;
 
@@ -203,4 +203,4 @@ TEST(ScaleWarnings, ACaseInWhichNothingMovesIsTold)
   EXPECT_THAT(warnings_of(c), IsEmpty());
 }
 
-}  // namespace
+}  // namespace scale_warnings_test

@@ -4,7 +4,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace search_windows_test {
 
 struct Window {
   Real moved, out_of_balance;  ///< since the last window [m]; force over weight [-]
@@ -40,4 +40,4 @@ TEST(SearchWindows, SoilThatMovesFasterWhileTheForceFallsMayStillComeToRest)
   EXPECT_TRUE(after(rises).runs_away()) << "and if it rises again, it does not";
 }
 
-}  // namespace
+}  // namespace search_windows_test

@@ -5,7 +5,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace section_warnings_test {
 
 std::vector<Problem> warnings_on(const Case& c, Mesh<2> mesh)
 {
@@ -170,4 +170,4 @@ TEST(SectionWarnings, AMeshInMillimetresIsTold)
       Contains(testing::Field(&Problem::what, "all bodies together are smaller than a cell")));
 }
 
-}  // namespace
+}  // namespace section_warnings_test

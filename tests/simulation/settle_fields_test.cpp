@@ -7,7 +7,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace settle_fields_test {
 
 constexpr std::size_t su_peak = 2, eta = 4;  // numbers in the table of tresca_softening
 
@@ -61,4 +61,4 @@ TEST(SettleFields, AFileThatCoversNoSoilIsRefusedAndOneThatCoversAPartIsDoubted)
   EXPECT_THAT(warnings_from(find_uncovered_soil, covering({0.0, 0.0}, {8.0, 2.0})), IsEmpty());
 }
 
-}  // namespace
+}  // namespace settle_fields_test

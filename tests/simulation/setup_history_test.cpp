@@ -5,7 +5,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace setup_history_test {
 
 std::vector<Problem> warnings_for(std::vector<std::pair<std::string, Vec<2>>> places)
 {
@@ -31,4 +31,4 @@ TEST(SetupHistory, APlaceMoreThanACellFromAnyPointIsAWarning)
   EXPECT_EQ(warnings[1].key, "output.history.points.\"above\"");
 }
 
-}  // namespace
+}  // namespace setup_history_test

@@ -4,7 +4,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace setup_mesh_test {
 
 Case case_of(MeshKind kind)
 {
@@ -58,4 +58,4 @@ TEST(SetupMesh, TheTypicalSizeIsTheSideOfASquareOfTheMeanArea)
   EXPECT_NEAR(typical_cell_size(build_mesh(case_of(MeshKind::rectangle))), std::sqrt(0.125), 1e-15);
 }
 
-}  // namespace
+}  // namespace setup_mesh_test

@@ -6,7 +6,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace setup_points_test {
 
 /// Clay on the left, rock on the right, 0.5 m x 0.5 m each, 5 x 5 points per cell of 0.25 m.
 Case clay_and_rock()
@@ -97,4 +97,4 @@ TEST(SetupPoints, ARegionOfAMeshWithoutNamesSaysHowToNameIt)
           "No surface of this mesh has a name. In gmsh: `Physical Surface(\"sand\") = {1};`, then save.")));
 }
 
-}  // namespace
+}  // namespace setup_points_test

@@ -6,7 +6,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace setup_test {
 
 using testing::Field;
 
@@ -282,4 +282,4 @@ TEST(Setup, AnUnknownSchemeModelOrMaterialIsRefused)
   EXPECT_EQ(problem_of(c).what, "no material `sand`");
 }
 
-}  // namespace
+}  // namespace setup_test

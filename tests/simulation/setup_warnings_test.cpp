@@ -6,7 +6,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace setup_warnings_test {
 
 std::vector<Problem> warnings_of(Case c)
 {
@@ -122,4 +122,4 @@ TEST(SetupWarnings, SharesOfBodiesAddUp)
   EXPECT_NEAR(model.bodies[1].mass, 0.25 * 2500.0, 1e-9);
 }
 
-}  // namespace
+}  // namespace setup_warnings_test

@@ -6,7 +6,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace shared_cells_test {
 
 /// 2 m by 1 m on cells of 0.25 m: soft clay between two levels, in stiff soil.
 Case layer_between(Real low, Real high)
@@ -48,4 +48,4 @@ TEST(SharedCells, AThinLayerOfSoilThatYieldsIsTold)
   EXPECT_THAT(warnings_of(thin), ElementsAre());  // never yields
 }
 
-}  // namespace
+}  // namespace shared_cells_test

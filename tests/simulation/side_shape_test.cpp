@@ -2,7 +2,7 @@
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace side_shape_test {
 
 TEST(SideShape, HasTheLengthAndTheOutwardNormalOfASide)
 {
@@ -23,4 +23,4 @@ TEST(SideShape, ASideThatTheCaseDoesNotNameIsFree)
   EXPECT_EQ(condition_of(c, "top").kind, SideKind::free);
 }
 
-}  // namespace
+}  // namespace side_shape_test

@@ -6,7 +6,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace simulation_test {
 
 /// 132 steps of 1/330 s.
 Case sliding_column()
@@ -213,4 +213,4 @@ TEST(Simulation, ManyRunsHoldOneMesh)
   EXPECT_EQ(first_difference(a.save(), own.save()), "");
 }
 
-}  // namespace
+}  // namespace simulation_test

@@ -5,7 +5,7 @@
 #include "support/test.hpp"
 #include <atomic>
 
-namespace {
+namespace sliding_block_test {
 
 constexpr Real length = 4.0, height = 0.5, density = 2000.0;  // [m], [m], [kg/m^3]
 constexpr Real mass = density * length * height;              // [kg per m]
@@ -130,4 +130,4 @@ TEST_P(SlidingBlock, SticksWhenFrictionExceedsTheSlope)  // tan 15 degrees = 0.2
   EXPECT_NEAR(mean_acceleration(rubbing_block(GetParam(), SideKind::contact_bilateral, 0.4, 15.0)), 0.0, 0.002);
 }
 
-}  // namespace
+}  // namespace sliding_block_test

@@ -4,7 +4,7 @@
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace slip_planes_test {
 
 TEST(SlipPlanes, AreNamedWithWhatIsKnownOfThem)
 {
@@ -38,4 +38,4 @@ TEST(SlipPlanes, TheirStrengthStandsBesideThatOfTheNearestPoint)
   }
 }
 
-}  // namespace
+}  // namespace slip_planes_test

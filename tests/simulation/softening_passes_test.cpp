@@ -8,7 +8,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace softening_passes_test {
 
 using Rows = PointRows<2>;
 
@@ -228,4 +228,4 @@ TEST(SofteningPasses, SpreadThePartOfSofteningBetweenSoilsOfOtherRates)
   EXPECT_NEAR(softening_of_the_right(other), 0.5 * softening_of_the_right(one), 1e-12);
 }
 
-}  // namespace
+}  // namespace softening_passes_test

@@ -7,7 +7,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace softening_scales_test {
 
 /// The column, 2 m high, on cells of 0.05 m.
 std::vector<Problem> with_length(Real length, Real cell = 0.05)
@@ -106,4 +106,4 @@ TEST(SofteningScales, ALengthOfMoreThanAHundredCellsIsRefused)  // 200 mm writte
           "Got 200 m; the smallest cell is 0.5 m high. Allowed: at most 100 of them, 50 m.\nLengths are in m.")));
 }
 
-}  // namespace
+}  // namespace softening_scales_test

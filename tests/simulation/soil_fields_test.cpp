@@ -5,7 +5,7 @@
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace soil_fields_test {
 
 constexpr Real g = 9.81, water = 9810.0;
 
@@ -94,4 +94,4 @@ TEST_F(SoilFields, ShansepIsZeroWhereNothingWeighsAndWhatItIsMadeOfMayVary)
   EXPECT_DOUBLE_EQ(at(within(between(0.85, 1.0), soil.m), 2.0), 0.9);
 }
 
-}  // namespace
+}  // namespace soil_fields_test

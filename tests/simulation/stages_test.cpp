@@ -9,7 +9,7 @@
 #include "support/stages.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace stages_test {
 
 TEST(Stages, InWhichNothingChangesGiveTheBitsOfOneRun)
 {
@@ -324,4 +324,4 @@ TEST(Stages, ShorterThanAStepAreRefused)
       HasSubstr("stage[1].duration: the stage is shorter than a time step"));
 }
 
-}  // namespace
+}  // namespace stages_test

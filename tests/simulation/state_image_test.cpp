@@ -7,7 +7,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace state_image_test {
 
 /// A column on the move, with books.
 Case moving_column(const char* scheme)
@@ -243,4 +243,4 @@ TEST(StateImage, TellsHowManyPointsTheRunBeganWith)
   EXPECT_THROW(count_points(StateImage{}), FileError);
 }
 
-}  // namespace
+}  // namespace state_image_test

@@ -4,7 +4,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace state_test {
 
 TEST(State, CountsThePointsOfTheStart)
 {
@@ -25,4 +25,4 @@ TEST(State, PointsThatLeaveKeepTheirIds)
   EXPECT_EQ(points_by_id(simulation.state).size() + simulation.state.left.size(), 100u);
 }
 
-}  // namespace
+}  // namespace state_test

@@ -3,7 +3,7 @@
 #include "support/twin.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace step_test {
 
 /// Largest difference over the field's largest value; over 1 where the field is zero.
 Real relative_error(const std::vector<Real>& got, const std::vector<Real>& expected)
@@ -47,4 +47,4 @@ TEST(Step, CountsItselfAndKeepsTimeAsAMultipleOfDt)
   EXPECT_EQ(s.state.time, 3.0 * s.model.dt);
 }
 
-}  // namespace
+}  // namespace step_test

@@ -4,7 +4,7 @@
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace strength_profile_test {
 
 Case two_layers()
 {
@@ -84,4 +84,4 @@ TEST(StrengthProfile, StandsAtTheHighestGroundAndAtTheQuarters)
   EXPECT_NEAR(lines[1], 6.0, 0.1);
 }
 
-}  // namespace
+}  // namespace strength_profile_test

@@ -7,7 +7,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace totals_test {
 
 using Rows = PointRows<2>;
 
@@ -103,4 +103,4 @@ TEST(Totals, NameThePointsWhoseHistoryWentBack)
   EXPECT_EQ(memory.last_eps_eq_p[7], 0.02);  // the walk remembers nothing
 }
 
-}  // namespace
+}  // namespace totals_test

@@ -8,7 +8,7 @@
 #include "support/test.hpp"
 #include "system/process.hpp"
 
-namespace {
+namespace turned_mesh_test {
 
 Case rectangle()
 {
@@ -69,4 +69,4 @@ TEST_F(TurnedMesh, MustBeKept)
   EXPECT_THAT([&] { turned_mesh_file(rectangle(), 30.0); }, ThrowsMessage<MeshError>(HasSubstr("cannot be kept")));
 }
 
-}  // namespace
+}  // namespace turned_mesh_test

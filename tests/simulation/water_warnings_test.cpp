@@ -7,7 +7,7 @@
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace water_warnings_test {
 
 using Line = std::vector<Vec<2>>;
 
@@ -126,4 +126,4 @@ TEST(WaterWarnings, AHeadBelowTheLineAtWhichItActsIsTold)
                     "zero."))));
 }
 
-}  // namespace
+}  // namespace water_warnings_test

@@ -2,7 +2,7 @@
 #include "stability/bisection.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace bisection_test {
 
 /// Searches among trials that stand below `limit`, creep up to `creep`, and fail above.
 Bisection search(Real limit, const BisectionOptions& options, Real creep = 0.0)
@@ -116,4 +116,4 @@ TEST(Bisection, GuessesHowManyTrialsAreLeft)
   }
 }
 
-}  // namespace
+}  // namespace bisection_test

@@ -8,7 +8,7 @@
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace elastic_start_test {
 
 /// Clay 4 m wide and 2 m high between smooth walls.
 Case filled_box()
@@ -142,4 +142,4 @@ TEST(QuietCase, IsOfTheStrengthThatTheCaseAsksFor)
   EXPECT_EQ(quiet.at_strength, 1.0);
 }
 
-}  // namespace
+}  // namespace elastic_start_test

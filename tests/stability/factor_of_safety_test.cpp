@@ -4,7 +4,7 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace factor_of_safety_test {
 
 const std::atomic<bool> go{false};
 
@@ -105,4 +105,4 @@ TEST(FactorOfSafety, DoesNotTryStrengthsThatALawCannotTake)
   EXPECT_THROW(find_factor_of_safety(c, {.search = {0.05, 0.1, 0.01}, .rules = {}, .threads = 1}, go), RunError);
 }
 
-}  // namespace
+}  // namespace factor_of_safety_test

@@ -4,7 +4,7 @@
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace judged_soil_test {
 
 using Rows = PointRows<2>;
 
@@ -66,4 +66,4 @@ TEST(JudgedSoil, IsOutOfBalanceByItsWholeWeightInFreeFall)
   EXPECT_EQ(soil.take_out_of_balance(), 0.0);
 }
 
-}  // namespace
+}  // namespace judged_soil_test

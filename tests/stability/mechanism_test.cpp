@@ -4,7 +4,7 @@
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mechanism_test {
 
 /// A bank 8 m wide whose right half is 2 m high and whose left half is 4 m high, cells of 0.5 m.
 Case bank(bool mirrored = false)
@@ -109,4 +109,4 @@ TEST(Mechanism, OfSoilAtRestIsNone)
   EXPECT_FALSE(Moved(bank(), [](Vec<2>) { return Vec<2>{0.0, 0.0}; }).mechanism().moving.has_value());
 }
 
-}  // namespace
+}  // namespace mechanism_test

@@ -2,7 +2,7 @@
 #include "stability/mesh_error.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace mesh_error_test {
 
 Real factor_at(Real cell, Real order) { return 1.3 + 0.1 * std::pow(cell, order); }
 
@@ -48,4 +48,4 @@ TEST(MeshError, TheBoundHoldsForTheSlopesItWasMeasuredOn)
   EXPECT_LT(largest_mesh_error(32.0), 0.04);
 }
 
-}  // namespace
+}  // namespace mesh_error_test

@@ -5,7 +5,7 @@
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace trial_test {
 
 const TrialRules rules{.damping = 0.5, .rest = 1e-4, .failure = 1.0, .most_windows = 40, .stiffening = 1000.0};
 const std::atomic<bool> go{false};
@@ -167,4 +167,4 @@ TEST(Trial, StopsWhenAsked)
   EXPECT_TRUE(trial.windows.empty());
 }
 
-}  // namespace
+}  // namespace trial_test

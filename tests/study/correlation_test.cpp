@@ -3,7 +3,7 @@
 
 #include "support/test.hpp"
 
-namespace {
+namespace correlation_test {
 
 SquareMatrix three(Real ab, Real ac, Real bc)
 {
@@ -39,4 +39,4 @@ TEST(Correlation, ThePairThatContradictsTheOthersIsNamed)
   EXPECT_TRUE(cholesky(three(1.0, 0.0, 0.0)).fault) << "one number twice";
 }
 
-}  // namespace
+}  // namespace correlation_test

@@ -3,7 +3,7 @@
 
 #include "support/test.hpp"
 
-namespace {
+namespace distribution_test {
 
 TEST(Distribution, QuantilesAreThoseOfMeanAndStandardDeviation)
 {
@@ -69,4 +69,4 @@ TEST(Distribution, KindsStandInTheOrderOfTheirTable)
     EXPECT_EQ(static_cast<std::size_t>(all_distributions()[k].kind), k);
 }
 
-}  // namespace
+}  // namespace distribution_test

@@ -5,7 +5,7 @@
 #include "study/statistics.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace draw_test {
 
 const std::string two_numbers = changed(column_study, "number = 12", "number = 2000") + R"([[random]]
 key = "material.clay.eta"
@@ -122,4 +122,4 @@ values = ["mpm_gp", "mpm_mixed"]
   EXPECT_EQ(input_text(study, 1, draw_realisation(study, 3).inputs[1]), "mpm_mixed");
 }
 
-}  // namespace
+}  // namespace draw_test

@@ -14,7 +14,7 @@
 
 #include <thread>
 
-namespace {
+namespace engine_test {
 
 Real outcome(const Realisation& r, const char* name) { return r.outcomes[outcome_number(name)]; }
 
@@ -353,4 +353,4 @@ TEST(Engine, AStoreIsClearedByWhoHoldsAllOfItAlone)
   EXPECT_TRUE(std::filesystem::exists(folder + "/study.toml")) << "it may be what was read";
 }
 
-}  // namespace
+}  // namespace engine_test

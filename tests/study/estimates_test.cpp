@@ -6,7 +6,7 @@
 #include "study/study_text.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace estimates_test {
 
 Study study_of(const std::string& rule)
 {
@@ -205,4 +205,4 @@ TEST(Estimates, APageOfSamplesShowsHistogramsAndFields)
   EXPECT_THAT(page, HasSubstr("What 6 realisations of column.toml would be drawn with"));
 }
 
-}  // namespace
+}  // namespace estimates_test

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace fragility_test {
 
 /// The load is gravity: h in g.
 const std::string curve_text = changed(column_study, "number = 12", "number = 8") + R"([fragility]
@@ -282,4 +282,4 @@ TEST(Fragility, WithOneMistakeHasOneMessage)
         << row.to;
 }
 
-}  // namespace
+}  // namespace fragility_test

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace multilevel_test {
 
 /// The fine case has cells of 0.5 m, the coarse one those of the column, 1 m.
 const std::string two_levels = changed(changed(column_study, "kind = \"monte_carlo\"",
@@ -415,4 +415,4 @@ TEST(Multilevel, AFileThatTheCoarseCaseNamesIsPartOfTheStudyAndIsCopied)
   EXPECT_NE(digits(), before);
 }
 
-}  // namespace
+}  // namespace multilevel_test

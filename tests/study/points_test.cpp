@@ -9,7 +9,7 @@
 
 #include <set>
 
-namespace {
+namespace points_test {
 
 StudySettings settings_of(const std::string& kind, Index n, int seed = 3)
 {
@@ -80,4 +80,4 @@ TEST(Points, ANumberThatIsNoPowerOfTwoIsDoubted)
   EXPECT_EQ(doubts("number = 12")[0].detail, "Got 12. Take 8 or 16.");
 }
 
-}  // namespace
+}  // namespace points_test

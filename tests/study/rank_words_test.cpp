@@ -1,7 +1,7 @@
 #include "study/rank_words.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace rank_words_test {
 
 TEST(RankWords, ComeBackAsTheyWereSaid)
 {
@@ -28,4 +28,4 @@ TEST(RankWords, ComeBackAsTheyWereSaid)
   EXPECT_FALSE(rank_hello_of("GET / HTTP/1.1"));
 }
 
-}  // namespace
+}  // namespace rank_words_test

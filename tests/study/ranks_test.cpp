@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace {
+namespace ranks_test {
 
 constexpr auto patience = std::chrono::seconds(20);
 
@@ -213,4 +213,4 @@ TEST(Ranks, AWorkerDoesNotWaitWithoutEndForRankZero)
       << "nobody listens there";
 }
 
-}  // namespace
+}  // namespace ranks_test

@@ -7,7 +7,7 @@
 #include "study/samples.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace reference_test {
 
 const std::string slope_case = R"([time]
 end = 40.0
@@ -80,4 +80,4 @@ displacement = 0.3
   EXPECT_GT(weakest / gamma_h, 0.16);
 }
 
-}  // namespace
+}  // namespace reference_test

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-namespace {
+namespace reliability_test {
 
 constexpr Real beta = 3.0;
 const Real exact = normal_probability(-beta);  // 1.35e-3
@@ -295,4 +295,4 @@ TEST(Adaptive, WithOneMistakeHasOneMessage)
         << row.to;
 }
 
-}  // namespace
+}  // namespace reliability_test

@@ -3,7 +3,7 @@
 
 #include "support/test.hpp"
 
-namespace {
+namespace statistics_test {
 
 TEST(Statistics, BoundsOfClopperAndPearson)
 {
@@ -66,4 +66,4 @@ TEST(Statistics, RankCorrelation)
   EXPECT_FALSE(spearman({1, 2}, {3, 4}));
 }
 
-}  // namespace
+}  // namespace statistics_test

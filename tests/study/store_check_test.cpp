@@ -7,7 +7,7 @@
 #include "study/samples.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace store_check_test {
 
 /// A store of four realisations under the head of somebody else.
 struct Begun {
@@ -84,4 +84,4 @@ TEST(StoreCheck, AnotherInstructionSetIsRefusedWithoutATry)
           HasSubstr("TERP_INSTRUCTIONS=" + other)));
 }
 
-}  // namespace
+}  // namespace store_check_test

@@ -1,7 +1,7 @@
 #include "study/store_head.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace store_head_test {
 
 const StoreHead head{
     .version = "0.1.0", .case_digits = "1", .study_digits = "2", .build = "3", .instructions = "avx512"};
@@ -49,4 +49,4 @@ TEST(StoreHead, KnowsWhichInstructionsGiveTheSameBits)
   EXPECT_EQ(same_bits(with("unknown", "avx2"), with("unknown", "avx2")), SameBits::unknown);
 }
 
-}  // namespace
+}  // namespace store_head_test

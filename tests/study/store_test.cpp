@@ -3,7 +3,7 @@
 
 #include "support/test.hpp"
 
-namespace {
+namespace store_test {
 
 TEST(Store, ALineKeepsEveryBit)
 {
@@ -31,4 +31,4 @@ TEST(Store, PartsShareOutTheRealisations)
   EXPECT_TRUE(part.has(4));
 }
 
-}  // namespace
+}  // namespace store_test

@@ -7,7 +7,7 @@
 #include "study/study_folder.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace study_file_test {
 
 TEST(StudyFile, IsReadWithUnitsOfTheKeysThatAreDrawn)
 {
@@ -274,4 +274,4 @@ TEST(StudyFile, CellsThatAverageAFieldAreDoubted)
       << "sqrt(2 (1 + exp(-1) - 1))";
 }
 
-}  // namespace
+}  // namespace study_file_test

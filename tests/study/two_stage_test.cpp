@@ -5,7 +5,7 @@
 #include "study/study_text.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace two_stage_test {
 
 const std::string two_stage_study =
     changed(column_study, "kind = \"monte_carlo\"", "kind = \"two_stage\"\nfactor = 1.3\naudit = 0.25");
@@ -182,4 +182,4 @@ poisson_ratio = 0.45
       HasSubstr("no material of this case has a strength to reduce"));
 }
 
-}  // namespace
+}  // namespace two_stage_test

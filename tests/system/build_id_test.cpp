@@ -1,7 +1,7 @@
 #include "system/build_id.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace build_id_test {
 
 TEST(BuildId, IsThatOfTheProgramAndStays)
 {
@@ -10,4 +10,4 @@ TEST(BuildId, IsThatOfTheProgramAndStays)
   EXPECT_EQ(build_id(), build_id());
 }
 
-}  // namespace
+}  // namespace build_id_test

@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <filesystem>
 
-namespace {
+namespace files_test {
 
 TEST(OpenToWrite, ReplacesOrContinuesOrFindsAFile)
 {
@@ -70,4 +70,4 @@ TEST(MakeUniqueFolder, MakesAnotherEachTime)
   EXPECT_EQ(make_unique_folder(scratch.path() + "/none/x-"), "");
 }
 
-}  // namespace
+}  // namespace files_test

@@ -2,7 +2,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace folder_claim_test {
 
 TEST(ClaimFolder, IsOfOneAtATime)
 {
@@ -25,4 +25,4 @@ TEST(ClaimFolder, NeedsAFolder)
   EXPECT_EQ(claim, -1);
 }
 
-}  // namespace
+}  // namespace folder_claim_test

@@ -2,7 +2,7 @@
 #include "system/launcher.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace launcher_test {
 
 Launched launched(const std::map<std::string, std::string>& variables)
 {
@@ -46,4 +46,4 @@ TEST(Launcher, WhatMakesNoSenseIsAlone)
   EXPECT_TRUE(launched({{"PMI_RANK", "1x"}, {"PMI_SIZE", "4"}}).is_alone());
 }
 
-}  // namespace
+}  // namespace launcher_test

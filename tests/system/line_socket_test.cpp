@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace {
+namespace line_socket_test {
 
 using Got = LineSocket::Got;
 
@@ -102,4 +102,4 @@ TEST(LineSocket, TheAddressThatLeadsToTheMachineItselfIsLast)
   EXPECT_FALSE(machine_name().empty());
 }
 
-}  // namespace
+}  // namespace line_socket_test

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <csignal>
 
-namespace {
+namespace process_test {
 
 TEST(RunProcess, GivesOutputOfBothStreamsAndTheStatus)
 {
@@ -57,4 +57,4 @@ TEST(RunProcess, LetsAnInterruptEndTheProgramThoughWeIgnoreIt)
   EXPECT_EQ(result.signal, SIGINT);
 }
 
-}  // namespace
+}  // namespace process_test

@@ -5,7 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace {
+namespace stop_test {
 
 struct Sent {
   int signal;
@@ -59,4 +59,4 @@ TEST(Stop, ALaterKeyPressEndsTheProgramAtOnce)
   EXPECT_EQ(end_of_listener({{SIGTERM, 0}, {SIGINT, 1200}}), SIGINT);
 }
 
-}  // namespace
+}  // namespace stop_test

@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace {
+namespace thread_time_test {
 
 using Clock = std::chrono::steady_clock;
 
@@ -29,4 +29,4 @@ TEST(ThreadTime, CountsTheWorkOfThisThreadAlone)
   EXPECT_GE(std::chrono::duration<double>(Clock::now() - start).count(), 0.09);
 }
 
-}  // namespace
+}  // namespace thread_time_test

@@ -4,7 +4,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace gauss_average_test {
 
 /// A cell of 2 m x 2 m, so that V_e = 4 and each Gauss weight is 1, with the points that a test puts in.
 struct Cell {
@@ -217,4 +217,4 @@ TEST(AverageOverCell, GivesAllGaussPointsTheMeanWithTheWeightsOfEq2)  // reading
   EXPECT_THAT(state, Each(DoubleEq((0.5 * 0.1 + 1.0 * 0.2 + 2.0 * 0.4 + 0.1 * 0.8) / 3.6)));
 }
 
-}  // namespace
+}  // namespace gauss_average_test

@@ -5,7 +5,7 @@
 #include "support/meshes.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace map_load_test {
 
 constexpr int row = PointRows<2>::state;
 
@@ -70,4 +70,4 @@ TEST(MapLoad, PassesOverPointsThatCarryNone)
   EXPECT_EQ(force[1], PerCorner<Quad4>{});
 }
 
-}  // namespace
+}  // namespace map_load_test

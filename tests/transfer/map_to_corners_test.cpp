@@ -4,7 +4,7 @@
 #include "support/random.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace map_to_corners_test {
 
 using Rows = PointRows<2>;
 
@@ -147,4 +147,4 @@ TEST(Interpolate, ReproducesALinearField)
   EXPECT_DOUBLE_EQ(value[1][6], -1.4);
 }
 
-}  // namespace
+}  // namespace map_to_corners_test

@@ -4,7 +4,7 @@
 #include "meshing/structured.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace node_diffusion_test {
 
 constexpr Real all_soil = 1.0;
 
@@ -143,4 +143,4 @@ TEST(NodeDiffusion, DoesNotBridgeAGapAndKeepsTheSumAtAFreeSurface)
   }
 }
 
-}  // namespace
+}  // namespace node_diffusion_test

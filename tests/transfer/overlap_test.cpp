@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 namespace terp {
-namespace {
+namespace overlap_test {
 
 using P = Patch<Quad4>;
 using Rows = PointRows<2>;
@@ -241,5 +241,5 @@ TEST(Overlap, WindowsGiveTheBitsOfAllSlots)
     for (int lane = 0; lane < pack_width; ++lane) EXPECT_EQ(by_window[r][lane], by_slots[r][lane]);
 }
 
-}  // namespace
+}  // namespace overlap_test
 }  // namespace terp

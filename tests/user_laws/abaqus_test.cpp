@@ -3,7 +3,7 @@
 #include "parallel/shared_library.hpp"
 #include "support/law_cases.hpp"
 
-namespace {
+namespace abaqus_test {
 
 using Tensor = std::array<std::array<double, 3>, 3>;
 
@@ -220,4 +220,4 @@ TEST(UmatDeathTest, ThatCallsStdbAbqerrToEndTheRunIsNamedAfterItsMessage)
       "the law of material `soft clay` ended the program \\(STOP, XIT or exit\\)");
 }
 
-}  // namespace
+}  // namespace abaqus_test

@@ -7,7 +7,7 @@
 #include "support/test.hpp"
 #include "user_laws/user_law.hpp"
 
-namespace {
+namespace describe_library_test {
 
 std::vector<Problem> problems_with(LibraryCase library)
 {
@@ -194,4 +194,4 @@ TEST(Library, WhoseStrainAndStrengthCannotBeMeantIsRefused)
       [](LibraryCase& c) { c.state[2].name = "p 0 [kPa]"; });
 }
 
-}  // namespace
+}  // namespace describe_library_test

@@ -5,7 +5,7 @@
 #include "support/test.hpp"
 #include "user_laws/user_law.hpp"
 
-namespace {
+namespace law_stiffness_test {
 
 constexpr Real shear = 3.0e6, poisson = 0.3;
 
@@ -39,4 +39,4 @@ TEST(LawStiffness, ShowsAShearStrainThatIsTakenAsTensorial)
 
 TEST(LawStiffness, HasTheFaultOfALawThatFails) { EXPECT_THAT(stiffness_of(1.0).fault, HasSubstr("not a number")); }
 
-}  // namespace
+}  // namespace law_stiffness_test

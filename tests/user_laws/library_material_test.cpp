@@ -13,7 +13,7 @@
 
 #include <cfenv>
 
-namespace {
+namespace library_material_test {
 
 TEST(LibraryMaterial, ThatReturnsNoNumberStopsTheRunAndSaysWhichPoint)
 {
@@ -413,4 +413,4 @@ TEST(Esm, SetsItsStateInItsFirstCallAndKeepsItsStressInItsOwnUnit)
   }
 }
 
-}  // namespace
+}  // namespace library_material_test

@@ -11,7 +11,7 @@
 #include "support/test.hpp"
 #include "user_laws/user_law.hpp"
 
-namespace {
+namespace user_law_test {
 
 const std::string example = source_path("cases/user_law/column.toml");
 
@@ -216,4 +216,4 @@ TEST(EsmInStages, ThatSetsItsStateInItsFirstCallIsNotPlacedBesideItselfInAScheme
   EXPECT_EQ(message_of_esm("mpm_gp", "clay"), "");
 }
 
-}  // namespace
+}  // namespace user_law_test

@@ -4,7 +4,7 @@
 #include "verification/ledger_samples.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace expected_test {
 
 const std::string good = R"(title = "Flight"
 [constants]
@@ -75,4 +75,4 @@ TEST(Expected, AFolderWithoutOneIsNoCase)
       "expected.toml.\n");
 }
 
-}  // namespace
+}  // namespace expected_test

@@ -3,7 +3,7 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace find_cases_test {
 
 struct Cases {
   Cases()
@@ -43,4 +43,4 @@ TEST(FindCases, AFolderWithoutCasesIsRefused)
       HasSubstr("there are no verification cases: folders with an expected.toml"));
 }
 
-}  // namespace
+}  // namespace find_cases_test

@@ -4,7 +4,7 @@
 #include "support/verification.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace flight_test {
 
 constexpr Real h = 0.25;  // [m]
 
@@ -68,4 +68,4 @@ TEST_P(Flight, FallsAsAStone)
 INSTANTIATE_TEST_SUITE_P(
     Schemes, Flight, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
 
-}  // namespace
+}  // namespace flight_test

@@ -1,7 +1,7 @@
 #include "verification/frame_table.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace frame_table_test {
 
 TEST(FrameTable, NamesComponentsAndTheFirstPlace)
 {
@@ -20,4 +20,4 @@ TEST(FrameTable, NamesComponentsAndTheFirstPlace)
   EXPECT_THAT(row, ElementsAre(0.5, 5.0, 6.0, 1.0, 1.5, 4.0, 4.5, -1.0, -2.0, -3.0, 4.0, -2.0, 8.0));
 }
 
-}  // namespace
+}  // namespace frame_table_test

@@ -3,7 +3,7 @@
 #include "support/verification.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace frame_test {
 
 constexpr Real angle = std::numbers::pi / 6.0;
 
@@ -45,4 +45,4 @@ TEST_P(Frame30, ColumnFailsTheSameWayInATurnedFrame)
 INSTANTIATE_TEST_SUITE_P(
     Schemes, Frame30, testing::Values("mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
 
-}  // namespace
+}  // namespace frame_test

@@ -6,7 +6,7 @@
 #include "support/verification.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace incline_test {
 
 constexpr Real g = 9.81;           // [m/s^2]
 constexpr Real density = 2000.0;   // [kg/m^3]
@@ -98,4 +98,4 @@ TEST_P(Incline, BlockSticksWhereTheSlopeIsTooGentle)
 INSTANTIATE_TEST_SUITE_P(
     Schemes, Incline, testing::Values("mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
 
-}  // namespace
+}  // namespace incline_test

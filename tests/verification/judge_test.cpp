@@ -1,7 +1,7 @@
 #include "verification/judge.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace judge_test {
 
 struct Sample {
   Expected file;
@@ -223,4 +223,4 @@ TEST(Judge, ARunMayErrByWhatRefinementShowsOfItsMesh)
       2u);  // too few: no row
 }
 
-}  // namespace
+}  // namespace judge_test

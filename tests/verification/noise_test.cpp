@@ -7,7 +7,7 @@
 #include "support/test.hpp"
 #include <iostream>
 
-namespace {
+namespace noise_test {
 
 constexpr Real h = 0.2;  // [m]
 
@@ -68,4 +68,4 @@ TEST(Noise, PressureIsTwentyTimesSmootherThanWithIntegrationAtThePoints)
   EXPECT_GT(standard, 20.0 * gp);
 }
 
-}  // namespace
+}  // namespace noise_test

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace {
+namespace overview_test {
 
 /// A case with a row that passes, two of one reason, and one that fails without a reason.
 CaseRows rows_of(const std::string& name, const std::string& remark)
@@ -52,4 +52,4 @@ TEST(Overview, ACaseThatIsNotSolvedKeepsWhatThePageSays)
   EXPECT_THAT(now, Not(HasSubstr("thin")));
 }
 
-}  // namespace
+}  // namespace overview_test

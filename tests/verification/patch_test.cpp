@@ -7,7 +7,7 @@
 #include "support/verification.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace patch_test {
 
 constexpr Index n_cells = 6;
 constexpr Real h = 0.5;  // [m]
@@ -129,4 +129,4 @@ TEST(PatchForces, IntegrationAtThePointsLeavesInteriorForces)  // the control: w
   EXPECT_GT(interior_force_share("standard_mpm", 1), 1e-3);
 }
 
-}  // namespace
+}  // namespace patch_test

@@ -2,7 +2,7 @@
 #include "ledger_rows.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace report_test {
 
 std::vector<CaseRows> sample()
 {
@@ -44,4 +44,4 @@ TEST(Report, MarkdownKeepsItsColumns)
   EXPECT_THAT(page, HasSubstr("**Red.** stress \\<zz>: too coarse"));
 }
 
-}  // namespace
+}  // namespace report_test

@@ -3,7 +3,7 @@
 #include "verification/ledger_samples.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace scope_test {
 
 std::string expected_with(const std::string& constants)
 {
@@ -54,4 +54,4 @@ TEST(Scope, RefusesAKeyThatGivesNoNumber)
       HasSubstr("the case says nothing of `material.rock.su_peak`"));
 }
 
-}  // namespace
+}  // namespace scope_test

@@ -1,7 +1,7 @@
 #include "verification/series.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace series_test {
 
 /// A sine of this period [s], from 0 to 4 s.
 Series wave(Real period)
@@ -61,4 +61,4 @@ TEST(Series, ANumberThatIsNoneSpoilsTheError)
   EXPECT_TRUE(std::isnan(reduce_values({NAN, 2.0}, {1.0, 2.0}, Reduce::max_error, 1.0)));
 }
 
-}  // namespace
+}  // namespace series_test

@@ -6,7 +6,7 @@
 #include "support/test.hpp"
 #include <fmt/format.h>
 
-namespace {
+namespace solve_variant_test {
 
 const std::string head = R"(title = "Flight"
 [constants]
@@ -219,4 +219,4 @@ TEST(SolveVariant, ARunThatStopsItselfIsAFault)
   EXPECT_NE(solved.fault, "");
 }
 
-}  // namespace
+}  // namespace solve_variant_test

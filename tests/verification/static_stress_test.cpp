@@ -12,7 +12,7 @@
 #include <atomic>
 #include <iostream>
 
-namespace {
+namespace static_stress_test {
 
 constexpr Real density = 1800.0, g = 9.81, nu = 0.3, shear = 5.0e6;
 
@@ -108,4 +108,4 @@ INSTANTIATE_TEST_SUITE_P(Column, StaticStress,
 INSTANTIATE_TEST_SUITE_P(InfiniteSlope, StaticStress,
     testing::Combine(testing::Values(slope), testing::Values("mpm_mixed", "mpm_gp")), scheme_name);
 
-}  // namespace
+}  // namespace static_stress_test

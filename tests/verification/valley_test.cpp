@@ -3,7 +3,7 @@
 #include "support/verification.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace valley_test {
 
 /// Banks of 30 degrees that meet at the origin, cells of 0.25 m along them.
 Mesh<2> valley()
@@ -52,4 +52,4 @@ TEST_P(Valley, HoldsSoilAndDoesNoWorkOnIt)
   }
 }
 
-}  // namespace
+}  // namespace valley_test

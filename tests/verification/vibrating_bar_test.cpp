@@ -7,7 +7,7 @@
 #include "support/test.hpp"
 #include <iostream>
 
-namespace {
+namespace vibrating_bar_test {
 
 constexpr Real length = 4.0, amplitude = 1.0e-4;  // [m], [m/s]: displacements stay far below a cell
 
@@ -50,4 +50,4 @@ TEST_P(VibratingBar, ErrorFallsWithTheCellSize)
 INSTANTIATE_TEST_SUITE_P(Schemes, VibratingBar, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"),
     [](const auto& p) { return p.param; });
 
-}  // namespace
+}  // namespace vibrating_bar_test

@@ -2,7 +2,7 @@
 #include "water/water_pressure.hpp"
 #include "support/test.hpp"
 
-namespace {
+namespace water_pressure_test {
 
 WaterCase river()
 {
@@ -85,4 +85,4 @@ TEST(WaterTable, IsThePhreaticLineOrWhereAFormulaHasItsHighestWater)
   EXPECT_THAT(water_table(water, grid, {0.0, 0.0}, {10.0, 7.0}), IsEmpty());
 }
 
-}  // namespace
+}  // namespace water_pressure_test
