@@ -335,6 +335,7 @@ class FolderMaker {
     if (!none.empty()) {
       assumed_.push_back(none + ": the case has no [flood], and no verdict on flooding.");
       if (options_.river) notes_.push_back(assumed_.back());
+      if (water_stands_at(section_, river_end())) doubts_.push_back(assumed_.back());  // finer cells would have one
       return;
     }
     const Real level = river_level_.value_or(level_at_end(river_.side != "right"));

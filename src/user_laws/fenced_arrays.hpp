@@ -16,7 +16,7 @@ inline constexpr std::size_t name_length = 80;   ///< letters of the name of a m
 
 class FencedArrays {
   static constexpr std::size_t fence = 128;                     // more than the numbers of state that a case may give
-  static constexpr std::uint64_t mark = 0x7ff8'5465'7270'4c61;  // as a double: not a number
+  static constexpr std::uint64_t mark = 0x7ff0'5465'7270'4c61;  // a signalling NaN: a sum with it is another
   static constexpr auto marks = [] {
     std::array<std::uint64_t, fence> all;
     all.fill(mark);

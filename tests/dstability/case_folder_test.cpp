@@ -381,11 +381,12 @@ TEST(CaseFolder, HasNoFloodWhereTheRiverIsNarrowerThanACell)
   const auto text_of = [&](Real cell) {
     return case_folder_of(project, {.stage = 1, .cell = cell, .kinds = kinds}).files;
   };
-  EXPECT_THAT(text_of(2.0).front().second, testing::Not(HasSubstr("[flood]")));
+  EXPECT_THAT(text_of(2.0).front().second, testing::Not(HasSubstr("\n[flood]\n")));
   EXPECT_THAT(text_of(2.0).back().second,
       HasSubstr("The water at the river's end (-6.20 m) stands on less than a cell of ground: the case has no [flood], "
                 "and no verdict on flooding."));
-  EXPECT_THAT(text_of(1.0).front().second, HasSubstr("[flood]"));
+  EXPECT_THAT(text_of(2.0).front().second, HasSubstr("doubts = [\n"));  // every reader of the case is told
+  EXPECT_THAT(text_of(1.0).front().second, HasSubstr("\n[flood]\n"));
 }
 
 }  // namespace case_folder_test

@@ -34,7 +34,8 @@ enum Kind {
   crashes_in_c,
   tensorial_shear,
   counts_to_six,
-  no_strength
+  no_strength,
+  adds_beyond_state,
 };
 
 inline constexpr Real shear = 3.0e6, poisson = 0.3;

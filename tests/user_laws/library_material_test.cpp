@@ -117,6 +117,7 @@ TEST(LibraryMaterial, ThatTakesItsArraysForLongerThanTheyAreStopsTheRun)
   EXPECT_THAT(fault_of("mpm_gp", wrong_umat(beyond_state)),
       HasSubstr("the law writes beyond its array STATEV, of 1 numbers: look at `state` of the case"));
   EXPECT_THAT(fault_of("mpm_mixed", wrong_umat(beyond_state, 0.0, -100.0, 0)), HasSubstr("STATEV, of 0 numbers"));
+  EXPECT_THAT(fault_of("mpm_gp", wrong_umat(adds_beyond_state)), HasSubstr("beyond its array STATEV, of 1 numbers"));
   EXPECT_THAT(fault_of("mpm_gp", wrong_umat(beyond_props)), HasSubstr("array PROPS, of 6 numbers: look at `param"));
   EXPECT_THAT(fault_of("mpm_gp", wrong_umat(reads_props)), HasSubstr("a stress that is not a number"));
   LibraryCase library{.file = "wrong_umat.so", .interface = LawInterface::esm, .state = {{"a", 0.0}, {"b", 0.0}}};

@@ -7,7 +7,8 @@
 
 enum { elastic, nan_stress, nan_state, bad_memory, divides, aborts, leaves, never_small, small_parts, overflows,
        counts, turns, changes_rounding, tenths, nan_answer, beyond_state, beyond_props, reads_props, has_strength,
-       has_size, crashes_in_c, tensorial_shear, counts_to_six, no_strength };
+       has_size, crashes_in_c, tensorial_shear, counts_to_six, no_strength,
+       adds_beyond_state };
 
 static volatile int zero = 0;
 static int calls = 0;
@@ -67,6 +68,7 @@ void umat_(double* stress, double* statev, double* ddsdde, double* sse, double* 
       break;
     case nan_answer: *pnewdt = NAN; break;
     case beyond_state: statev[*nstatv] = 1.0; break;
+    case adds_beyond_state: statev[*nstatv] += 1.0; break;
     case beyond_props: props[*nprops] = 1.0; break;
     case reads_props: stress[0] += props[*nprops]; break;
     case has_strength:
