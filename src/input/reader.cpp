@@ -212,14 +212,24 @@ void CaseReader::read_parts(const Node& table, const std::string& path)
     if (holder == nullptr || holder->kind != NodeKind::table) continue;
     const Node *below = find_item(*holder, "below"), *above = find_item(*holder, "above");
     if ((below == nullptr) == (above == nullptr) && (of.empty() || below != nullptr)) continue;
-    report({of.empty() ? path : join_path(path, of), "`below` and `above` belong together",
-        "Give both: what the soil is below the phreatic line, and above it.", "material", true});
     good = false;
+    if (below == nullptr && above == nullptr)
+      report({join_path(path, of), "`density` cannot vary from place to place",
+          "Got a table without `below` and `above`; allowed: a number, or { below = ..., above = ... }: of the soil "
+          "below "
+          "the phreatic line, and above it.",
+          "material.density", true});
+    else
+      report({of.empty() ? path : join_path(path, of), "`below` and `above` belong together",
+          "Give both: what the soil is below the phreatic line, and above it.", "material", true});
   }
   for (const char* name : {"below", "above"})
     if (const Node* part = find_item(table, name); part != nullptr && !is_table(*part, join_path(path, name), name))
       good = false;
-  if (!good) return;
+  if (!good) {
+    values_.materials.emplace_back().name = table.name;  // known to its bodies, so that they do not complain too
+    return;
+  }
   const std::size_t before = findings_.problems.size();
   read_part(table, Zone::below, path);
   const std::size_t first = findings_.problems.size();

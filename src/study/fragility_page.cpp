@@ -120,11 +120,14 @@ std::string fragility_section(const Study& study, const FragilityCurve& curve)
   return "<section><h2>Fragility</h2>\n" + html_cell("p", answer(study, curve), " class=\"answer\"") + '\n' +
          html_figures(charts_of(study, curve)) + table_of_levels(study, curve) +
          html_cell("p",
-             fmt::format("I is {}; F is: {}. The samples are the same at all levels. Bounds of a level are those of "
+             fmt::format("I is {}; F is: {}. {}The samples are the same at all levels. Bounds of a level are those of "
                          "Clopper and Pearson; bounds over all levels hold at all of them at once. Where the load is a "
                          "year's highest water, the probability is per year; it is of this section alone. "
                          "fragility.csv has the table{}.",
                  slide_words(study.settings), flood_words,
+                 curve.judges_flood ? "P(F|I, h) is the share of the slides at a level that flood the land: it says "
+                                      "what the residual strength of the dike is worth there. "
+                                    : "",
                  is_water_level(*study.settings.fragility)
                      ? ", fragility_slide.json and fragility_flood.json have it for D-Stability"
                      : ""),

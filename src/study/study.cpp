@@ -4,6 +4,7 @@
 #include "input/printable.hpp"
 #include "input/random_kind.hpp"
 #include "output/files.hpp"
+#include "points/polygon.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "stability/factor_of_safety.hpp"
@@ -251,6 +252,28 @@ bool changes_mesh(const std::string& key)
   return key.starts_with("mesh") || key.starts_with("body") || key.starts_with("footing");
 }
 
+/// Of the bodies as they are drawn [m^2]; infinite if one comes as points or cells.
+Real drawn_area(const Case& c)
+{
+  Real sum = 0.0;
+  for (const BodyCase& body : c.bodies) {
+    if (body.polygon.empty()) return std::numeric_limits<Real>::infinity();
+    sum += std::abs(signed_area(body.polygon));
+    for (const auto& hole : body.holes) sum -= std::abs(signed_area(hole));
+  }
+  return sum;
+}
+
+/// A slide of more soil than there is never happens: P(I) would be 0, whatever the dike.
+void check_volume(const Study& study, std::vector<Problem>& problems)
+{
+  const Real area = drawn_area(study.base.values), volume = study.settings.event.volume;
+  if (!study.shares_mesh || volume < area) return;
+  problems.push_back({"events.volume", "no slide can be so large",
+      fmt::format("Got {:g} m^2; the case has {:g} m^2 of soil. P(I) would be 0, whatever is drawn.", volume, area),
+      ""});
+}
+
 void set_shares_mesh(Study& study)
 {
   const StudySettings& s = study.settings;
@@ -323,6 +346,7 @@ Study prepare_study(StudySettings settings)
   refuse_if_any(problems, s);
   study.points = make_points(study.settings);
   set_shares_mesh(study);
+  check_volume(study, problems);
   try {
     check_judged(study);
     study.mesh = std::make_shared<const Mesh<2>>(build_mesh(study.base.values));
@@ -342,9 +366,32 @@ Study prepare_study(StudySettings settings)
   return study;
 }
 
+namespace {
+
+/// A key of one place of a line of the water: the rest of the line stays, and free water with it.
+void doubt_places_of_lines(const Study& study, std::vector<Problem>& doubts)
+{
+  const auto take = [&](const std::string& key, const std::string& path) {
+    const bool of_line =
+        key.find("phreatic_line[") != std::string::npos || key.find("head_lines.") != std::string::npos;
+    if (!of_line || !key.ends_with(']')) return;
+    doubts.push_back({join_path(path, "key"), fmt::format("`{}` moves one place of the line, the others stay", key),
+        "A river stands at one height along all of its line, and heads follow it. For its level take [fragility], "
+        "whose\n"
+        "formulas move all places with it; its `distribution` gives one P over all levels. A key of one place fits\n"
+        "a line that is uncertain within the dike alone.",
+        ""});
+  };
+  for (const RandomNumber& number : study.settings.numbers) take(number.key, number.path);
+  for (const SweepKey& sweep : study.settings.sweep) take(sweep.key, sweep.path);
+}
+
+}  // namespace
+
 std::vector<Problem> find_doubts(const Study& study)
 {
   std::vector<Problem> doubts = study.settings.warnings;
+  doubt_places_of_lines(study, doubts);
   if (const Index n = study.settings.stop.number; study.settings.estimator == Estimator::sobol && (n & (n - 1)) != 0)
     doubts.push_back({"stop.number", "Sobol points are even in powers of two",
         fmt::format("Got {}. Take {} or {}.", n, std::bit_floor(static_cast<std::uint32_t>(n)),

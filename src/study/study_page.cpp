@@ -1,11 +1,11 @@
 #include "study/study_page.hpp"
 
-#include "input/keys.hpp"
 #include "report/plain_page.hpp"
 #include "study/adaptive.hpp"
 #include "study/field_picture.hpp"
 #include "study/fragility_text.hpp"
 #include "study/study_text.hpp"
+#include "study/sweep_page.hpp"
 
 #include <fmt/format.h>
 
@@ -113,11 +113,6 @@ LineChart convergence_chart(const Study& study, const Realisations& rows, bool o
 }
 
 bool is_unit(std::string_view unit) { return !unit.empty() && unit != "-"; }
-
-std::string with_unit(std::string_view label, std::string_view unit)
-{
-  return is_unit(unit) ? fmt::format("{} [{}]", label, unit) : std::string(label);
-}
 
 /// An outcome of a part of the realisations; name: in the legend, empty: none.
 struct Group {
@@ -237,35 +232,56 @@ Real median_of(std::vector<Real> values)
   return *middle;
 }
 
-/// Each kind with how often it happened, and the realisation in the middle of it, to be opened.
-std::string kinds_section(const Study& study, const Realisations& rows, Index n)
+using KindMembers = std::vector<const Realisation*>;
+
+/// The realisations of each kind at a level of the load, the most frequent kind first.
+std::vector<std::pair<std::string, KindMembers>> kinds_at(
+    const Study& study, const Realisations& rows, Index n, std::size_t level)
 {
-  std::map<std::string, std::vector<const Realisation*>> kinds;
-  Index n_counted = 0;
+  std::map<std::string, KindMembers> kinds;
   for (Index k = 0; k < n; ++k)
-    if (!study.is_coarse(k)) kinds[kind_of(rows.at(k))].push_back(&rows.at(k)), ++n_counted;
-  std::vector<std::pair<std::string, std::vector<const Realisation*>>> sorted(kinds.begin(), kinds.end());
+    if (!study.is_coarse(k) && study.level_of(k) == level) kinds[kind_of(rows.at(k))].push_back(&rows.at(k));
+  std::vector<std::pair<std::string, KindMembers>> sorted(kinds.begin(), kinds.end());
   std::ranges::stable_sort(sorted, std::greater(), [](const auto& kind) { return kind.second.size(); });
-  std::string out =
-      "<section><h2>What happened</h2>\n" +
-      head_of_table({"", "realisations", "share", "slid [m^2], median", "remains [m], median", "for example"});
+  return sorted;
+}
+
+/// How often, medians, and the realisation in the middle.
+std::string kind_cells(const KindMembers& members, std::size_t n_counted)
+{
   const auto cell = [](Real value) {
     return html_cell("td", std::isfinite(value) ? fmt::format("{:.4g}", value) : "-");
   };
-  for (const auto& [kind, members] : sorted) {
-    std::vector<Real> volumes, heights;
-    for (const Realisation* r : members)
-      for (const auto& [name, values] : {std::pair("slide_volume", &volumes), std::pair("residual_height", &heights)})
-        if (const Real value = r->solved() ? r->outcomes[outcome_number(name)] : std::nan(""); std::isfinite(value))
-          values->push_back(value);
-    const Real volume = median_of(volumes), height = median_of(heights);
-    const auto typical = std::ranges::find_if(members,
-        [&](const Realisation* r) { return r->solved() && r->outcomes[outcome_number("slide_volume")] == volume; });
-    out += "<tr>" + html_cell("th", kind) + html_cell("td", fmt::format("{}", members.size())) +
-           html_cell("td", fmt::format("{:.3g} %", 100.0 * static_cast<Real>(members.size()) / n_counted)) +
-           cell(volume) + cell(height) +
-           html_cell("td", fmt::format("{}", (typical != members.end() ? *typical : members.front())->number)) +
-           "</tr>\n";
+  std::vector<Real> volumes, heights;
+  for (const Realisation* r : members)
+    for (const auto& [name, values] : {std::pair("slide_volume", &volumes), std::pair("residual_height", &heights)})
+      if (const Real value = r->solved() ? r->outcomes[outcome_number(name)] : std::nan(""); std::isfinite(value))
+        values->push_back(value);
+  const Real volume = median_of(volumes), height = median_of(heights);
+  const auto typical = std::ranges::find_if(members,
+      [&](const Realisation* r) { return r->solved() && r->outcomes[outcome_number("slide_volume")] == volume; });
+  const Real share = static_cast<Real>(members.size()) / static_cast<Real>(n_counted);
+  return html_cell("td", fmt::format("{}", members.size())) + html_cell("td", fmt::format("{:.3g} %", 100.0 * share)) +
+         cell(volume) + cell(height) +
+         html_cell("td", fmt::format("{}", (typical != members.end() ? *typical : members.front())->number));
+}
+
+/// Each kind with how often it happened, and a realisation to be opened. Of a load each level by itself: how often a
+/// kind came at all levels together is no probability.
+std::string kinds_section(const Study& study, const Realisations& rows, Index n)
+{
+  const auto& load = study.settings.fragility;
+  std::vector<std::string> titles{
+      "", "realisations", "share", "slid [m^2], median", "remains [m], median", "for example"};
+  if (load) titles.insert(titles.begin(), load->label());
+  std::string out = "<section><h2>What happened</h2>\n" + head_of_table(titles);
+  for (std::size_t level = 0; level < static_cast<std::size_t>(study.n_levels()); ++level) {
+    const auto kinds = kinds_at(study, rows, n, level);
+    std::size_t n_counted = 0;
+    for (const auto& kind : kinds) n_counted += kind.second.size();
+    for (const auto& [kind, members] : kinds)
+      out += "<tr>" + (load ? html_cell("th", fmt::format("{:g}", load->levels[level])) : "") + html_cell("th", kind) +
+             kind_cells(members, n_counted) + "</tr>\n";
   }
   return out + end_of_table +
          "<p class=\"muted\">Slides are counted as retreats of the crest (docs/formats.md); a slide beside it leaves "
@@ -308,45 +324,6 @@ std::string realisations_section(const Study& study, const Realisations& rows, I
              n > most_rows ? fmt::format("The first {} of {}; results.csv has all. ", most_rows, n) : "");
 }
 
-/// An outcome over a key, a line for each combination of the other keys.
-LineChart chart_over(const Study& study, const Realisations& rows, Index n, std::size_t key, const OutcomeInfo& outcome)
-{
-  const auto& sweep = study.settings.sweep;
-  LineChart chart{.title = std::string(outcome.info.label),
-      .x_label = with_unit(sweep[key].key, unit_at(sweep[key].key)),
-      .y_label = with_unit(outcome.info.label, outcome.info.unit)};
-  std::map<std::string, ChartLine> lines;
-  for (Index k = 0; k < n; ++k) {
-    const Realisation& r = rows.at(k);
-    if (!r.solved()) continue;
-    std::string others;
-    for (std::size_t i = 0; i < sweep.size(); ++i)
-      if (i != key) others += (others.empty() ? "" : ", ") + input_text(study, i, r.inputs[i]);
-    lines[others].points.push_back({r.inputs[key], r.outcomes[outcome_number(outcome.info.name)]});
-  }
-  constexpr std::size_t most_lines = 6;
-  for (auto& [name, line] : lines) {
-    if (chart.lines.size() == most_lines) break;
-    line.name = name, line.style = chart.lines.size(), line.dashes = static_cast<int>(chart.lines.size());
-    line.marks = true;
-    chart.lines.push_back(std::move(line));
-  }
-  if (lines.size() > most_lines) chart.title += fmt::format(", {} of {} combinations", most_lines, lines.size());
-  return chart;
-}
-
-/// Result against parameter: of the first key that takes numbers.
-std::string sweep_section(const Study& study, const Realisations& rows, Index n)
-{
-  const auto& sweep = study.settings.sweep;
-  const auto key = std::ranges::find_if(sweep, &SweepKey::is_of_numbers);
-  if (key == sweep.end()) return "";  // the table says it all
-  std::vector<LineChart> charts;
-  for (const OutcomeInfo& outcome : study_outcomes())
-    charts.push_back(chart_over(study, rows, n, static_cast<std::size_t>(key - sweep.begin()), outcome));
-  return "<section><h2>Results over " + html_cell("code", key->key) + "</h2>\n" + html_figures(charts) + "</section>\n";
-}
-
 std::string notes(const std::vector<std::string>& remarks)
 {
   return remarks.empty() ? "" : "<div class=\"notice\">" + html_list(remarks, "") + "</div>\n";
@@ -384,7 +361,9 @@ std::string page_of_study(const Study& study, const Realisations& rows, const st
         "Highest ground that remains", "height at the end [m]", outcomes_of(study, rows, e.n_made, "residual_height")));
     charts.push_back(
         histogram("Volume that slid", "volume that slid [m^2]", outcomes_of(study, rows, e.n_made, "slide_volume")));
-    body += "<section><h2>How sure, and what remains</h2>\n" + html_figures(charts) + "</section>\n";
+    body += fmt::format(
+                "<section><h2>{}</h2>\n", study.settings.fragility ? "What remains" : "How sure, and what remains") +
+            html_figures(charts) + "</section>\n";
     body += kinds_section(study, rows, e.n_made);
     body += sensitivity_section(study, e);
   }

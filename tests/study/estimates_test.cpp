@@ -192,7 +192,35 @@ values = [5, 6, 7, 8]
   const std::string page = page_of_study(study, rows, "now");
   EXPECT_THAT(page, AllOf(HasSubstr("Results over <code>material.clay.su_peak</code>"),
                         HasSubstr("material.clay.su_peak [Pa]"), HasSubstr("volume that slid [m^2]"),
-                        HasSubstr("volume that slid, 6 of 8 combinations"), HasSubstr("why there is no result")));
+                        HasSubstr("A line for each value of scheme, material.clay.eta; 6 of 8 are drawn."),
+                        HasSubstr("why there is no result")));
+  EXPECT_THAT(page, AllOf(HasSubstr(">mpm_gp, 5<"), HasSubstr(">mpm_mixed, 8<"), Not(HasSubstr(">mpm_mixed, 7<"))))
+      << "in the order of the study, from the first to the last";
+}
+
+// Soil that slides as drawn has no result but that it slides; numbers that differ by rounding are no result either.
+TEST(Estimates, APageOfASweepShowsTheEventsAndNoNoise)
+{
+  const ScratchFolder folder;
+  const std::string text = R"(case = "column.toml"
+[estimator]
+kind = "sweep"
+[[sweep]]
+key = "material.clay.su_peak"
+values = [6e3, 7e3, 8e3]
+)";
+  const Study study = prepare_study(read_study(write_study(folder.path(), text)));
+  Realisations rows;
+  for (Index k = 0; k < 3; ++k) {
+    Realisation r{.number = k, .inputs = draw_realisation(study, k).inputs};
+    r.outcomes.assign(study_outcomes().size(), 1.0 + 1e-8 * static_cast<Real>(k));
+    r.slid = k == 0;
+    rows.emplace(k, r);
+  }
+  const std::string page = page_of_study(study, rows, "now");
+  EXPECT_THAT(page, AllOf(HasSubstr(">slide, I (1: yes)<"), Not(HasSubstr("flood, F")),
+                        Not(HasSubstr("A line for each")), Not(HasSubstr(">highest ground that remains<")),
+                        HasSubstr("The same in all realisations that are solved: volume that slid [m^2] 1, ")));
 }
 
 TEST(Estimates, APageOfSamplesShowsHistogramsAndFields)

@@ -231,6 +231,40 @@ TEST(StudyFile, FieldsThatTheCaseDoesNotTakeAreRefused)
   for (const Row& row : rows) EXPECT_THAT(message_on(field_study, row), HasSubstr(row.expected)) << row.to;
 }
 
+TEST(StudyFile, AFieldOfDensitySaysWhatDensityMayBe)
+{
+  const std::string message = message_on(
+      field_study, {"key = \"material.clay.su_peak\"", "key = \"material.clay.density\"\nbox = [[0, 0], [4, 2]]", ""});
+  EXPECT_THAT(message, HasSubstr("`density` cannot vary from place to place"));
+  EXPECT_THAT(message, Not(HasSubstr("there is no material"))) << "one fault, one message";
+}
+
+TEST(StudyFile, ASlideOfMoreSoilThanThereIsIsRefused)
+{
+  EXPECT_THAT(message_on(column_study, {"volume = 1.0", "volume = 8.0", ""}),
+      AllOf(HasSubstr(": no slide can be so large\n"), HasSubstr("volume = 8.0"),
+          HasSubstr("Got 8 m^2; the case has 8 m^2 of soil. P(I) would be 0, whatever is drawn.")));
+  const ScratchFolder folder;
+  EXPECT_NO_THROW(open_study(write_study(folder.path(), changed(column_study, "volume = 1.0", "volume = 7.9"))));
+}
+
+// The river would slope down to the next place of the line.
+TEST(StudyFile, OnePlaceOfALineOfTheWaterIsDoubted)
+{
+  const ScratchFolder folder;
+  const std::string column = column_case + "[water]\nphreatic_line = [[0.0, 1.0], [8.0, 0.0]]\n";
+  const auto doubts = [&](const char* key, const char* mean) {
+    const std::string text = changed(changed(column_study, "material.clay.su_peak", key), "\"8 kPa\"", mean);
+    return find_doubts(open_study(write_study(folder.path(), text, column)));
+  };
+  EXPECT_TRUE(doubts("material.clay.su_peak", "8e3").empty());
+  const auto found = doubts("water.phreatic_line[0][1]", "0.5");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].key, "random[0].key");
+  EXPECT_EQ(found[0].what, "`water.phreatic_line[0][1]` moves one place of the line, the others stay");
+  EXPECT_THAT(found[0].detail, HasSubstr("For its level take [fragility]"));
+}
+
 TEST(StudyFile, AContradictingCorrelationNamesItsPair)
 {
   const std::string more = R"([[random]]
