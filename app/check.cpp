@@ -228,9 +228,11 @@ void print_given(const MaterialCase& material)
       printable(numbers_text(library.state, material.from_library->state)));
 }
 
-/// What laws from libraries are given and what they cost, which Terp cannot know.
-void print_laws(const Model& model, const State& state)
+/// What laws from libraries are given and what they cost, which Terp cannot know. Returns the faults of those that
+/// failed meanwhile.
+std::vector<std::string> print_laws(const Model& model, const State& state)
 {
+  std::vector<std::string> faults;
   for (Index m = 0; m < std::ssize(model.materials); ++m) {
     const MaterialCase& material = model.description.materials[static_cast<std::size_t>(m)];
     const PointBlock<2>* first = nullptr;
@@ -247,8 +249,8 @@ void print_laws(const Model& model, const State& state)
     trial.law = trial.type->make(material.parameters);
     const LawCost cost = time_law(trial, *first, cell_size, model.dt);
     if (!cost.fault.empty()) {
-      fmt::print(stderr, "warning: the law of {} failed when it was timed with a small shear strain: {}\n",
-          printable(material.name), cost.fault);
+      faults.push_back(fmt::format("the law of {} failed when it was timed with a small shear strain: {}",
+          printable(material.name), cost.fault));
       continue;
     }
     const int threads = material.library.thread_safe ? model.threads : 1;
@@ -257,6 +259,7 @@ void print_laws(const Model& model, const State& state)
         printable(material.library.file), 1e6 * cost.seconds, readable_duration(all),
         material.library.thread_safe ? "" : ", one thread at a time (thread_safe = false)");
   }
+  return faults;
 }
 
 void print_check(const CaseFile& file, Simulation& simulation, const RunOptions& options)
@@ -286,8 +289,9 @@ void print_check(const CaseFile& file, Simulation& simulation, const RunOptions&
   fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);
   const OutputCost cost = estimate_output(model, state);
   print_output(cost);
-  print_laws(model, state);
-  const double step_s = time_a_step(simulation);
+  const std::vector<std::string> faults = print_laws(model, state);
+  const double step_s = time_a_step(simulation);  // a law that fails there, too, is reported once
+  for (const std::string& fault : faults) fmt::print(stderr, "warning: {}\n", fault);
   print_stages(model, seconds_of_steps(model, step_s));
   fmt::print("  expected time  {} on {}, {} of it for output ({:.1f} M point-steps/s in a trial)\n",
       readable_duration(seconds_of_steps(model, step_s) + cost.seconds), count(model.threads, "thread"),

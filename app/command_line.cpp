@@ -19,10 +19,12 @@ void declare_solvers(CLI::App& app, CommandLine& line)
       "  terp run cases/column_collapse/model_2.toml\n"
       "  terp run cases/dike/dike.toml --set scheme=mpm_mixed -o runs/mixed --report\n");
   add_case(run, line.options);
-  add_output(run, line.options.output, "folder of the results");
+  add_output(run, line.options.output, "folder of the results (default: runs/NAME)");
   run->add_option("--from", line.options.from,
-         "begin with the end of a stage of another run of the\nsame mesh and bodies, RUN:STAGE, or with a checkpoint")
-      ->option_text("RUN:STAGE");
+         "begin with another run of the same mesh and bodies:\nRUN, a folder, with its newest checkpoint; RUN:STAGE,\n"
+         "with the end of a stage; or a checkpoint file. time.end\ncounts from there. (To end a run that was stopped:\n"
+         "terp resume)")
+      ->option_text("RUN[:STAGE]");
   run->add_option("--at-strength", line.options.at_strength,
          "divide all strengths by this, as terp stability does:\nsets at_strength (docs/stability.md)")
       ->option_text("F");
@@ -43,7 +45,8 @@ void declare_solvers(CLI::App& app, CommandLine& line)
   add_set(run, line.options);
   for (CLI::App* command : {run, resume}) {
     add_threads(command, line.options.threads);
-    add_loudness(command, line.options);
+    add_quiet(command, line.options);
+    command->add_flag("-v,--verbose", line.options.verbose, "time of each pass of the steps, at the end");
   }
 }
 
@@ -90,11 +93,11 @@ void declare_stability(CLI::App& app, CommandLine& line)
       ->option_text("A,B")
       ->delimiter(',')
       ->check(number_between(1e-6, 1e6));
-  add_output(stability, line.options.output, "folder of the results");
+  add_output(stability, line.options.output, "folder of the results (default: runs/NAME)");
   stability->add_flag("--json", line.options.json, "print stability.json");
   add_set(stability, line.options);
   add_threads(stability, line.options.threads);
-  add_loudness(stability, line.options);
+  add_quiet(stability, line.options);
 }
 
 void declare_converge(CLI::App& app, ConvergeOptions& options)
@@ -243,7 +246,8 @@ void declare_verify(CLI::App& app, VerifyOptions& options)
       "  terp verify infinite_slope\n  terp verify --short --markdown ledger.md\n");
   verify->add_option("CASE", options.names, "names of cases")->option_text(" ");
   verify->add_flag("--list", options.list, "names and titles");
-  CLI::Option* only_short = verify->add_flag("--short", options.only_short, "only those that take seconds");
+  CLI::Option* only_short =
+      verify->add_flag("--short", options.only_short, "only those that take seconds")->option_text(" ");
   CLI::Option* only_long = verify->add_flag("--long", options.only_long, "only those that take minutes");
   only_long->option_text(" ")->excludes(only_short);
   verify->add_option("--markdown", options.markdown, "write the ledger as a page")->option_text("FILE");
@@ -295,7 +299,7 @@ void declare_guides(CLI::App& app, CommandLine& line)
     add_set(command, line.options);
     add_threads(command, line.options.threads);
   }
-  add_loudness(check, line.options);
+  add_quiet(check, line.options, "say what is wrong, and nothing else");
 }
 
 const CLI::App& command_of(const CLI::App& app)

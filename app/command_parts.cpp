@@ -103,10 +103,9 @@ void add_threads(CLI::App* command, int& threads)
       ->check(whole_number_between(1, 1024));
 }
 
-void add_loudness(CLI::App* command, RunOptions& options)
+void add_quiet(CLI::App* command, RunOptions& options, const char* what)
 {
-  command->add_flag("-q,--quiet", options.quiet, "no progress, no summary; warnings stay");
-  command->add_flag("-v,--verbose", options.verbose, "time per pass as well");
+  command->add_flag("-q,--quiet", options.quiet, what);
 }
 
 void add_set(CLI::App* command, RunOptions& options)

@@ -23,7 +23,7 @@ CLI::Validator whole_number_between(int least, int most);
 CLI::App* add_command(CLI::App& app, const char* name, const char* group, const char* what, const std::string& example);
 void add_case(CLI::App* command, RunOptions& options, bool required = true);
 void add_threads(CLI::App* command, int& threads);
-void add_loudness(CLI::App* command, RunOptions& options);
+void add_quiet(CLI::App* command, RunOptions& options, const char* what = "no progress, no summary; warnings stay");
 void add_set(CLI::App* command, RunOptions& options);
 void add_language(CLI::App* command, std::string& language);
 void add_output(CLI::App* command, std::string& output, const char* what, const char* text = "DIR");

@@ -15,6 +15,7 @@
 #include "progress.hpp"
 #include "run_warnings.hpp"
 #include "simulation/initial.hpp"
+#include "simulation/library_watch.hpp"
 #include "simulation/no_equilibrium.hpp"
 #include "simulation/other_run.hpp"
 #include "simulation/setup_warnings.hpp"
@@ -24,7 +25,9 @@
 #include "simulation/state_arrays.hpp"
 #include "simulation/state_image.hpp"
 #include "system/stop.hpp"
+#include "system/terminal.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -49,8 +52,9 @@ void print_summary(const Summary& s, const Model& model, const std::string& fold
   fmt::print("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("x = {:.2f} m", s.front_x) : "-");
   fmt::print("  crest            {}\n", s.crest_x ? fmt::format("x = {:.2f} m", *s.crest_x) : "-");
   fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
-  fmt::print("  largest eps_eq_p {:.3g}\n", s.max_eps_eq_p);
-  if (softens_point_by_point(model) && s.max_eps_eq_p > s.softened_strain.value_or(s.max_eps_eq_p))
+  if (s.max_eps_eq_p) fmt::print("  largest eps_eq_p {:.3g}\n", *s.max_eps_eq_p);
+  const Real most = s.max_eps_eq_p.value_or(0.0);
+  if (softens_point_by_point(model) && most > s.softened_strain.value_or(most))
     fmt::print(
         "  softening        no length, no reference width: the result depends on the cells (docs/convergence.md)\n");
   fmt::print("  energy balance   {:.2g} % of the energy exchanged\n", 100.0 * s.energy_balance_error);
@@ -89,6 +93,22 @@ std::string hint_to_go_on(const std::string& folder, const RunOptions& options)
   } catch (const FileError&) {
     return "";  // the folder is gone
   }
+}
+
+bool has_failed_library(const Model& model)
+{
+  return std::ranges::any_of(model.materials, [](const SoilMaterial& soil) { return !soil.law->fault().empty(); });
+}
+
+/// How to go on with a corrected library or case.
+std::string hint_for_library(const std::string& folder)
+{
+  const CheckpointSearch found = newest_good_checkpoint(folder);
+  if (!found.image) return "  left     no checkpoint was written yet: begin anew with the corrected library or case";
+  return fmt::format(
+      "  left     the checkpoint at t = {:.4g} s; with a corrected library or case go on from it:\n"
+      "           terp run CASE.toml --from {} -o NEW_FOLDER (docs/user_laws.md#when-the-law-fails)",
+      found.image->time, folder);
 }
 
 /// What the summary of a run says; as of a run that has not begun where it cannot be read.
@@ -130,7 +150,10 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
   try {
     MeshWriter mesh(folder, writer.frames_of_mesh(), model, state);
     SummaryKeeper keeper(model, state, writer);
-    simulation.observers = {&writer, &mesh, &keeper, &progress};
+    LibraryWatch watch(model, [&](const std::string& text) {
+      fmt::print(stderr, "{}warning: {}: {}\n", is_terminal(stdout) ? "\n" : "", folder, text);
+    });
+    simulation.observers = {&writer, &mesh, &keeper, &progress, &watch};
     if (part.observer != nullptr) simulation.observers.push_back(part.observer);
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = simulation.run(stop_requested);
@@ -158,6 +181,7 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
     if (part.slides != nullptr) *part.slides = dynamic_cast<const SlidesAsDrawn*>(&error) != nullptr;
     if (is_alone(options)) fmt::print(stderr, "error: {}\n", error.what());
     writer.summary(summarise(model, state), false);
+    if (is_alone(options) && has_failed_library(model)) fmt::print(stderr, "{}\n", hint_for_library(folder));
     return stopped_itself;
   } catch (const FileError& error) {
     progress.finish();
@@ -305,6 +329,9 @@ Beginning find_beginning(const std::string& from)
   const std::size_t colon = from.rfind(':');
   const bool names_stage = colon != std::string::npos && from.find_first_of("/\\", colon) == std::string::npos;
   std::string path = from;
+  if (path.ends_with(".toml") && std::filesystem::is_regular_file(path))
+    throw FileError(
+        fmt::format("{}: this is a case file; give the run to begin with: RUN, RUN:STAGE, or a checkpoint", path));
   if (!std::filesystem::exists(path) && names_stage)  // a colon before a slash is that of a drive
     path = find_stage_file(from.substr(0, colon), from.substr(colon + 1));
   if (!std::filesystem::exists(path))

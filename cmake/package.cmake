@@ -33,7 +33,9 @@ install(TARGETS terp COMPONENT user EXCLUDE_FROM_ALL)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME terp)
-set(CPACK_PACKAGE_CONTACT "The authors of Terp")
+# There is no address at which the authors are reached. Who publishes the package gives their own.
+set(TERP_PACKAGE_CONTACT "The Terp authors <terp@example.org>" CACHE STRING "Maintainer of the Debian package")
+set(CPACK_PACKAGE_CONTACT "${TERP_PACKAGE_CONTACT}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Explicit material point method for soil that softens and fails")
 set(CPACK_COMPONENT_USER_DESCRIPTION
     "Terp solves how a slope or dike of softening soil fails, and how far the soil moves.

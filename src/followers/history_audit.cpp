@@ -5,6 +5,7 @@
 #include "simulation/ledger.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/summary.hpp"
+#include "user_laws/user_law.hpp"
 
 #include <algorithm>
 
@@ -12,6 +13,14 @@ namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
+
+/// False where all soil is of libraries that have no such variable, as far as the case says.
+bool knows_plastic_strain(const Model& model)
+{
+  return std::ranges::any_of(model.materials, [](const SoilMaterial& soil) {
+    return terms_of(*soil.type) == nullptr || row_of(soil, Role::plastic_strain) >= 0;
+  });
+}
 
 class HistoryAudit : public Follower {
   StrainMemory memory_;
@@ -42,10 +51,10 @@ class HistoryAudit : public Follower {
     }
   }
 
-  void summarise(const Model&, const State&, Summary& summary) const override
+  void summarise(const Model& model, const State&, Summary& summary) const override
   {
     const auto& eps = memory_.last_eps_eq_p;
-    summary.max_eps_eq_p = eps.empty() ? 0.0 : *std::ranges::max_element(eps);
+    if (knows_plastic_strain(model)) summary.max_eps_eq_p = eps.empty() ? 0.0 : *std::ranges::max_element(eps);
     summary.points_eps_eq_p_fell = std::ranges::count(fell_, true);
     summary.points_su_rose = std::ranges::count(rose_, true);
   }

@@ -34,7 +34,11 @@ std::string read_text(const std::string& path)
 {
   std::error_code ignored;
   if (fs::is_directory(path, ignored))
-    refuse_file(path, "this is a folder, not a case file", "Give the .toml file in it.");
+    refuse_file(path, "this is a folder, not a case file",
+        fs::exists(fs::path(path) / "ledger.csv", ignored)
+            ? fmt::format(
+                  "It holds a run. To go on with it: terp resume {0}. To solve its case anew: {0}/case.toml", path)
+            : "Give the .toml file in it.");
   if (!fs::exists(path, ignored)) {
     const std::string similar = similar_file(path, ".toml");
     refuse_file(path, "there is no such file", similar.empty() ? "" : fmt::format("Did you mean `{}`?", similar));

@@ -1,6 +1,7 @@
 #include "simulation/library_warnings.hpp"
 
 #include "user_laws/law_stiffness.hpp"
+#include "user_laws/short_arrays.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,21 +14,27 @@ constexpr Real tolerance = 0.05;  // of moduli that ought to be the same
 /// Waves that cross a cell in half a step are beyond what any mesh of several cells bears: the limit is one step.
 constexpr Real unstable = 2.0;
 
-struct DeepestPoint {
+struct PlaceOfPoint {
   const PointBlock<2>* block = nullptr;
   Index lane = 0;
 };
 
-/// The point with the largest mean stress, where a stiffness that follows the stress is largest.
-DeepestPoint deepest_point(const State& state, Index material)
+/// The point with the largest mean stress, where a stiffness that follows the stress is largest, and that with the
+/// least, which yields first.
+struct ExtremePoints {
+  PlaceOfPoint deepest, shallowest;
+};
+
+ExtremePoints extreme_points(const State& state, Index material)
 {
-  DeepestPoint found;
-  Real most = -1.0;
+  ExtremePoints found;
+  Real most = -1.0, least = std::numeric_limits<Real>::infinity();
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     if (block.material != material) return;
     const auto sigma = stress_at(block, lane);
     const Real size = std::abs(sigma[0] + sigma[1] + sigma[2]);
-    if (size > most) most = size, found = {&block, lane};
+    if (size > most) most = size, found.deepest = {&block, lane};
+    if (size < least) least = size, found.shallowest = {&block, lane};
   });
   return found;
 }
@@ -125,19 +132,53 @@ class LibraryScales {
   std::vector<Problem>& warnings_;
 };
 
+/// A trial of the law at a point.
+struct PointTrial {
+  const SoilMaterial& soil;
+  const MaterialCase& material;
+  PlaceOfPoint at;
+  Real cell_size;  ///< [m]
+  Real dt;         ///< [s]
+};
+
+void refuse_short_arrays(const PointTrial& trial)
+{
+  const LibraryCase& library = trial.material.library;
+  const std::string key =
+      find_short_array(trial.soil, trial.material.parameters, *trial.at.block, trial.cell_size, trial.dt);
+  if (key.empty()) return;
+  const bool is_state = key == "state", is_native = library.interface == LawInterface::native;
+  const char* const of_them = is_state ? "state variables" : "parameters";
+  const std::size_t n = is_state ? library.state.size() : library.parameters.size();
+  const std::string path = fmt::format("material.\"{}\"", trial.soil.name);
+  throw InputError(Problem{path + '.' + key,
+      fmt::format(
+          "the law of the library uses more {} than {}", of_them, is_native ? "it describes" : "the case gives"),
+      fmt::format(
+          "It has {}, and what it returned for strains of 0.05 to 1 % changed with numbers that do not belong to "
+          "it.\n{}",
+          n,
+          is_native ? fmt::format("Correct n_{} and the table in the description that the library gives.", key)
+                    : fmt::format("Give all {} that the law has, in its order.", of_them)),
+      "library", false, {path + ".library", path}});
+}
+
 }  // namespace
 
 void find_odd_libraries(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
   for (Index m = 0; m < std::ssize(model.materials); ++m) {
     const MaterialCase& material = model.description.materials[static_cast<std::size_t>(m)];
-    const DeepestPoint at = deepest_point(state, m);
-    if (material.from_library == nullptr || at.block == nullptr) continue;
+    if (material.from_library == nullptr) continue;
+    const auto [at, shallowest] = extreme_points(state, m);
+    if (at.block == nullptr) continue;
     SoilMaterial trial = model.materials[m];  // a law that fails stays failed: the run has its own
     trial.law = trial.type->make(material.parameters);
     const Real cell_size = std::sqrt(model.mesh->geometry(at.block->cell).volume);
     const LawStiffness law = measure_stiffness(trial, *at.block, at.lane, cell_size, model.dt);
     if (law.fault.empty()) LibraryScales(model, m, law, warnings).check();
+    refuse_short_arrays({model.materials[m], material, shallowest,
+        std::sqrt(model.mesh->geometry(shallowest.block->cell).volume), model.dt});
   }
 }
 

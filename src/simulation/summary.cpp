@@ -45,7 +45,8 @@ const SummaryQuantity quantities[] = {
     {{"second_failure_time", "s", "second failure", "start of the second failure; `null`: none"},
         &Summary::second_failure_time},
     {{"max_eps_eq_p", "-", "largest eps_eq_p at the end",
-         "largest at the last row of the ledger; of points that left, at the last row before"},
+         "largest at the last row of the ledger; of points that left, at the last row before; `null`: not known, as of "
+         "a library whose `plastic_strain` is not given"},
         &Summary::max_eps_eq_p},
     {{"softened_strain", "-", "strain of softened soil",
          "plastic strain from which soil counts as softened, where 95 % of the softening is done (3/eta): the smallest "

@@ -94,7 +94,8 @@ struct Summary {
   std::vector<SlideSummary> slides;         ///< of all stages, in order of time, definition in docs/formats.md
   std::optional<Real> first_slide_time;     ///< of all stages [s]
   std::optional<Real> second_failure_time;  ///< [s], definition in docs/formats.md
-  Real max_eps_eq_p = 0.0;                  ///< at the end [-]
+  std::optional<Real> max_eps_eq_p;         ///< at the end [-]; none: all soil is of libraries that do not say which
+                                            ///< of their variables it is
   std::optional<Real> softened_strain;      ///< plastic strain from which soil counts as softened: the smallest of the
                                             ///< laws in use, Material::softened_strain() [-]; none: nothing softens
   std::vector<std::pair<Real, Real>>

@@ -93,8 +93,7 @@ const OutcomeInfo outcomes[] = {
         [](const Summary& s) { return s.flood ? s.flood->first_time_below.value_or(none) : none; }},
     {{"still_moves", "-", "still moves", "1 where soil moves so fast at the end that I or F may change"}, nullptr,
         still_moves, true},
-    {{"max_eps_eq_p", "-", "largest eps_eq_p", "at the end"}, [](const Summary& s) { return s.max_eps_eq_p; }, nullptr,
-        true},
+    {{"max_eps_eq_p", "-", "largest eps_eq_p", "at the end"}, of_summary<&Summary::max_eps_eq_p>, nullptr, true},
     {{"end_time", "s", "time at the end", "of the run"}, nullptr,
         [](const Simulation& s, const Summary&, const EventRule&) { return s.state.time; }},
 };

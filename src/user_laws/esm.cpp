@@ -38,7 +38,7 @@ class EsmCalls final : public LawCalls {
 
   void run(LawPoints& points) const override
   {
-    const FencedArrays arrays(points.scratch.data(), n_state_, parameters_.size());
+    const FencedArrays arrays(points.scratch.data(), n_state_, parameters_.size(), points.beyond);
     for (points.at = 0; points.at < points.n; ++points.at) {
       call(points, arrays, points.at);
       if (points.failed) return;

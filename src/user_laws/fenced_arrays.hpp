@@ -15,13 +15,8 @@ inline constexpr int n_tens = 4, most_tens = 6;  ///< stresses that a law takes:
 inline constexpr std::size_t name_length = 80;   ///< letters of the name of a material
 
 class FencedArrays {
-  static constexpr std::size_t fence = 128;                     // more than the numbers of state that a case may give
-  static constexpr std::uint64_t mark = 0x7ff0'5465'7270'4c61;  // a signalling NaN: a sum with it is another
-  static constexpr auto marks = [] {
-    std::array<std::uint64_t, fence> all;
-    all.fill(mark);
-    return all;
-  }();
+  static constexpr std::size_t fence = n_numbers_beyond;
+  using Marks = std::array<std::uint64_t, fence>;
 
  public:
   static std::size_t n_numbers(std::size_t n_state, std::size_t n_parameters)
@@ -30,11 +25,13 @@ class FencedArrays {
   }
 
   /// memory: of n_numbers.
-  FencedArrays(double* memory, std::size_t n_state, std::size_t n_parameters)
+  FencedArrays(double* memory, std::size_t n_state, std::size_t n_parameters, const NumbersBeyond& beyond)
       : first_(memory), n_state_(n_state), n_parameters_(n_parameters)
   {
-    for (double* at : {first_, state() + n_state_, parameters() + n_parameters_})
-      std::memcpy(at, marks.data(), sizeof marks);
+    of_state_.fill(beyond.state), of_parameters_.fill(beyond.parameters);
+    std::memcpy(first_, of_state_.data(), sizeof of_state_);
+    std::memcpy(state() + n_state_, of_state_.data(), sizeof of_state_);
+    std::memcpy(parameters() + n_parameters_, of_parameters_.data(), sizeof of_parameters_);
   }
 
   double* state() const { return first_ + fence; }
@@ -43,19 +40,25 @@ class FencedArrays {
   /// Says so in `points` where the law wrote beyond its arrays.
   void check(LawPoints& points) const
   {
-    const auto is_whole = [](const double* at) { return std::memcmp(at, marks.data(), sizeof marks) == 0; };
-    const auto fail = [&](const char* array, std::size_t n, const char* key) {
-      points.failed = true;
-      std::snprintf(points.why.data(), points.why.size(),
-          "the law writes beyond its array %s, of %zu numbers: look at `%s` of the case", array, n, key);
+    const auto is_whole = [](const double* at, const Marks& marks) {
+      return std::memcmp(at, marks.data(), sizeof marks) == 0;
     };
-    if (!is_whole(first_) || !is_whole(state() + n_state_)) return fail("STATEV", n_state_, "state");
-    if (!is_whole(parameters() + n_parameters_)) fail("PROPS", n_parameters_, "parameters");
+    const auto fail = [&](const char* array, std::size_t n, const char* cure) {
+      points.failed = true;
+      points.cure = cure;
+      std::snprintf(
+          points.why.data(), points.why.size(), "the law writes beyond its array %s, of %zu numbers", array, n);
+    };
+    if (!is_whole(first_, of_state_) || !is_whole(state() + n_state_, of_state_))
+      return fail("STATEV", n_state_, "a larger `state` of the material: the law has more variables");
+    if (!is_whole(parameters() + n_parameters_, of_parameters_))
+      fail("PROPS", n_parameters_, "more `parameters` of the material: the law has more");
   }
 
  private:
   double* first_;
   std::size_t n_state_, n_parameters_;
+  Marks of_state_, of_parameters_;  // what stands between the arrays
 };
 
 /// False, and says so in `points`, where the law returned shear stress out of the plane, beyond round-off: 13 or 23 of

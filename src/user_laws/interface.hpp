@@ -19,6 +19,15 @@ namespace terp {
 /// Points that one call takes at most.
 inline constexpr int most_points_of_call = 64;
 
+/// What stands behind the arrays of a library, as bits of a number: a law that reads it was given too little, one that
+/// writes there stops the run.
+struct NumbersBeyond {
+  static constexpr std::uint64_t none = 0x7ff0'5465'7270'4c61;  ///< a signalling NaN: a sum with it is another
+  std::uint64_t parameters = none, state = none;
+  bool operator==(const NumbersBeyond&) const = default;
+};
+inline constexpr std::size_t n_numbers_beyond = 128;  ///< more than the numbers of state that a case may give
+
 /// Points of soil on their way to a library: arrays of n numbers. Rows of the state: those of the law, then what is
 /// kept for it (LibraryCase::kinematics): strain 11 22 33 12, tensorial shear; deformation gradient 11 12 21 22 33;
 /// of an ESM whether it was called. Stresses are in the unit of the library.
@@ -41,19 +50,21 @@ struct LawPoints {
   bool of_gauss_points = false;
   std::vector<Real*> state;   ///< rows
   std::vector<Real> scratch;  ///< for the interface: LawCalls::n_scratch numbers
+  NumbersBeyond beyond;
 
   /// What the interface reports: where it is, and why it stopped there.
   static constexpr int unknown = -1;
   int at = unknown;  ///< number of the point
   bool failed = false;
-  bool wants_smaller = false;  ///< it stopped as no part of the increment was small enough
+  const char* cure = nullptr;  ///< what may help, in words; nullptr: to look into the law
   std::array<char, 256> why{};
 
   bool is_at_a_point() const { return at >= 0 && at < n; }
 };
 
-/// The smallest part of a step that a law may ask for.
+/// The smallest part of a step that a law may ask for, and what helps where it asks for less.
 inline constexpr Real smallest_part = 1.0 / 4096.0;
+inline constexpr const char* smaller_steps = "a lower time.courant, or a law that takes larger increments";
 
 /// A library with its parameters, as it is called.
 class LawCalls {

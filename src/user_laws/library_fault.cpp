@@ -16,8 +16,9 @@ std::string list_of(int n, auto&& value)
 }
 
 constexpr const char* what_is_left =
-    "  left     the checkpoints written so far are whole; with a mended library go on from the newest one:\n"
-    "           terp run CASE.toml --from RUN_FOLDER -o NEW_FOLDER (docs/user_laws.md)";
+    "  left     what was written before, and the checkpoints, if any (docs/user_laws.md#when-the-law-fails)";
+constexpr const char* other_numbers =
+    "  likely   it reads beyond `parameters` or `state` of the case: this was a trial with other numbers there";
 
 }  // namespace
 
@@ -48,7 +49,8 @@ void LibraryMaterial::describe_exit(const LawPoints& points, const char* why, ch
       "the law of material `%s` %s in the step after t = %.4f s\n\n"
       "  where    %s\n"
       "  library  %s\n%s",
-      in_use_.material.c_str(), why, points.time, place.data(), in_use_.title.c_str(), what_is_left);
+      in_use_.material.c_str(), why, points.time, place.data(), in_use_.title.c_str(),
+      points.beyond == NumbersBeyond{} ? what_is_left : other_numbers);
 }
 
 std::string LibraryMaterial::describe_input(const LawPoints& points, const PointsBefore& before) const
@@ -65,8 +67,8 @@ std::string LibraryMaterial::describe_input(const LawPoints& points, const Point
 
 void LibraryMaterial::keep_fault(const LawPoints& points, const PointsBefore& before) const
 {
-  const auto advice = points.wants_smaller ? "a lower time.courant, or a law that takes larger increments"
-                                           : "the law with these numbers by itself; then mend the library";
+  const auto advice =
+      points.cure != nullptr ? points.cure : "the law with these numbers by itself; then mend the library";
   std::array<char, 256> place;
   describe_place(points, place);
   std::string text = fmt::format(
@@ -74,9 +76,8 @@ void LibraryMaterial::keep_fault(const LawPoints& points, const PointsBefore& be
       "  where    material `{}`, {}\n"
       "  library  {}\n"
       "{}"
-      "  try      {}\n{}",
-      points.why.data(), in_use_.material, place.data(), in_use_.title, describe_input(points, before), advice,
-      what_is_left);
+      "  try      {}",
+      points.why.data(), in_use_.material, place.data(), in_use_.title, describe_input(points, before), advice);
   faults_([&] {
     const int p = points.is_at_a_point() ? points.at : 0;
     const std::pair number(points.cell[p], points.id[p]);

@@ -24,7 +24,8 @@ struct Room {
     points.scratch.resize(n_scratch);
     points.state.resize(n_state);
     for (std::size_t k = 0; k < n_state; ++k) points.state[k] = numbers.data() + k * most_points_of_call;
-    points.failed = points.wants_smaller = false;
+    points.failed = false;
+    points.cure = nullptr;
     points.at = LawPoints::unknown;
     points.why[0] = '\0';
   }
@@ -96,6 +97,7 @@ void LibraryMaterial::update(const StressArrays<2>& arrays) const
   Room& room = room_of_thread();
   for (Index first = 0; first < arrays.n; first += most_points_of_call) {
     room.fit(in_use_.n_state, in_use_.calls->n_scratch());
+    room.points.beyond = beyond_;
     take_points(arrays, first, room.points, room.entries);
     if (room.points.n == 0) continue;
     room.before.sigma = room.points.sigma;

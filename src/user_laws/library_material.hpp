@@ -39,6 +39,8 @@ class LibraryMaterial final : public Material {
   /// times as stiff: it sees strains s times as large, in times sqrt(s) times as long (decision 0035).
   LibraryMaterial(std::shared_ptr<const MaterialType> type, const LibraryInUse& in_use, std::span<const Real> values);
 
+  /// What stands behind the arrays of the library from now on.
+  void put_beyond(const NumbersBeyond& numbers) { beyond_ = numbers; }
   void update(const StressArrays<2>& arrays) const override;
   void soften(const SofteningOptions&, const SofteningArrays&) const override {}
   Moduli moduli() const override { return moduli_; }
@@ -64,6 +66,7 @@ class LibraryMaterial final : public Material {
   LibraryInUse in_use_;
   Moduli moduli_;
   Real stiffening_;
+  NumbersBeyond beyond_;
   mutable std::atomic<bool> has_fault_ = false;
   mutable std::atomic<bool> crashed_ = false;  // it is not called again
   OneAtATime faults_;

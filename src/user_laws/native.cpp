@@ -7,6 +7,7 @@
 #include "user_laws/terp_law.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
@@ -16,6 +17,16 @@ namespace {
 
 constexpr int most_halvings = 12;
 static_assert(smallest_part == 1.0 / (1 << most_halvings));
+constexpr int most_parameters = 1000, most_state = 100, rows_behind = 28;
+
+/// What the library is given beside the points. Behind the rows of the state there are others, all of the same numbers,
+/// and behind the parameters there are some, too.
+struct NativeArrays {
+  Real* increment;  ///< of the part, 4 rows
+  Real* behind;     ///< a row
+  const Real* parameters;
+  std::array<Real*, most_state + rows_behind> state;
+};
 
 class NativeCalls final : public LawCalls {
  public:
@@ -25,13 +36,18 @@ class NativeCalls final : public LawCalls {
     for (const NamedNumber& number : library.parameters) parameters_.push_back(number.value);
   }
 
-  /// The start of the part, 4 rows of stress and those of the state, and the increment of the part.
-  std::size_t n_scratch() const override { return (8 + n_state_) * most_points_of_call; }
+  /// The start of the part, 4 rows of stress and those of the state, the increment of the part, a row that stands
+  /// behind the state, and the parameters with what stands behind them.
+  std::size_t n_scratch() const override
+  {
+    return (9 + n_state_) * most_points_of_call + parameters_.size() + n_numbers_beyond;
+  }
 
   void run(LawPoints& points) const override
   {
     const int n = points.n;
     Real *start = points.scratch.data(), *increment = start + (4 + n_state_) * most_points_of_call;
+    const NativeArrays arrays = arrays_of(points, increment);
     const auto for_each_row = [&](auto&& f) {
       for (std::size_t k = 0; k < 4 + n_state_; ++k)
         f(start + k * most_points_of_call, k < 4 ? points.sigma[k].data() : points.state[k - 4]);
@@ -42,14 +58,15 @@ class NativeCalls final : public LawCalls {
       for_each_row([n](Real* kept, const Real* row) { std::copy_n(row, n, kept); });
       for (int k = 0; k < 4; ++k)
         for (int p = 0; p < n; ++p) increment[k * most_points_of_call + p] = part * points.d_eps[k][p];
-      const int answer = call(points, increment, part, done);
+      const int answer = call(points, arrays, part, done);
+      if (points.failed) return;
       if (answer == TERP_LAW_OK) {
         ++done;
         continue;
       }
       if (answer != TERP_LAW_SMALLER_STEP || halvings == most_halvings) {
         points.failed = true;
-        points.wants_smaller = answer == TERP_LAW_SMALLER_STEP;
+        if (answer == TERP_LAW_SMALLER_STEP) points.cure = smaller_steps;
         return;
       }
       for_each_row([n](const Real* kept, Real* row) { std::copy_n(kept, n, row); });
@@ -58,18 +75,30 @@ class NativeCalls final : public LawCalls {
   }
 
  private:
-  int call(LawPoints& points, const Real* increment, Real part, int done) const
+  NativeArrays arrays_of(LawPoints& points, Real* increment) const
+  {
+    Real *behind = increment + 4 * most_points_of_call, *parameters = behind + most_points_of_call;
+    std::ranges::copy(parameters_, parameters);
+    std::fill_n(parameters + parameters_.size(), n_numbers_beyond, std::bit_cast<Real>(points.beyond.parameters));
+    std::fill_n(behind, most_points_of_call, std::bit_cast<Real>(points.beyond.state));
+    NativeArrays arrays{.increment = increment, .behind = behind, .parameters = parameters, .state = {}};
+    arrays.state.fill(behind);
+    std::ranges::copy(points.state, arrays.state.begin());
+    return arrays;
+  }
+
+  int call(LawPoints& points, const NativeArrays& arrays, Real part, int done) const
   {
     terp_law_points given{};
     given.n = points.n;
     given.time = points.time + done * part * points.dt;
     given.dt = part * points.dt;
-    given.parameters = parameters_.data();
+    given.parameters = arrays.parameters;
     for (int k = 0; k < 4; ++k) {
       given.stress[k] = points.sigma[k].data();
-      given.strain_increment[k] = increment + k * most_points_of_call;
+      given.strain_increment[k] = arrays.increment + k * most_points_of_call;
     }
-    given.state = points.state.data();
+    given.state = arrays.state.data();
     static constexpr LawPoints::Row<Real> no_spin{};
     given.spin = done == 0 ? points.d_spin.data() : no_spin.data();
     given.turned = points.turned;
@@ -77,7 +106,13 @@ class NativeCalls final : public LawCalls {
     given.cell_size = points.cell_size.data();
     points.at = LawPoints::unknown;
     const int answer = update_(&given);
-    if (answer == TERP_LAW_OK) return answer;
+    for (int p = 0; p < most_points_of_call && !points.failed; ++p) {
+      if (std::bit_cast<std::uint64_t>(arrays.behind[p]) == points.beyond.state) continue;
+      points.failed = true;
+      points.cure = "a larger n_state in the description that the library gives of itself";
+      std::snprintf(points.why.data(), points.why.size(), "the law writes beyond its state, of %zu numbers", n_state_);
+    }
+    if (answer == TERP_LAW_OK || points.failed) return answer;
     points.at = std::clamp(given.point, 0, points.n - 1);
     if (answer == TERP_LAW_SMALLER_STEP)
       std::snprintf(points.why.data(), points.why.size(), "the law asks for parts of the step smaller than 1/%d of it",
@@ -92,8 +127,6 @@ class NativeCalls final : public LawCalls {
   std::size_t n_state_;
   std::vector<Real> parameters_;
 };
-
-constexpr int most_parameters = 1000, most_state = 100;
 
 [[noreturn]] void refuse(const std::string& what, const std::string& detail)
 {

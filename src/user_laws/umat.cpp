@@ -71,7 +71,7 @@ class UmatCalls final : public LawCalls {
 
   void run(LawPoints& points) const override
   {
-    const FencedArrays arrays(points.scratch.data() + n_state_, n_state_, parameters_.size());
+    const FencedArrays arrays(points.scratch.data() + n_state_, n_state_, parameters_.size(), points.beyond);
     for (points.at = 0; points.at < points.n; ++points.at) {
       PointOfUmat point = point_of(points, points.at);
       advance(points, arrays, point);
@@ -151,7 +151,7 @@ class UmatCalls final : public LawCalls {
       std::copy_n(before, n_state_, state);
       part *= std::clamp(answer, least_cut, 0.9);
       if (part >= smallest_part) continue;
-      points.failed = points.wants_smaller = true;
+      points.failed = true, points.cure = smaller_steps;
       std::snprintf(points.why.data(), points.why.size(),
           "the law asks for parts of the step smaller than 1/%.0f of it (PNEWDT = %g)", 1.0 / smallest_part, answer);
       return;

@@ -36,7 +36,8 @@ TEST(Help, NamesTheCommandsAndExitStatuses)
 TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
 {
   const std::vector<std::pair<std::string, std::vector<std::string>>> commands{
-      {"run", {"--output", "--threads", "--set", "--force", "--report", "--quiet", "--verbose"}},
+      {"run", {"--output", "--threads", "--set", "--force", "--report", "--quiet", "--verbose", "--from RUN[:STAGE]",
+                  "RUN, a folder, with its newest checkpoint", "runs/NAME"}},
       {"resume", {"--threads", "--report", "--quiet"}},
       {"stability", {"--from", "--to", "--tolerance", "--damping", "--rest", "--failure", "--windows", "--output",
                         "--json", "--set"}},
@@ -55,6 +56,15 @@ TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
     EXPECT_EQ(test::terp({"help", command}).out, f.out);
   }
   EXPECT_EQ(test::terp({"solve", "--help"}).out, test::terp({"--help"}).out);
+}
+
+TEST(Help, OffersNothingThatACommandDoesNotDo)
+{
+  for (const char* command : {"check", "stability"}) {
+    EXPECT_THAT(test::terp({command, "--help"}).out, Not(HasSubstr("--verbose"))) << "there are no passes to be timed";
+    EXPECT_EQ(test::terp({command, "-v"}).status, 2);
+  }
+  EXPECT_THAT(test::terp({"verify", "--help"}).out, Not(HasSubstr("Excludes")));
 }
 
 TEST(Help, IsWhatTerpAloneSays)

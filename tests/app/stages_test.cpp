@@ -170,6 +170,9 @@ TEST(StagesOfARun, ThatAreNoBeginningAreRefused)
   const Finished nowhere = files.solve("b", {"--from", files.run("nowhere")});
   EXPECT_EQ(nowhere.status, 1);
   EXPECT_THAT(nowhere.err, HasSubstr("there is no such run or checkpoint\n  Give RUN:STAGE"));
+  const Finished a_case = files.solve("b", {"--from", files.run("whole") + "/case.toml"});
+  EXPECT_EQ(a_case.status, 1);
+  EXPECT_THAT(a_case.err, HasSubstr("/case.toml: this is a case file; give the run to begin with: RUN, RUN:STAGE"));
   const Finished mesh = files.solve("c", {"--from", files.run("whole") + ":settle", "--set", "mesh.cell=0.25"});
   EXPECT_EQ(mesh.status, 1);
   EXPECT_THAT(mesh.err, HasSubstr("it is of another mesh, other bodies or another scheme\n  mesh.cell ([0.5, 0.5], now "

@@ -90,6 +90,58 @@ TEST_F(UserLawProgram, ShearsTheOneCellOfTheExample)
   const Finished run = test::terp({"run", path("one_cell.toml"), "-q", "-o", path("run")});
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
+  EXPECT_EQ(test::terp({"export", path("run"), "--field", "stress", "--frames", "1,5,last"}).status, 0);
+  for (const auto& [frame, by_hand] : std::map<std::string, std::string>{
+           {"frame_00001", ",7272.727\n"}, {"frame_00005", ",5856.719"}, {"frame_00050", ",2041.472"}})
+    EXPECT_THAT(text_of(path("run/csv/" + frame + ".csv")), HasSubstr(by_hand)) << "docs/user_laws.md has the numbers";
+}
+
+TEST_F(UserLawProgram, RefusesALawThatReadsAParameterWhichTheCaseForgot)
+{
+  const std::string file = case_with(25, 0.0);  // compares with a number behind PROPS, and is elastic where it is none
+  for (const char* command : {"check", "run"}) {
+    const Finished told = test::terp({command, file, "-q"});
+    EXPECT_EQ(told.status, 2);
+    EXPECT_THAT(told.err,
+        AllOf(HasSubstr("case.toml:13:14: the law of the library uses more parameters than the case gives"),
+            HasSubstr("It has 6, and what it returned for strains of 0.05 to 1 % changed with numbers that do not"),
+            HasSubstr("Give all parameters that the law has, in its order.")));
+  }
+}
+
+TEST_F(UserLawProgram, IsToldOfStateThatIsTooShortBeforeARunBegins)
+{
+  const std::string file = case_with(15, 0.0);  // writes behind STATEV
+  for (const char* command : {"check", "run"}) {
+    const Finished told = test::terp({command, file, "-q"});
+    EXPECT_EQ(told.status, 2);
+    EXPECT_THAT(told.err, HasSubstr("case.toml:14:9: the law of the library uses more state variables than the case"));
+  }
+}
+
+TEST_F(UserLawProgram, IsToldOfAFaultOnce)
+{
+  const std::string fault = "the law returned a stress that is not a number";
+  const Finished check = test::terp({"check", case_with(1, 0.0)});
+  EXPECT_EQ(check.status, 3);
+  EXPECT_THAT(check.err,
+      AllOf(HasSubstr("error: the run would stop itself: "), HasSubstr(fault), Not(HasSubstr("checkpoint"))));
+  EXPECT_EQ(check.err.find(fault), check.err.rfind(fault)) << check.err;
+  const Finished run = test::terp({"run", case_with(1, 0.0), "-q", "-o", path("run")});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(
+      run.err, HasSubstr("left     no checkpoint was written yet: begin anew with the corrected library or case"));
+}
+
+TEST_F(UserLawProgram, SaysNothingOfAPlasticStrainThatIsNotKnown)
+{
+  const std::string file = case_with(0, 0.0);
+  const Finished unknown = test::terp({"run", file, "-o", path("unknown")});
+  EXPECT_THAT(unknown.out, Not(HasSubstr("largest eps_eq_p")));
+  EXPECT_THAT(text_of(path("unknown/summary.json")), HasSubstr("\"max_eps_eq_p\": null"));
+  const Finished known =
+      test::terp({"run", file, "-o", path("known"), "--set", "material.clay.plastic_strain=\"calls\""});
+  EXPECT_THAT(known.out, HasSubstr("largest eps_eq_p ")) << known.err;
 }
 
 TEST_F(UserLawProgram, ComparesTheStiffnessOfTheLawWithTheCase)
@@ -163,6 +215,8 @@ TEST_F(UserLawProgram, KeepsTheCheckpointsOfARunWhoseLawCrashes)
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, HasSubstr("the law used memory that is not its own (SIGSEGV)"));
   EXPECT_THAT(run.err, HasSubstr("material `clay`, material point "));
+  EXPECT_THAT(run.err, HasSubstr("left     the checkpoint at t = 0.1"));
+  EXPECT_THAT(run.err, HasSubstr("terp run CASE.toml --from " + path("run") + " -o NEW_FOLDER"));
   const Finished mended = test::terp({"run", case_with(0, 0.0), "-q", "--from", path("run"), "-o", path("mended")});
   EXPECT_EQ(mended.status, 0) << mended.err;
 }

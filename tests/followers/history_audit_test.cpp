@@ -3,6 +3,7 @@
 #include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
 #include "support/cases.hpp"
+#include "support/law_cases.hpp"
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
@@ -76,6 +77,18 @@ TEST(HistoryAudit, AColumnViolatesItsHistoryInMixedAndNotInGp)
       EXPECT_EQ(n_rose(s), 0);
     }
   }
+}
+
+TEST(HistoryAudit, KnowsNoPlasticStrainOfALibraryThatDoesNotSayWhichItIs)
+{
+  LibraryCase library = wrong_umat(elastic_law).library;
+  const auto largest = [&](const MaterialCase& soil) {
+    const Simulation s = followed(moving_box("mpm_gp", soil));
+    return summarise(s.model, s.state).max_eps_eq_p;
+  };
+  EXPECT_EQ(largest(of_library(library)), std::nullopt);
+  EXPECT_EQ(largest(of_library(library, {.plastic_strain = "state_1"})), std::optional<Real>(0.0));
+  EXPECT_EQ(largest(elastic(shear, poisson, 1900.0)), std::optional<Real>(0.0)) << "elastic soil has none";
 }
 
 }  // namespace history_audit_test

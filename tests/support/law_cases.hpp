@@ -36,6 +36,9 @@ enum Kind {
   counts_to_six,
   no_strength,
   adds_beyond_state,
+  compares_beyond_props,
+  compares_beyond_state,
+  loops,
 };
 
 inline constexpr Real shear = 3.0e6, poisson = 0.3;

@@ -24,7 +24,7 @@ TEST(LibraryMaterial, ThatReturnsNoNumberStopsTheRunAndSaysWhichPoint)
   EXPECT_THAT(said, HasSubstr(" at x = 2."));
   EXPECT_THAT(said, HasSubstr("library  wrong_umat.so (umat, umat_)"));
   EXPECT_THAT(said, HasSubstr("before   stress xx yy zz xy = "));
-  EXPECT_THAT(said, HasSubstr("terp run CASE.toml --from RUN_FOLDER"));
+  EXPECT_THAT(said, HasSubstr("try      the law with these numbers by itself; then mend the library"));
   EXPECT_THAT(fault_of("mpm_mixed", wrong_umat(nan_state, 0.0, 2.0)),
       AllOf(HasSubstr("a state variable that is not a number"), HasSubstr("Gauss point ")));
 }
@@ -115,13 +115,23 @@ TEST(LibraryMaterial, ThatReturnsNoPartOfTheStepStopsTheRun)
 TEST(LibraryMaterial, ThatTakesItsArraysForLongerThanTheyAreStopsTheRun)
 {
   EXPECT_THAT(fault_of("mpm_gp", wrong_umat(beyond_state)),
-      HasSubstr("the law writes beyond its array STATEV, of 1 numbers: look at `state` of the case"));
+      AllOf(HasSubstr("the law writes beyond its array STATEV, of 1 numbers\n"),
+          HasSubstr("try      a larger `state` of the material: the law has more variables")));
   EXPECT_THAT(fault_of("mpm_mixed", wrong_umat(beyond_state, 0.0, -100.0, 0)), HasSubstr("STATEV, of 0 numbers"));
   EXPECT_THAT(fault_of("mpm_gp", wrong_umat(adds_beyond_state)), HasSubstr("beyond its array STATEV, of 1 numbers"));
-  EXPECT_THAT(fault_of("mpm_gp", wrong_umat(beyond_props)), HasSubstr("array PROPS, of 6 numbers: look at `param"));
+  EXPECT_THAT(fault_of("mpm_gp", wrong_umat(beyond_props)), HasSubstr("try      more `parameters` of the material"));
   EXPECT_THAT(fault_of("mpm_gp", wrong_umat(reads_props)), HasSubstr("a stress that is not a number"));
   LibraryCase library{.file = "wrong_umat.so", .interface = LawInterface::esm, .state = {{"a", 0.0}, {"b", 0.0}}};
   EXPECT_THAT(fault_of("mpm_gp", of_library(library)), HasSubstr("STATEV, of 2 numbers"));
+}
+
+TEST(LibraryMaterial, InCThatWritesBeyondItsStateStopsTheRun)
+{
+  const LibraryCase library{
+      .file = "wrong_native.so", .symbol = "writing_state_law", .parameters = {{"", 3e6}, {"", 1.0}}};
+  EXPECT_THAT(
+      fault_of("mpm_gp", of_library(library)), AllOf(HasSubstr("the law writes beyond its state, of 2 numbers\n"),
+                                                   HasSubstr("try      a larger n_state in the description")));
 }
 
 TEST(LibraryMaterial, ThatChangesRoundingChangesThatOfItsOwnCallsAlone)

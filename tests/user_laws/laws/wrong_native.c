@@ -25,6 +25,29 @@ static int stiff(terp_law_points* at)
   return TERP_LAW_OK;
 }
 
+/* Linear up to a shear stress that stands behind its parameters. */
+static int reads_beyond(terp_law_points* at)
+{
+  stiff(at);
+  for (int p = 0; p < at->n; ++p)
+    if (at->stress[3][p] > at->parameters[2]) at->stress[3][p] = at->parameters[2];
+  return TERP_LAW_OK;
+}
+
+static int reads_beyond_state(terp_law_points* at)
+{
+  stiff(at);
+  for (int p = 0; p < at->n; ++p)
+    if (at->stress[3][p] > at->state[2][p]) at->stress[3][p] = at->state[2][p];
+  return TERP_LAW_OK;
+}
+
+static int writes_beyond_state(terp_law_points* at)
+{
+  for (int p = 0; p < at->n; ++p) at->state[2][p] += 1.0;
+  return TERP_LAW_OK;
+}
+
 static int complains(terp_law_points* at)
 {
   at->point = at->n - 1;
@@ -53,6 +76,9 @@ static const terp_law_description torn = {TERP_LAW_VERSION, 0, NULL, 2, (const t
 static const terp_law_description huge = {TERP_LAW_VERSION, 0, NULL, 1000000, state, 0, stiff};
 static const terp_law_description nan_state = {TERP_LAW_VERSION, 0, NULL, 1, no_number, 0, stiff};
 static const terp_law_description held = {TERP_LAW_VERSION, 0, NULL, 1, in_pascal, 0, stiff};
+static const terp_law_description reading = {TERP_LAW_VERSION, 2, modulus, 2, state, 0, reads_beyond};
+static const terp_law_description reading_state = {TERP_LAW_VERSION, 2, modulus, 2, state, 0, reads_beyond_state};
+static const terp_law_description writing_state = {TERP_LAW_VERSION, 2, modulus, 2, state, 0, writes_beyond_state};
 static const terp_law_description good = {TERP_LAW_VERSION, 2, modulus, 2, state, 0, stiff};
 static const terp_law_description failing = {TERP_LAW_VERSION, 2, modulus, 2, state, 1, complains};
 static const terp_law_description old = {TERP_LAW_VERSION + 1, 0, NULL, 0, NULL, 0, stiff};
@@ -60,6 +86,9 @@ static const terp_law_description empty = {TERP_LAW_VERSION, 2, NULL, 0, NULL, 0
 static const terp_law_description named = {TERP_LAW_VERSION, 0, NULL, 1, bad_name, 0, stiff};
 
 const terp_law_description* terp_law(void) { return &good; }
+const terp_law_description* reading_law(void) { return &reading; }
+const terp_law_description* reading_state_law(void) { return &reading_state; }
+const terp_law_description* writing_state_law(void) { return &writing_state; }
 const terp_law_description* failing_law(void) { return &failing; }
 const terp_law_description* old_law(void) { return &old; }
 const terp_law_description* empty_law(void) { return &empty; }

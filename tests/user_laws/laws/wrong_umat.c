@@ -8,7 +8,7 @@
 enum { elastic, nan_stress, nan_state, bad_memory, divides, aborts, leaves, never_small, small_parts, overflows,
        counts, turns, changes_rounding, tenths, nan_answer, beyond_state, beyond_props, reads_props, has_strength,
        has_size, crashes_in_c, tensorial_shear, counts_to_six, no_strength,
-       adds_beyond_state };
+       adds_beyond_state, compares_beyond_props, compares_beyond_state, loops };
 
 static volatile int zero = 0;
 static int calls = 0;
@@ -85,6 +85,15 @@ void umat_(double* stress, double* statev, double* ddsdde, double* sse, double* 
       }
       if (props[5] > 0 && *dtime > props[5]) *pnewdt = 0.1;
       break;
+    case compares_beyond_props: /* of a number that is none nothing is larger */
+      if (stress[3] > props[*nprops]) stress[3] = props[*nprops];
+      break;
+    case compares_beyond_state: /* in compression alone */
+      if (dstran[1] < -1e-4 && stress[1] < statev[*nstatv]) stress[1] = statev[*nstatv];
+      break;
+    case loops:
+      while (!zero) continue;
+      break;
     case no_strength: statev[0] = -0.5; break;
     case crashes_in_c: puts((const char*)(size_t)(8 * zero + 8)); break;
     default: break;
@@ -105,5 +114,6 @@ void esm_(int* npt, int* noel, int* idset, double* stress, double* eunloading, d
   const double lame = 2 * props[0] * props[1] / (1 - 2 * props[1]), volume = dstran[0] + dstran[1] + dstran[2];
   for (int k = 0; k < 6; ++k) stress[k] += k < 3 ? lame * volume + 2 * props[0] * dstran[k] : props[0] * dstran[k];
   if (stress[4] != 0 || stress[5] != 0) stress[0] = NAN;
+  if (*nprops == 3 && stress[1] > props[3]) stress[1] = props[3]; /* a limit of the tension, which is not given */
   stress[5] = 1e9;
 }

@@ -1,0 +1,32 @@
+// Whether a law of a library returns while a run goes on.
+#pragma once
+
+#include "parallel/watch.hpp"
+#include "simulation/model.hpp"
+#include "simulation/observer.hpp"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace terp {
+
+/// Tells where a run with soil of a library does not go on: a law may loop without end, and nothing else would say so.
+class LibraryWatch : public Observer {
+ public:
+  static constexpr double usual_limit_s = 60.0;
+
+  /// tell: called in another thread, where nothing was heard for limit_s, or 20 times the longest pause before. A model
+  /// without such soil is not watched.
+  LibraryWatch(const Model& model, std::function<void(const std::string&)> tell, double limit_s = usual_limit_s);
+  void progress(const Progress& now) override;
+
+ private:
+  std::string laws_;  ///< in words
+  std::function<void(const std::string&)> tell_;
+  std::atomic<std::int64_t> step_ = 0;
+  std::unique_ptr<Watch> watch_;  // last: it uses the rest
+};
+
+}  // namespace terp

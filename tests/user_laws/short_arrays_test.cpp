@@ -1,0 +1,69 @@
+#include "user_laws/short_arrays.hpp"
+#include "simulation/library_warnings.hpp"
+#include "simulation/simulation.hpp"
+#include "support/law_cases.hpp"
+#include "support/test.hpp"
+
+namespace short_arrays_test {
+
+std::string key_of(const MaterialCase& material)
+{
+  const Simulation s(free_box("mpm_gp", {0.5, 0.0}, {3.5, 1.0}, material), 1);
+  return find_short_array(s.model.materials[0], material.parameters, s.state.points.block(0), 0.25, s.model.dt);
+}
+
+LibraryCase native(const char* symbol)
+{
+  return {.file = "wrong_native.so", .symbol = symbol, .parameters = {{"modulus", 3e6}, {"limit", 1.0}}};
+}
+
+TEST(ShortArrays, AreNoticedThoughNothingIsLargerThanANumberThatIsNone)
+{
+  EXPECT_EQ(key_of(wrong_umat(compares_beyond_props)), "parameters");
+  EXPECT_EQ(key_of(wrong_umat(compares_beyond_state)), "state");
+  EXPECT_EQ(key_of(wrong_umat(reads_props)), "parameters") << "its stress is no number where there is none";
+  EXPECT_EQ(key_of(wrong_umat(beyond_state)), "state") << "it writes the number that is there once";
+  EXPECT_EQ(key_of(wrong_umat(adds_beyond_state)), "state");
+  LibraryCase esm{.file = "wrong_umat.so", .interface = LawInterface::esm};
+  esm.parameters = {{"", shear}, {"", poisson}, {"", 0.0}};
+  EXPECT_EQ(key_of(of_library(esm)), "parameters");
+  EXPECT_EQ(key_of(of_library(native("reading_law"))), "parameters");
+  EXPECT_EQ(key_of(of_library(native("reading_state_law"))), "state");
+}
+
+TEST(ShortArrays, AreNotFoundWhereAllIsGiven)
+{
+  for (const Kind kind : {elastic_law, nan_stress, bad_memory, counts, small_parts, changes_rounding})
+    EXPECT_EQ(key_of(wrong_umat(kind)), "") << kind;
+  LibraryCase esm{.file = "wrong_umat.so", .interface = LawInterface::esm};
+  esm.parameters = {{"", shear}, {"", poisson}};
+  EXPECT_EQ(key_of(of_library(esm)), "");
+  EXPECT_EQ(key_of(of_library(native("terp_law"))), "");
+}
+
+TEST(ShortArrays, AreAFaultOfTheCase)
+{
+  const auto said = [](const MaterialCase& material) {
+    const Simulation s(free_box("mpm_gp", {0.5, 0.0}, {3.5, 1.0}, material), 1);
+    std::vector<Problem> warnings;
+    try {
+      find_odd_libraries(s.model, s.state, warnings);
+    } catch (const InputError& error) {
+      return error.problems().front().key + ": " + error.problems().front().what + '\n' +
+             error.problems().front().detail;
+    }
+    return std::string();
+  };
+  EXPECT_THAT(said(wrong_umat(compares_beyond_props)),
+      AllOf(HasSubstr(".parameters: the law of the library uses more parameters than the case gives\nIt has 6, and"),
+          HasSubstr("Give all parameters that the law has, in its order.")));
+  EXPECT_THAT(said(wrong_umat(compares_beyond_state)),
+      AllOf(HasSubstr(".state: the law of the library uses more state variables than the case gives\nIt has 1, and"),
+          HasSubstr("Give all state variables that the law has, in its order.")));
+  EXPECT_THAT(said(of_library(native("reading_state_law"))),
+      AllOf(HasSubstr("uses more state variables than it describes\nIt has 2, and"),
+          HasSubstr("Correct n_state and the table in the description that the library gives.")));
+  EXPECT_EQ(said(wrong_umat(elastic_law)), "");
+}
+
+}  // namespace short_arrays_test
