@@ -14,6 +14,7 @@ Words shares_words() { return {"by_law", "point", "overlap"}; }
 Words point_pressure_words() { return {"cell", "own", "relax"}; }
 Words state_averaging_words() { return {"as_declared", "cell", "sub_cell"}; }
 Words objective_rate_words() { return {"none", "jaumann"}; }
+Words cut_cells_words() { return {"mean", "slip"}; }
 Words remap_contact_words() { return {"unused_strength", "across"}; }
 
 }  // namespace
@@ -63,6 +64,13 @@ std::vector<KeyInfo> method_keys()
           .meaning =
               "how mpm_mixed averages the state (reading R9): as each state variable declares, or all by cell or "
               "by sub-cell"},
+      {.path = "method.cut_cells",
+          .field = [](Case& c, std::size_t) { return word_field(c.method.cut_cells); },
+          .words = cut_cells_words,
+          .meaning = "strain of the soils in a cell that their border cuts: all have that of the cell, which then has "
+                     "the mean of their strengths (mean), or they also slip along the border until the shear stress "
+                     "on it is the same on both sides (slip; decision 0059)",
+          .equation = "d_eps_m = d_eps + g_m sym(t n),  sum_m V_m g_m = 0,  tau_m = t.sigma_m.n equal in all soils"},
   };
 }
 

@@ -16,6 +16,7 @@ struct BlockLayer {
 };
 
 struct PatchValues;
+struct BlockSlip;
 
 /// Up to eight neighbouring occupied cells.
 template <class Element>
@@ -36,6 +37,8 @@ struct CellGroup {
   PatchValues* patches = nullptr;                      ///< of shares that overlap (patch_group.hpp)
   std::span<CornerVectors<Element>> water_force = {};  ///< on the corners [N per m], shape [n]; empty: no water
   std::span<Real> excess = {};  ///< u_e [Pa], by block number; empty: no soil has excess pressure
+  std::span<BlockSlip> slips =
+      {};  ///< by block number; empty: the soils of a cell have one strain (schemes/cut_cells.hpp)
 
   int n() const { return static_cast<int>(cells.size()); }
   CellView<Element> cell(int c) const { return {cells[c], mesh.geometry(cells[c]), points, corners[c]}; }

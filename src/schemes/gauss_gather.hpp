@@ -2,6 +2,7 @@
 // water of a group of cells. Not for: what a scheme keeps of it.
 #pragma once
 
+#include "schemes/cut_cells.hpp"
 #include "schemes/excess_pressure.hpp"
 
 #include <cmath>
@@ -102,10 +103,12 @@ void gather_at_gauss_points(
     set_weights(geometry, cell_volume, context.method, gauss);  // R3
     divide_by_volume(gauss);                                    // Eq. (1)
     smooth_pressure(gauss);                                     // Eqs. (2), (3)
+    if (!group.slips.empty()) keep_mean_stress(group, layer, gauss);
     finish(layer, gauss);
     add_internal_force(group, geometry, layer, gauss, context.method.force_operator);  // Eq. (4)
     if (!group.water_force.empty()) add_water_force(context, group, geometry, layer, gauss);
   });
+  if (!group.slips.empty()) find_slips(context, group);
 }
 
 }  // namespace terp

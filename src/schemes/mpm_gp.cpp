@@ -26,7 +26,7 @@ struct MpmGp {
       prefetch_next(group, c);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
         update_excess(context, block, group.excess, b, share_of_cell_pressure(context.method), strain[c]);
-        update_points(context, block, strain[c], group.pressure[b], sums);
+        update_points(context, block, with_slip(group, b, strain[c]), group.pressure[b], sums);
       });
     }
   }
@@ -49,9 +49,10 @@ struct MpmGp {
     const auto strain = strain_of_group(group, du, context.method.b_bar);  // Step 2
     for_each_layer(group, [&](const BlockLayer& layer) {
       LeftRows<Element> rows;
-      for (int k = 0; k < n_sym<dim>; ++k) rows.set(StrainRows::strain + k, strain.d_eps[k]);
+      const GaussStrain<Element, Pack> own = with_slips(group, layer, strain);
+      for (int k = 0; k < n_sym<dim>; ++k) rows.set(StrainRows::strain + k, own.d_eps[k]);
       rows.set(StrainRows::pressure, layer, group.pressure);
-      rows.set(StrainRows::spin, strain.d_spin);
+      rows.set(StrainRows::spin, own.d_spin);
       if (!group.excess.empty()) rows.set(StrainRows::end, layer, group.excess);
       rows.leave(group, layer);
     });

@@ -36,7 +36,8 @@ struct MpmMixed {
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
       GaussRow<Element>* rows = group.rows_of(layer);
-      const Pack plastic_work = update_gauss_points(context, group, layer, lanes, gauss, rows);  // Step 3
+      const Pack plastic_work =
+          update_gauss_points(context, group, layer, with_slips(group, layer, lanes), gauss, rows);  // Step 3
       const auto sigma = by_cell(gauss);
       for (int k = 0; k < material.n_state(); ++k) turn_by_cell(rows[k]);
       for (int c = 0; c < group.n(); ++c) {
@@ -45,8 +46,9 @@ struct MpmMixed {
         sums.plastic_work += plastic_work[c];
         const PointBlock<dim>& block = group.points.block(layer.block[c]);
         update_excess(context, block, group.excess, layer.block[c], 1.0, strain[c]);
+        const auto own = with_slip(group, layer.block[c], strain[c]);
         for (Index p = 0; p < block.n; p += pack_width)
-          assign_to_points(sigma[c], rows, c, strain[c], material, block, p);  // Step 4
+          assign_to_points(sigma[c], rows, c, own, material, block, p);  // Step 4
       }
     });
   }
@@ -78,8 +80,9 @@ struct MpmMixed {
   static void leave_strain(
       const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
-    const GaussStrain<Element, Pack> strain = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    const GaussStrain<Element, Pack> of_cells = strain_of_group(group, du, context.method.b_bar);  // Step 2
     for_each_layer(group, [&](const BlockLayer& layer) {
+      const GaussStrain<Element, Pack> strain = with_slips(group, layer, of_cells);
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
       GaussRow<Element>* state = group.rows_of(layer);

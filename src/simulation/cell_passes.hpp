@@ -23,7 +23,7 @@ inline CellGroup<Quad4> view_group(const Model& model, State& state, Workspace& 
   const std::span<CornerVectors<Quad4>> water = work.outer[outer_water].corners;
   return {occupied.subspan(first, n), *model.mesh, state.points, corners.subspan(first, n), work.pressure, work.gauss,
       work.gauss_rows, work.n_gauss_rows, first / pack_width, n_groups, next_cell, !in_cache, &work.patches,
-      water.empty() ? water : water.subspan(first, n), work.excess};
+      water.empty() ? water : water.subspan(first, n), work.excess, work.slips};
 }
 
 /// Values of the cell's corners; part: &NodeValues::v or &NodeValues::dv; times `factor`.

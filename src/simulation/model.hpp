@@ -88,6 +88,10 @@ struct Model {
   }
   Real pressure_of(const Load& load, Real time) const { return load.pressure_at(time, ramp.share_at(time)); }
   bool spreads_softening() const { return diffusion.n_substeps > 0; }
+  bool slips_in_cut_cells() const
+  {
+    return method.cut_cells == CutCells::slip && materials.size() > 1 && looks_at(*scheme, "cut_cells");
+  }
   bool has_excess_pressure() const
   {
     return std::ranges::any_of(materials, [](const SoilMaterial& m) { return m.excess_row >= 0; });

@@ -76,6 +76,7 @@ Workspace::Workspace(const Model& model, const State& state)
   }
   pressure.reserve(2 * state.points.n_blocks());
   if (model.has_excess_pressure()) excess.reserve(2 * state.points.n_blocks());
+  if (model.slips_in_cut_cells()) slips.reserve(2 * state.points.n_blocks());
   if (model.inverse_extent >= 0) start_patches(model, state, n_gauss_rows, patches);
   load_pressure.resize(model.loads.size());
   if (!model.loads.empty() || model.held_row >= 0) outer[outer_load].node.resize(model.mesh->nodes.size());
@@ -99,6 +100,7 @@ void Workspace::fit(const Model& model, const State& state)
   }
   pressure.resize(state.points.n_blocks());
   if (model.has_excess_pressure()) excess.resize(state.points.n_blocks());
+  if (model.slips_in_cut_cells()) slips.resize(state.points.n_blocks());
   const std::size_t n_gauss = model.materials.size() * state.points.n_bodies() *
                               Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);
   if (gauss.size() < n_gauss) {

@@ -4,6 +4,7 @@
 #include "forces/pore_pressure.hpp"
 #include "parallel/threads.hpp"
 #include "parallel/memory.hpp"
+#include "schemes/block_slip.hpp"
 #include "schemes/patch_values.hpp"
 #include "simulation/model.hpp"
 #include "simulation/outer_forces.hpp"
@@ -123,10 +124,11 @@ struct Workspace {
   Index n_gauss_rows = 0;      ///< the most that any law adds to the points
   std::vector<Real> pressure;  ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
   std::vector<Real> excess;    ///< u_e [Pa], shape [n_blocks]; empty: no soil has excess pressure
-  PatchValues patches;         ///< of shares that overlap
-  WaterMoment water_moment;    ///< that `pore` is of, with
-  std::vector<Real> water_loads;                   ///< the pressures of the loads [Pa]
-  PorePressure pore;                               ///< on the nodes; empty without water
+  std::vector<BlockSlip> slips;   ///< shape [n_blocks]; empty: soils do not slip in the cells that they share
+  PatchValues patches;            ///< of shares that overlap
+  WaterMoment water_moment;       ///< that `pore` is of, with
+  std::vector<Real> water_loads;  ///< the pressures of the loads [Pa]
+  PorePressure pore;              ///< on the nodes; empty without water
   std::vector<CornerSoftening> softening_corners;  ///< shape [n_occupied]; of nonlocal softening
   NodeSpread softening;                            ///< of nonlocal softening
   std::vector<std::uint8_t> cell_softens;          ///< whether a point of a cell softened, shape [n_occupied]

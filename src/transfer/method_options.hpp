@@ -11,6 +11,7 @@ enum class ForceOperator { b_bar, b };                      ///< operator of Eq.
 enum class PointPressure { cell, own, relax };              ///< pressure of a point in MPM-GP: reading R10
 enum class StateAveraging { as_declared, cell, sub_cell };  ///< state in MPM-Mixed: reading R9
 enum class ObjectiveRate { none, jaumann };                 ///< reading R17
+enum class CutCells { mean, slip };                         ///< soils of one cell along their border: decision 0059
 enum class RemapContact { unused_strength, across };        ///< contact in pass 4: decision 0037
 
 struct MethodOptions {
@@ -23,6 +24,7 @@ struct MethodOptions {
   Real pressure_relaxation = 0.1;  ///< share of p_e a point takes per step with PointPressure::relax [-]
   StateAveraging state_averaging = StateAveraging::as_declared;
   ObjectiveRate objective_rate = ObjectiveRate::none;
+  CutCells cut_cells = CutCells::mean;
   RemapContact remap_contact = RemapContact::unused_strength;
   Real relaxation_time = 0.0;  ///< with which points lose the velocity that the mesh does not see; 0: never [s]
   Real flip = 1.0;             ///< 1: pure FLIP, 0: pure PIC [-]

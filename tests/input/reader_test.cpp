@@ -102,6 +102,7 @@ pressure_relaxation = 0.2
 state_averaging = "sub_cell"
 objective_rate = "jaumann"
 remap_contact = "across"
+cut_cells = "slip"
 relaxation_time = 0.05
 flip = 0.95
 small_mass = 1e-8
@@ -401,6 +402,7 @@ TEST(Reader, FillsTheMethod)
   EXPECT_EQ(m.state_averaging, StateAveraging::sub_cell);
   EXPECT_EQ(m.objective_rate, ObjectiveRate::jaumann);
   EXPECT_EQ(m.remap_contact, RemapContact::across);
+  EXPECT_EQ(m.cut_cells, CutCells::slip);
   EXPECT_EQ(m.relaxation_time, 0.05);
   EXPECT_EQ(m.flip, 0.95);
   EXPECT_EQ(m.small_mass, 1e-8);

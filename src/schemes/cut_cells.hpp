@@ -1,0 +1,76 @@
+// Cells that a border between soils cuts: the soils slip along it, so that the shear stress on it is the same on both
+// sides (docs/methods.md, section 3; decision 0059). Their mean strain stays that of the cell.
+//
+//   d_eps_m = d_eps + g_m (t n + n t)/2,   sum_m V_m g_m = 0
+//   g_m     = (tau - tau_m)/G_m + d_gamma (V/(G_m sum_k V_k/G_k) - 1),   tau = sum_k V_k tau_k/G_k / sum_k V_k/G_k
+#pragma once
+
+#include "schemes/block_slip.hpp"
+#include "schemes/cell_group.hpp"
+
+#include <algorithm>
+
+namespace terp {
+
+/// Keeps what the slip of the blocks of a layer follows from. gauss: after Eq. (3).
+template <class Element>
+void keep_mean_stress(const CellGroup<Element>& group, const BlockLayer& layer, const GaussValues<Element, Pack>& gauss)
+{
+  const Pack weight = total(gauss.weight);
+  SymTensor<Pack, 2> mean;
+  for (int k = 0; k < n_sym<2>; ++k) mean[k] = weighted_mean(gauss.sigma[k], gauss.weight);
+  for (int c = 0; c < group.n(); ++c) {
+    if (layer.block[c] < 0) continue;
+    BlockSlip& slip = group.slips[layer.block[c]] = {.weight = weight[c]};
+    for (int k = 0; k < n_sym<2>; ++k) slip.sigma[k] = mean[k][c];
+  }
+}
+
+/// Sets the slip of all blocks of a group from their mean stress.
+void find_slips(const SchemeContext& context, const CellGroup<Quad4>& group);
+
+/// Direction across the border of two materials in a cell, from the points of both around its centre; zero where they
+/// show none.
+Vec<2> across_border(const Mesh<2>& mesh, const PointBlocks<2>& points, Index cell, std::array<Index, 2> materials);
+
+/// Adds the strain of a slip to that of the cell, at all Gauss points.
+template <class Element, class R>
+void add_slip(R normal, R shear, R held, R rate, GaussStrain<Element, R>& strain)
+{
+  const auto mean = [](const PerGauss<Element, R>& values) { return total(values) * R(1.0 / Element::n_gauss); };
+  const R stretch = mean(strain.d_eps[0]) - mean(strain.d_eps[1]), in_plane = mean(strain.d_eps[3]);
+  const R d_gamma = R(2.0) * (normal * stretch + R(2.0) * shear * in_plane), g = held + rate * d_gamma;
+  for (int k = 0; k < Element::n_gauss; ++k) {
+    strain.d_eps[0][k] += g * normal;
+    strain.d_eps[1][k] -= g * normal;
+    strain.d_eps[3][k] += g * shear;
+    strain.d_spin[k] -= R(0.5) * g;
+  }
+}
+
+/// Strain of the soil of block b: that of the cell, and what it slips.
+template <class Element>
+GaussStrain<Element> with_slip(const CellGroup<Element>& group, Index b, GaussStrain<Element> strain)
+{
+  if (group.slips.empty() || !group.slips[b].acts()) return strain;
+  const BlockSlip& slip = group.slips[b];
+  add_slip(slip.normal, slip.shear, slip.held, slip.rate, strain);
+  return strain;
+}
+
+/// The same of the blocks of a layer, one lane per cell.
+template <class Element>
+GaussStrain<Element, Pack> with_slips(
+    const CellGroup<Element>& group, const BlockLayer& layer, GaussStrain<Element, Pack> strain)
+{
+  const auto acts = [&](Index b) { return b >= 0 && group.slips[b].acts(); };
+  if (group.slips.empty() || std::ranges::none_of(layer.block, acts)) return strain;
+  const auto lanes = [&](Real BlockSlip::*part) {
+    return pack_of([&](int c) { return acts(layer.block[c]) ? group.slips[layer.block[c]].*part : 0.0; });
+  };
+  add_slip(
+      lanes(&BlockSlip::normal), lanes(&BlockSlip::shear), lanes(&BlockSlip::held), lanes(&BlockSlip::rate), strain);
+  return strain;
+}
+
+}  // namespace terp

@@ -1,0 +1,252 @@
+// Soils that slip along their border in the cells that it cuts: its direction, equal shear stress on both sides, the
+// stiffness of a laminate, and what must not change.
+#include "schemes/cut_cells.hpp"
+
+#include "materials/material.hpp"
+#include "simulation/run.hpp"
+#include "simulation/setup.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+#include "support/test.hpp"
+
+namespace cut_cells_test {
+
+using Rows = PointRows<2>;
+
+constexpr Real soft = 2.0e6, stiff = 3.0e7;  // shear moduli [Pa]
+
+/// A box on cells of 0.25 m, of elastic soil below a line through `place` that rises by an angle, and stiffer soil
+/// above.
+Case two_soils(const std::string& scheme, Shares shares, Vec<2> place, Real degrees, Index points = 4)
+{
+  Case c = free_box(scheme, {0.5, 0.5}, {4.5, 4.5}, elastic(soft, 0.3, 2000.0));
+  c.mesh.size = {5.0, 5.0};
+  c.materials.push_back(elastic(stiff, 0.2, 2000.0));
+  c.materials[1].name = "hard rock";
+  c.bodies.push_back(c.bodies[0]);
+  c.bodies[1].material = "hard rock";
+  const Real angle = degrees * std::numbers::pi / 180.0, cosine = std::cos(angle), sine = std::sin(angle);
+  const auto at = [&](Real along, Real up) {
+    return Vec<2>{place[0] + cosine * along - sine * up, place[1] + sine * along + cosine * up};
+  };
+  // Later bodies take the place of earlier ones.
+  c.bodies[1].polygon = {at(-1.5, 0.0), at(1.5, 0.0), at(1.5, 1.2), at(-1.5, 1.2)};
+  for (BodyCase& part : c.bodies) part.points_per_cell = {points, points};
+  c.method.shares = shares;
+  c.method.weights = Weights::summed;
+  c.method.cut_cells = CutCells::slip;
+  return c;
+}
+
+/// Mean shear stress of the soils of the cell at a place on a border of this angle, by material [Pa].
+std::array<Real, 2> shear_stress(const Simulation& s, Vec<2> place, Real degrees)
+{
+  const Real twice = 2.0 * degrees * std::numbers::pi / 180.0;
+  std::array<Real, 2> tau{}, volume{};
+  for (const Point& p : points_by_id(s.state)) {
+    const Vec<2>& centre = s.model.mesh->centres[p.cell];
+    if (std::abs(centre[0] - place[0]) > 0.125 || std::abs(centre[1] - place[1]) > 0.125) continue;
+    const Real along = 0.5 * std::sin(twice) * (p.sigma[1] - p.sigma[0]) + std::cos(twice) * p.sigma[3];
+    tau[static_cast<std::size_t>(p.material)] += p.volume * along;
+    volume[static_cast<std::size_t>(p.material)] += p.volume;
+  }
+  return {tau[0] / volume[0], tau[1] / volume[1]};
+}
+
+struct Way {
+  std::string scheme;
+  Shares shares;
+};
+
+class SoilsOfACutCell : public TestWithParam<Way> {};
+INSTANTIATE_TEST_SUITE_P(EveryScheme, SoilsOfACutCell,
+    testing::Values(Way{"mpm_gp", Shares::point}, Way{"mpm_gp", Shares::overlap}, Way{"mpm_mixed", Shares::point},
+        Way{"mpm_mixed", Shares::overlap}));
+
+Model without_motion(const Case& c)
+{
+  Model model = build_model(c, 1);
+  model.dt = 1.0e-15;
+  return model;
+}
+
+void set_a_jump(Simulation& s)
+{
+  edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
+    const Real sign = block.material == 0 ? 1.0 : -1.0;
+    block.row(Rows::sigma)[lane] = -9.0e3 + 2.0e3 * sign;
+    block.row(Rows::sigma + 1)[lane] = -5.0e3 - 1.0e3 * sign;
+    block.row(Rows::sigma + 2)[lane] = -4.0e3;
+    block.row(Rows::sigma + 3)[lane] = 1.0e3 + 3.0e3 * sign;
+  });
+}
+
+TEST_P(SoilsOfACutCell, TheShearStressOfBothSoilsBecomesTheSameAndTheCellKeepsItsStrain)
+{
+  for (const Real degrees : {0.0, 90.0, -45.0}) {  // the directions that the points show exactly
+    const Vec<2> place{2.625, 2.375};
+    Model model = without_motion(two_soils(GetParam().scheme, GetParam().shares, place, degrees));
+    State state = build_state(model);
+    Simulation s(std::move(model), std::move(state));
+    set_a_jump(s);
+    const auto before = shear_stress(s, place, degrees);
+    make_steps(s, GetParam().shares == Shares::point ? 1 : 60);
+    const auto after = shear_stress(s, place, degrees);
+    const Real jump = std::abs(before[1] - before[0]);
+    EXPECT_GT(jump, 2.9e3);
+    EXPECT_NEAR(after[0], after[1], (GetParam().shares == Shares::point ? 1e-9 : 0.02) * jump) << degrees;
+    if (GetParam().shares == Shares::point) {
+      const Real weight = stiff / (soft + stiff);  // both soils fill half of the cell
+      EXPECT_NEAR(after[0], before[0] * weight + before[1] * (1.0 - weight), 1e-9 * jump);
+    }
+    std::array<Real, 4> strain{};
+    Real most = 0.0;
+    for (const Point& p : points_by_id(s.state)) {
+      EXPECT_NEAR(p.strain[0] + p.strain[1] + p.strain[2], 0.0, 1e-12);
+      for (std::size_t k = 0; k < 4; ++k) strain[k] += p.volume * p.strain[k];
+      most = std::max(most, p.volume * std::abs(p.strain[3]) + p.volume * std::abs(p.strain[0]));
+    }
+    EXPECT_GT(most, 1e-8);
+    for (const Real sum : strain) EXPECT_NEAR(sum, 0.0, 1e-6 * most) << degrees;
+  }
+}
+
+TEST(CutCellsUnderShear, HaveTheStiffnessOfTheSoilsOneAfterTheOther)
+{
+  for (const char* scheme : {"mpm_gp", "mpm_mixed"}) {
+    const Vec<2> place{2.625, 2.3125};  // a quarter of the cell is soft
+    Case c = two_soils(scheme, Shares::point, place, 0.0);
+    c.bodies[1].polygon = {{0.5, place[1]}, {4.5, place[1]}, {4.5, 4.5}, {0.5, 4.5}};
+    for (BodyCase& part : c.bodies) part.velocity_at = [](Vec<2> x) { return Vec<2>{0.3 * x[1], 0.0}; };
+    Simulation s(c);
+    make_steps(s);
+    const Real gamma = 0.3 * s.model.dt;
+    const auto tau = shear_stress(s, place, 0.0);
+    EXPECT_NEAR(tau[0], gamma / (0.25 / soft + 0.75 / stiff), 1e-9 * soft * gamma) << scheme;
+    EXPECT_NEAR(tau[1], tau[0], 1e-9 * tau[0]) << scheme;
+  }
+}
+
+/// The plane that the points around a cell show, against a straight border.
+TEST(BorderOfTwoSoils, HasTheDirectionOfAStraightCut)
+{
+  struct Row {
+    Index points;
+    Real mean, most;
+  };
+  for (const auto& [points, mean, most] : {Row{3, 2.5, 9.0}, Row{4, 2.0, 7.0}, Row{6, 1.5, 5.0}}) {
+    Real sum = 0.0, largest = 0.0;
+    int n = 0;
+    for (Real degrees = -60.0; degrees < 120.0; degrees += 6.5) {
+      const Simulation s(two_soils("mpm_gp", Shares::overlap, {2.5 + 0.003 * degrees, 2.45}, degrees, points));
+      for (const Index cell : s.state.points.occupied()) {
+        const Vec<2>& at = s.model.mesh->centres[cell];
+        const Index b = s.state.points.first_block(cell);
+        if (s.state.points.block(b).next < 0 || std::hypot(at[0] - 2.5, at[1] - 2.45) > 0.5) continue;
+        const Vec<2> normal = across_border(*s.model.mesh, s.state.points, cell, {0, 1});
+        const Real angle = degrees * std::numbers::pi / 180.0;
+        const Real along = std::abs(normal[0] * std::cos(angle) + normal[1] * std::sin(angle));
+        EXPECT_NEAR(std::hypot(normal[0], normal[1]), 1.0, 1e-12);
+        const Real error = std::asin(std::min(along, 1.0)) * 180.0 / std::numbers::pi;
+        largest = std::max(largest, error);
+        sum += error;
+        ++n;
+      }
+    }
+    EXPECT_GT(n, 60);
+    EXPECT_LT(sum / n, mean) << points;
+    EXPECT_LT(largest, most) << points;
+  }
+}
+
+TEST(BorderOfTwoSoils, IsNoneWhereTheyAreMixed)
+{
+  Case c = two_soils("mpm_gp", Shares::overlap, {2.625, 2.375}, 0.0);
+  Simulation s(c);
+  draw_points(s, [](Vec<2> x) {  // the upper soil falls between the points of the lower
+    return x[1] > 2.375 ? Vec<2>{x[0] + 0.03, 4.75 - x[1] + 0.01} : x;
+  });
+  int shared = 0;
+  for (const Index cell : s.state.points.occupied()) {
+    const Index b = s.state.points.first_block(cell);
+    const Vec<2>& at = s.model.mesh->centres[cell];
+    if (s.state.points.block(b).next < 0 || std::abs(at[0] - 2.625) > 0.6 || at[1] > 2.0 || at[1] < 1.6) continue;
+    ++shared;
+    const Vec<2> normal = across_border(*s.model.mesh, s.state.points, cell, {0, 1});
+    EXPECT_EQ(normal[0], 0.0);
+    EXPECT_EQ(normal[1], 0.0);
+  }
+  EXPECT_GT(shared, 2);
+}
+
+/// Two clays that collapse and mix, one ten times as strong as the other.
+Case collapse(const Way& way)
+{
+  Case c = column(way.scheme, 0.25);
+  c.method.shares = way.shares;
+  c.method.cut_cells = CutCells::slip;
+  c.materials.push_back(clay({.su_peak = 8.0e4, .su_residual = 2.0e4}));
+  c.materials[1].name = "strong";
+  c.bodies = {body("clay", {0.0, 0.0}, {8.0, 2.0}), body("strong", {0.0, 1.1}, {8.0, 2.0})};
+  c.bodies[1].polygon = {{0.0, 0.9}, {8.0, 1.4}, {8.0, 2.0}, {0.0, 2.0}};
+  c.time.end = 0.6;
+  return c;
+}
+
+TEST_P(SoilsOfACutCell, EndInTheSameBitsOnAnyNumberOfThreadsAndFromACheckpoint)
+{
+  const Case c = collapse(GetParam());
+  Simulation one(c, 1), other_half(c);
+  one.run();
+  for (const int threads : {2, 4}) {
+    Simulation more(c, threads);
+    more.run();
+    EXPECT_EQ(first_difference(one.save(), more.save()), "") << threads;
+  }
+  Simulation half(c);
+  half.advance_to(0.3);
+  other_half.restore(half.save());
+  other_half.run();
+  EXPECT_EQ(first_difference(one.save(), other_half.save()), "");
+}
+
+TEST_P(SoilsOfACutCell, KeepMomentumAndEnergy)
+{
+  Case c = collapse(GetParam());
+  Simulation with(c);
+  with.run();
+  c.method.cut_cells = CutCells::mean;
+  Simulation without(c);
+  without.run();
+  EXPECT_NE(first_difference(with.save(), without.save()), "");
+  const auto error = [](const Simulation& s) { return summarise(s.model, s.state).energy_balance_error; };
+  EXPECT_LT(error(with), error(without) + 0.02);
+}
+
+TEST_P(SoilsOfACutCell, ChangeNoBitOfOneSoil)
+{
+  Case c = column(GetParam().scheme, 0.25);
+  c.method.shares = GetParam().shares;
+  c.time.end = 0.3;
+  Simulation mean(c);
+  mean.run();
+  c.method.cut_cells = CutCells::slip;
+  Simulation slip(c);
+  slip.run();
+  EXPECT_EQ(first_difference(mean.save(), slip.save()), "");
+}
+
+TEST(CutCellsOfAFluid, DoNotSlip)
+{
+  Case c = two_soils("mpm_gp", Shares::point, {2.625, 2.375}, 0.0);
+  std::vector<Real> typical;
+  for (const ParameterInfo& parameter : find_material("newtonian_fluid")->parameters)
+    typical.push_back(parameter.typical);
+  c.materials[1] = {"water", "newtonian_fluid", 1000.0, typical};
+  c.bodies[1].material = "water";
+  Simulation s(c);
+  make_steps(s);
+  for (const BlockSlip& slip : s.work.slips) EXPECT_FALSE(slip.acts());
+}
+
+}  // namespace cut_cells_test
