@@ -155,7 +155,7 @@ void refuse_short_arrays(const PointTrial& trial)
       fmt::format(
           "the law of the library uses more {} than {}", of_them, is_native ? "it describes" : "the case gives"),
       fmt::format(
-          "It has {}, and what it returned for strains of 0.05 to 1 % changed with numbers that do not belong to "
+          "It is given {}, and what it returned for strains of 0.05 to 1 % changed with numbers that do not belong to "
           "it.\n{}",
           n,
           is_native ? fmt::format("Correct n_{} and the table in the description that the library gives.", key)

@@ -12,10 +12,10 @@ LibraryWatch::LibraryWatch(const Model& model, std::function<void(const std::str
       laws_ += fmt::format("{}`{}` ({})", laws_.empty() ? "" : ", ", material.name, material.library.file);
   if (laws_.empty()) return;
   watch_ = std::make_unique<Watch>(limit_s, [this](double seconds) {
-    tell_(
-        fmt::format("the run has not gone on for {:.3g} s, since step {}: a law of a library may loop without end, {}\n"
-                    "  Ctrl-C twice, a second apart, ends it. What was written stays, as do the checkpoints.",
-            seconds, step_.load(), laws_));
+    tell_(fmt::format(
+        "the run has not gone on for {:.3g} s, last seen at step {}: a law of a library may loop without end, {}\n"
+        "  Ctrl-C twice, a second apart, ends it. What was written stays, as do the checkpoints.",
+        seconds, step_.load(), laws_));
   });
 }
 

@@ -104,7 +104,8 @@ TEST_F(UserLawProgram, RefusesALawThatReadsAParameterWhichTheCaseForgot)
     EXPECT_EQ(told.status, 2);
     EXPECT_THAT(told.err,
         AllOf(HasSubstr("case.toml:13:14: the law of the library uses more parameters than the case gives"),
-            HasSubstr("It has 6, and what it returned for strains of 0.05 to 1 % changed with numbers that do not"),
+            HasSubstr(
+                "It is given 6, and what it returned for strains of 0.05 to 1 % changed with numbers that do not"),
             HasSubstr("Give all parameters that the law has, in its order.")));
   }
 }

@@ -55,13 +55,15 @@ TEST(ShortArrays, AreAFaultOfTheCase)
     return std::string();
   };
   EXPECT_THAT(said(wrong_umat(compares_beyond_props)),
-      AllOf(HasSubstr(".parameters: the law of the library uses more parameters than the case gives\nIt has 6, and"),
+      AllOf(
+          HasSubstr(".parameters: the law of the library uses more parameters than the case gives\nIt is given 6, and"),
           HasSubstr("Give all parameters that the law has, in its order.")));
   EXPECT_THAT(said(wrong_umat(compares_beyond_state)),
-      AllOf(HasSubstr(".state: the law of the library uses more state variables than the case gives\nIt has 1, and"),
+      AllOf(
+          HasSubstr(".state: the law of the library uses more state variables than the case gives\nIt is given 1, and"),
           HasSubstr("Give all state variables that the law has, in its order.")));
   EXPECT_THAT(said(of_library(native("reading_state_law"))),
-      AllOf(HasSubstr("uses more state variables than it describes\nIt has 2, and"),
+      AllOf(HasSubstr("uses more state variables than it describes\nIt is given 2, and"),
           HasSubstr("Correct n_state and the table in the description that the library gives.")));
   EXPECT_EQ(said(wrong_umat(elastic_law)), "");
 }

@@ -152,6 +152,12 @@ describe("warnings and checks", () => {
     for (const check of listChecks(sampleRun())) expect(check.passed).toBe(true);
   });
 
+  it("say nothing of a plastic strain that is not known", () => {
+    const names = (summary: object) => listChecks(sampleRun({}, summary)).map(({ name }) => name).join(" ");
+    expect(names({ max_eps_eq_p: null })).not.toMatch(/plastic strain/i);
+    expect(names({ max_eps_eq_p: 0.3 })).toMatch(/plastic strain/i);
+  });
+
   it("name what is not as it should be, each once", () => {
     const run = sampleRun({}, { energy_balance_error: 0.06, clamped_points: 3, points_left: 7, points_su_rose: 2 });
     run.meta.finished = false;
