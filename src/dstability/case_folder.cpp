@@ -1,6 +1,7 @@
 #include "dstability/case_folder.hpp"
 
 #include "base/errors.hpp"
+#include "dstability/earlier_ground.hpp"
 #include "dstability/folder_report.hpp"
 #include "dstability/import_doubts.hpp"
 #include "dstability/load_text.hpp"
@@ -55,7 +56,7 @@ class FolderMaker {
       pits_.push_back({fmt::format("excavation {}", pits_.size() + 1), pit});
     const BoundingBox box = box_around(drawn_);
     river_ = moved != nullptr ? moved->river : find_river(section_, {box.low[0], box.high[0]});
-    if (moved != nullptr) assumed_.push_back(moved->comment), notes_.push_back(moved->comment);
+    if (moved != nullptr) assumed_.push_back(moved->sentence), notes_.push_back(moved->sentence.en);
     take_part();
     layout_ = layout_of(drawn_, pits_, wishes_for(options.cell));
     cleaning_ = cleaning_for(layout_.cell);
@@ -78,7 +79,7 @@ class FolderMaker {
     if (!part_.empty()) text_.before.back().comment += "\n" + part_;
     make_time();
     for (CaseTableText& table : common_tables(layout_)) text_.after.push_back(std::move(table));
-    if (!doubts_.empty()) text_.after.push_back(doubts_table(doubts_));
+    if (!doubts_.empty() || !assumed_.empty()) text_.after.push_back(doubts_table(doubts_, assumed_));
     for (CaseTableText& table : reference_texts(project_, options_.scenario, options_.stage, options_.basis))
       text_.after.push_back(std::move(table));
     CaseFolder folder;
@@ -132,7 +133,8 @@ class FolderMaker {
     WaterText start = is_staged_ ? water_text(first_, layout_, "water_start", false) : WaterText{};
     WaterText now = water_text(section_, layout_, "water", !start.lines.empty());
     if (now.lines.empty() && start.lines.empty()) {
-      assumed_.push_back("The stage has no water: the case has none, and all soil is dry.");
+      assumed_.push_back({"The stage has no water: the case has none, and all soil is dry.",
+          "De fase heeft geen water: de invoer ook niet, en alle grond is droog."});
       return;
     }
     const bool has_start = is_staged_, is_dry = now.lines.empty();
@@ -140,7 +142,9 @@ class FolderMaker {
       if (is_staged_ && water->lines.empty()) {
         *water = water_below(layout_);
         assumed_.push_back(
-            fmt::format("Stage {} has no water: in the case it stands below the section.", in_quotes(stage->label)));
+            {fmt::format("Stage {} has no water: in the case it stands below the section.", in_quotes(stage->label)),
+                fmt::format(
+                    "Fase {} heeft geen water: in de invoer staat het onder de doorsnede.", in_quotes(stage->label))});
       }
     situation_ = has_start ? key_of_name(stage_.label) + "_water" : "";
     if (situation_ == raised_water) situation_ += "_2";
@@ -316,8 +320,7 @@ class FolderMaker {
           alike.push_back(layer_piece(other));
     YieldGrid grid = yield_grid(section_, alike, layout_.cell);
     files_.push_back({fmt::format("yield_stress_{}.csv", name), std::move(grid.csv)});
-    assumed_.push_back(fmt::format(
-        "{}: its grid of yield stresses gives those of the file within {:.1f} kPa.", name, grid.deviation / 1e3));
+    assumed_.push_back(sentence_on(grid, name));
     return {fmt::format("yield_stress = {{ csv = {} }}", in_quotes(files_.back().first)),
         fmt::format(
             "yield stress of {} on a grid, from the states of the file", is_staged_ ? "all stages" : "this stage")};
@@ -333,9 +336,11 @@ class FolderMaker {
     if (!river_.doubt.empty()) doubts_.push_back(river_.doubt);
     const std::string none = river_level_ ? "" : no_flood_because(section_, river_, river_end(), layout_.cell);
     if (!none.empty()) {
-      assumed_.push_back(none + ": the case has no [flood], and no verdict on flooding.");
-      if (options_.river) notes_.push_back(assumed_.back());
-      if (water_stands_at(section_, river_end())) doubts_.push_back(assumed_.back());  // finer cells would have one
+      const std::string no_verdict = none + ": the case has no [flood], and no verdict on flooding.";
+      assumed_.push_back(
+          {no_verdict, "Geen rivier aan het einde van de doorsnede, en geen oordeel over overstroming."});
+      if (options_.river) notes_.push_back(no_verdict);
+      if (water_stands_at(section_, river_end())) doubts_.push_back(no_verdict);  // finer cells would have one
       return;
     }
     const Real level = river_level_.value_or(level_at_end(river_.side != "right"));
@@ -344,13 +349,9 @@ class FolderMaker {
     lines.push_back(
         {"water_level", number_text(level), river_level_ ? "m: that of the trigger" : "m: phreatic line at that end"});
     if (level >= layout_.crest[1]) {
-      const std::string text = fmt::format(
-          "The river of this stage ({:.2f} m) stands above the crest ({:.2f} m): it floods without any slide. A lower "
-          "water_level judges a slide.",
-          level, layout_.crest[1]);
-      lines.back().comment = text;
-      assumed_.push_back(text);
-      notes_.push_back(text);
+      assumed_.push_back(river_above_crest(level, layout_.crest[1]));
+      lines.back().comment = assumed_.back().en;
+      notes_.push_back(assumed_.back().en);
     }
     text_.after.push_back({"[flood]", "Does the ground hold the river back? (docs/flood.md)", lines});
   }
@@ -372,16 +373,14 @@ class FolderMaker {
         .sets = stage_sets_,
         .is_held = options_.is_held,
         .trigger = trigger_};
-    if (options_.is_held) assumed_.push_back(held_sentence);
+    if (options_.is_held) assumed_.push_back(held_sentence());
     const std::vector<CaseTableText> stages = stage_tables(plan);
     text_.before.push_back(time_table(stages.empty()));
     text_.after.insert(text_.after.end(), stages.begin(), stages.end());
-    if (is_staged_ && !same_ground_until(scenario(), options_.stage)) {
-      assumed_.push_back(
-          "Ground or loads change between the stages of the file: the run has those of the analysed stage from the "
-          "start, so what it shows is not the building of it. Yield stresses follow the ground, water and loads of "
-          "each stage.");
-      if (!same_outlines_until(scenario(), options_.stage)) notes_.push_back(assumed_.back());
+    if (const auto before = earlier_ground(
+            project_, options_.scenario, options_.stage, {layout_.low[0], layout_.high[0]}, 0.25 * layout_.cell)) {
+      assumed_.insert(assumed_.begin(), before->sentence);
+      if (before->is_other) notes_.push_back(before->sentence.en);
     }
   }
 
@@ -455,7 +454,7 @@ class FolderMaker {
         .sections = {{"In doubt", doubts_}, {"Geometry: what moved", geometry}, {"Water", water_notes_},
             {"Trigger: what makes the section fail", trigger_notes_},
             {"Stored slices beside what the file gives", slices_in_words(project_, options_.scenario, options_.stage)},
-            {"Assumed", assumed_}, {"Left out, or not understood", left}}});
+            {"Assumed", in_english(assumed_)}, {"Left out, or not understood", left}}});
   }
 
   const StixProject& project_;
@@ -481,7 +480,8 @@ class FolderMaker {
   SectionText text_;
   std::vector<std::pair<std::string, std::string>> files_;
   std::vector<std::string> doubts_;  ///< what speaks against the case
-  std::vector<std::string> notes_, geometry_, water_notes_, assumed_, left_out_, stage_sets_, trigger_notes_;
+  std::vector<std::string> notes_, geometry_, water_notes_, left_out_, stage_sets_, trigger_notes_;
+  std::vector<Sentence> assumed_;
 };
 
 }  // namespace

@@ -82,7 +82,7 @@ CaseFolder drawing_folder_of(
   text.after.insert(text.after.begin(), water_table(layout));
   CaseFolder folder;
   folder.notes = doubts_of_outlines(clean, drawing.regions, fills, layout.cell);
-  if (!folder.notes.empty()) text.after.push_back(doubts_table(folder.notes));
+  if (!folder.notes.empty()) text.after.push_back(doubts_table(folder.notes, {}));
   folder.files.push_back({"case.toml", text_of(text)});
   std::string report = fmt::format("# {}\n\n## Read\n\n", text.title) + list_text(notes) + list_text(drawing.notes);
   report += "\n## Geometry: what moved\n\n" + list_text(describe(clean, drawing.regions, cleaning));

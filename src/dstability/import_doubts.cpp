@@ -87,6 +87,25 @@ std::map<int, EmptyPlace> empty_places(const std::vector<CleanRegion>& regions)
   return places;
 }
 
+/// One text to a line, in lines of at most 120 columns.
+std::string list_of_sentences(const std::vector<std::string>& sentences)
+{
+  std::string text = "[";
+  for (const std::string& sentence : sentences) {
+    std::string rest = in_quotes(sentence);
+    rest = "\"\"\"" + rest.substr(1, rest.size() - 2) + "\"\"\"";
+    text += "\n  ";
+    while (rest.size() > columns) {
+      std::size_t cut = rest.rfind(' ', columns);
+      if (cut == std::string::npos || cut < 4) break;
+      text += rest.substr(0, cut + 1) + "\\\n    ";
+      rest = rest.substr(cut + 1);
+    }
+    text += rest + ",";
+  }
+  return text + "\n]";
+}
+
 }  // namespace
 
 std::vector<std::string> doubts_of_reading(const StixProject& project, std::size_t scenario, std::size_t stage)
@@ -96,7 +115,11 @@ std::vector<std::string> doubts_of_reading(const StixProject& project, std::size
   for (std::size_t k = 0; k <= stage; ++k) of_history.insert(fmt::format("scenario {}, stage {}", scenario + 1, k + 1));
   for (const StixRemark& remark : project.remarks) {
     const bool is_of_stage = remark.where.starts_with("scenario "), is_of_result = remark.where.starts_with("results/");
-    if (remark.is_of_format || is_of_result || (is_of_stage && !of_history.contains(remark.where))) continue;
+    const bool is_of_others = !remark.stages.empty() && std::ranges::none_of(remark.stages, [&](const auto& of) {
+      return of.first == scenario && of.second <= stage;
+    });
+    if (is_of_others || remark.is_of_format || is_of_result || (is_of_stage && !of_history.contains(remark.where)))
+      continue;
     doubts.push_back(fmt::format("{}: {}", remark.where, remark.what));
   }
   return doubts;
@@ -194,24 +217,20 @@ std::vector<std::string> doubts_of_outlines(
   return doubts;
 }
 
-CaseTableText doubts_table(const std::vector<std::string>& doubts)
+CaseTableText doubts_table(const std::vector<std::string>& doubts, const std::vector<Sentence>& assumed)
 {
-  std::string text = "[";
-  for (const std::string& doubt : doubts) {
-    std::string rest = in_quotes(doubt);
-    rest = "\"\"\"" + rest.substr(1, rest.size() - 2) + "\"\"\"";
-    text += "\n  ";
-    while (rest.size() > columns) {
-      std::size_t cut = rest.rfind(' ', columns);
-      if (cut == std::string::npos || cut < 4) break;
-      text += rest.substr(0, cut + 1) + "\\\n    ";
-      rest = rest.substr(cut + 1);
-    }
-    text += rest + ",";
-  }
-  return {"[reference]",
-      "What speaks against this case. Every command that reads it says so; take out what you have looked at.",
-      {{"doubts", text + "\n]", ""}}};
+  std::vector<std::string> dutch;
+  for (const Sentence& sentence : assumed) dutch.push_back(sentence.nl);
+  const std::vector<std::string> english = in_english(assumed);
+  CaseTableText table{"[reference]",
+      doubts.empty()
+          ? ""
+          : "What speaks against this case. Every command that reads it says so; take out what you have looked "
+            "at.",
+      {}};
+  for (const auto& [key, texts] : {std::pair{"doubts", &doubts}, {"assumed", &english}, {"assumed_nl", &dutch}})
+    if (!texts->empty()) table.lines.push_back({key, list_of_sentences(*texts), ""});
+  return table;
 }
 
 }  // namespace terp

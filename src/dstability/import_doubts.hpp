@@ -4,6 +4,7 @@
 
 #include "dstability/case_text.hpp"
 #include "dstability/preload.hpp"
+#include "dstability/sentence.hpp"
 
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ std::vector<std::string> doubts_of_preload(
 std::vector<std::string> doubts_of_outlines(
     const CleanSection& clean, const std::vector<DrawnRegion>& drawn, const std::vector<CleanRegion>& fills, Real cell);
 
-/// [reference] with the doubts, which each command then repeats.
-CaseTableText doubts_table(const std::vector<std::string>& doubts);
+/// [reference] with the doubts, which each command then repeats, and with what was assumed, which the page shows.
+CaseTableText doubts_table(const std::vector<std::string>& doubts, const std::vector<Sentence>& assumed);
 
 }  // namespace terp

@@ -23,6 +23,7 @@ class StixNotes {
   /// where: member and path of the value. Throws InputError as soon as there are ten.
   void fault(const std::string& where, const std::string& what, const std::string& detail);
   void remark(const std::string& where, const std::string& what) { remarks_.push_back({where, what}); }
+  void remark(StixRemark of) { remarks_.push_back(std::move(of)); }
   /// Of a member, key or version that the reader does not know.
   void remark_on_format(const std::string& where, const std::string& what) { remarks_.push_back({where, what, true}); }
   /// A key that the reader does not know; told once for all members of a kind and all entries of a list.

@@ -10,17 +10,22 @@
 namespace terp {
 namespace {
 
-std::vector<std::string> remarks_on(const StixUniformLoad& load, const std::string& label)
+std::vector<Sentence> remarks_on(const StixUniformLoad& load, const std::string& label)
 {
-  std::vector<std::string> remarks;
+  std::vector<Sentence> remarks;
   if (load.spread != 0.0)
-    remarks.push_back(fmt::format(
-        "Load {}: its spread of {:g} degrees is not set; the run computes how it spreads.", label, load.spread));
+    remarks.push_back({fmt::format("Load {}: its spread of {:g} degrees is not set; the run computes how it spreads.",
+                           label, load.spread),
+        fmt::format("Belasting {}: de spreiding van {:g} graden is niet opgelegd; de berekening bepaalt haar.", label,
+            load.spread)});
   if (std::ranges::any_of(load.consolidation, [](const auto& entry) { return entry.second > 0.0; }))
     remarks.push_back(
-        fmt::format("Load {}: undrained soil does not gain strength from it, whatever its degree of consolidation; "
-                    "drained soil does at once, as at 100 %.",
-            label));
+        {fmt::format("Load {}: undrained soil does not gain strength from it, whatever its degree of consolidation; "
+                     "drained soil does at once, as at 100 %.",
+             label),
+            fmt::format("Belasting {}: ongedraineerde grond wordt er niet sterker door, wat de consolidatiegraad ook "
+                        "is; gedraineerde grond meteen, als bij 100 %.",
+                label)});
   return remarks;
 }
 

@@ -5,13 +5,15 @@
 #include "dstability/case_text.hpp"
 #include "dstability/project.hpp"
 #include "dstability/section_layout.hpp"
+#include "dstability/sentence.hpp"
 
 namespace terp {
 
 struct LoadTexts {
-  std::vector<CaseTableText> tables;           ///< [[load]]
-  std::vector<std::string> sets;               ///< of the analysed stage: those that the first one does not have
-  std::vector<std::string> assumed, left_out;  ///< sentences for the report
+  std::vector<CaseTableText> tables;  ///< [[load]]
+  std::vector<std::string> sets;      ///< of the analysed stage: those that the first one does not have
+  std::vector<Sentence> assumed;      ///< for the report
+  std::vector<std::string> left_out;  ///< the same
 };
 
 /// first: the first stage of the case; null: the stage is the only one.

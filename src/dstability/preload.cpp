@@ -210,4 +210,11 @@ YieldGrid yield_grid(const StixSection& now, const std::vector<LayerPiece>& piec
   return made;
 }
 
+Sentence sentence_on(const YieldGrid& grid, const std::string& soil)
+{
+  const Real most = grid.deviation / 1e3;  // [kPa]
+  return {fmt::format("{}: its grid of yield stresses gives those of the file within {:.1f} kPa.", soil, most),
+      fmt::format("{}: het raster van grensspanningen geeft die van het bestand binnen {:.1f} kPa.", soil, most)};
+}
+
 }  // namespace terp

@@ -4,6 +4,7 @@
 
 #include "drawing/clean_regions.hpp"
 #include "dstability/section.hpp"
+#include "dstability/sentence.hpp"
 
 #include <optional>
 #include <string>
@@ -40,5 +41,7 @@ struct YieldGrid {
 /// Yield stresses of pieces of layers with one history. Beyond the pieces they go on as at their edge, so that no other
 /// layer has a share in them. At least 1 kPa.
 YieldGrid yield_grid(const StixSection& now, const std::vector<LayerPiece>& pieces, Real cell);
+/// How near it is to the file; soil: its name in the case.
+Sentence sentence_on(const YieldGrid& grid, const std::string& soil);
 
 }  // namespace terp

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace terp {
@@ -210,9 +211,10 @@ struct StixScenario {
 
 /// What a reader of the results must know: what was not understood, or is left out.
 struct StixRemark {
-  std::string where = {};     ///< member and path, or scenario and stage
-  std::string what = {};      ///< one sentence
-  bool is_of_format = false;  ///< a member, key or version that Terp does not know
+  std::string where = {};                                        ///< member and path, or scenario and stage
+  std::string what = {};                                         ///< one sentence
+  bool is_of_format = false;                                     ///< a member, key or version that Terp does not know
+  std::vector<std::pair<std::size_t, std::size_t>> stages = {};  ///< scenario and stage, from 0; none: the whole file
 };
 
 struct StixProject {

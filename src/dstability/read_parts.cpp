@@ -284,7 +284,10 @@ void read_loads(JsonCursor& file, StixParts& parts)
         .magnitude = entry.required("Magnitude", pa_per_kpa),
         .spread = entry.number("Spread"),
         .consolidation = {}};
-    if (std::isnan(load.spread)) load.spread = 0.0;
+    if (std::isnan(load.spread)) {
+      if (entry.has("Spread")) entry.remark(fmt::format("The load `{}` has no Spread. Taken was: 0.", load.label));
+      load.spread = 0.0;
+    }
     if (!(load.spread >= 0.0 && load.spread < 90.0))
       entry.fault(
           "Spread", "is out of range", fmt::format("Got {} degrees, allowed are 0 to less than 90.", load.spread));

@@ -1,6 +1,7 @@
 #include "dstability/read_stix.hpp"
 
 #include "base/utf8.hpp"
+#include "dstability/expected_keys.hpp"
 #include "dstability/section.hpp"
 #include "dstability/stix_parts.hpp"
 #include "output/files.hpp"
@@ -291,6 +292,18 @@ std::vector<const Member*> members_of(StixSource& source, std::string_view kind)
   return members;
 }
 
+void look_for_missing_keys(StixSource& source)
+{
+  std::vector<StixContent> contents;
+  for (const char* kind : {"scenarios", "stages"})  // in the order of their numbers
+    for (const Member* const member : members_of(source, kind))
+      contents.push_back({member->name, member->kind, &member->content});
+  for (const Member& member : source.members)
+    if (member.kind != "scenarios" && member.kind != "stages")
+      contents.push_back({member.name, member.kind, &member.content});
+  tell_missing_keys(contents, source.notes);
+}
+
 /// Scenarios, their stages and their calculations have ids that nothing else has.
 void check_ids(StixSource& source)
 {
@@ -403,6 +416,7 @@ StixProject read_stix_bytes(std::string bytes, const std::string& path, ZipLimit
   read_members(source);
   read_scenarios(source);
   remark_on_stages(source);
+  look_for_missing_keys(source);
   remark_on_results(source);
   source.project.remarks = source.notes.finish();
   return std::move(source.project);

@@ -51,14 +51,21 @@ void check_level(const StixStage& stage, Real level)
             "Give the level in the datum of the file, not below its lowest ground: --river LEVEL.", ""});
 }
 
-std::string rule_of(const RiverInStage& river, Real level)
+Sentence rule_of(const RiverInStage& river, Real level)
 {
-  return fmt::format(
-      "The river stands at {:.2f} m instead of the {:.2f} m of the file (--river). The heads in the ground move in "
-      "proportion to their height over the phreatic line at the land's end ({:.2f} m), as in a steady state.{} "
-      "Undrained strengths are those of this water.",
-      level, river.level, river.inland,
-      level < river.level ? " After a fast fall the pressures in the outer slope would be higher." : "");
+  const bool falls = level < river.level;
+  return {
+      fmt::format(
+          "The river stands at {:.2f} m instead of the {:.2f} m of the file (--river). The heads in the ground move "
+          "in proportion to their height over the phreatic line at the land's end ({:.2f} m), as in a steady "
+          "state.{} Undrained strengths are those of this water.",
+          level, river.level, river.inland,
+          falls ? " After a fast fall the pressures in the outer slope would be higher." : ""),
+      fmt::format("De rivier staat op {:.2f} m in plaats van {:.2f} m in het bestand (--river). De stijghoogten in de "
+                  "grond bewegen mee, naar rato van hun hoogte boven de freatische lijn aan de landzijde ({:.2f} m), "
+                  "als in een stationaire toestand.{} Ongedraineerde sterktes horen bij dit water.",
+          level, river.level, river.inland,
+          falls ? " Na een snelle val zouden de waterspanningen in het buitentalud hoger zijn." : "")};
 }
 
 /// They stay to be drawn, without a factor or slices that could be taken for those of this water.
@@ -85,20 +92,21 @@ RiverLevel with_river_level(
 {
   const StixSection section(project, scenario, stage, basis);
   const Vec<2> ends = ends_of(section.stage());
-  RiverLevel moved{project, stage == 0 ? 1 : stage, find_river(section, ends), ""};
+  RiverLevel moved{project, stage == 0 ? 1 : stage, find_river(section, ends), {}};
   check_river_to_move(
       section, moved.river, moved.river.side == "right" ? ends[1] - off_the_end : ends[0] + off_the_end);
   check_level(section.stage(), level);
   const RiverInStage river = river_in(section, moved.river, ends);
   if (std::abs(level - river.level) < same) {
     moved.stage = stage;
-    moved.comment =
-        fmt::format("The river stands at {:.2f} m in the file already: --river changes nothing.", river.level);
+    moved.sentence = {
+        fmt::format("The river stands at {:.2f} m in the file already: --river changes nothing.", river.level),
+        fmt::format("De rivier staat in het bestand al op {:.2f} m: --river verandert niets.", river.level)};
     return moved;
   }
   StixStage changed = with_river_at(section, river, level);
   changed.label = fmt::format("{}, river at {:.2f} m", changed.label, level);
-  moved.comment = rule_of(river, level);
+  moved.sentence = rule_of(river, level);
   StixScenario& of = moved.project.scenarios[scenario];
   if (stage == 0) std::erase_if(of.calculations, [](const StixCalculation& c) { return c.stage > 0; });
   name_as_of_the_file(of, stage, moved.stage, river.level);

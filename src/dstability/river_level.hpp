@@ -10,7 +10,7 @@ struct RiverLevel {
   StixProject project;    ///< with the stage; its stored results are named as those of the level of the file
   std::size_t stage = 0;  ///< number of the stage from 0: its own, or one after the first stage of the file
   StixRiver river;        ///< of the file
-  std::string comment;    ///< what was moved, from where to where, and by which rule
+  Sentence sentence;      ///< what was moved, from where to where, and by which rule
 };
 
 /// A first stage stays as history, and one with the river follows it; of a later stage the water is another one.

@@ -114,6 +114,18 @@ std::string no_flood_because(const StixSection& section, const StixRiver& river,
   return fmt::format("The water at the river's end ({:.2f} m) stands on less than a cell of ground", level);
 }
 
+Sentence river_above_crest(Real level, Real crest)
+{
+  return {
+      fmt::format("The river of this stage ({:.2f} m) stands above the crest ({:.2f} m): it floods without any slide. "
+                  "A lower water_level judges a slide.",
+          level, crest),
+      fmt::format(
+          "De rivier van deze fase ({:.2f} m) staat boven de kruin ({:.2f} m): overstroming zonder afschuiving. "
+          "Een lagere water_level beoordeelt een afschuiving.",
+          level, crest)};
+}
+
 void check_river_to_move(const StixSection& section, const StixRiver& river, Real x)
 {
   const std::string& stage = section.stage().label;

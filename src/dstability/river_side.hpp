@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dstability/section.hpp"
+#include "dstability/sentence.hpp"
 
 #include <string>
 
@@ -22,6 +23,9 @@ StixRiver find_river(const StixSection& section, Vec<2> ends);
 
 /// Why there is no river to hold back at an end [m] of a section with cells of that size [m]; empty: there is one.
 std::string no_flood_because(const StixSection& section, const StixRiver& river, Real end, Real cell);
+
+/// What a river above the crest [m] means for the verdict.
+Sentence river_above_crest(Real level, Real crest);
 
 /// Throws InputError unless the river can get another level: its side is known without doubt, and its water.
 /// x: of its end [m].

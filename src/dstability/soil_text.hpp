@@ -4,6 +4,7 @@
 
 #include "dstability/case_text.hpp"
 #include "dstability/section.hpp"
+#include "dstability/sentence.hpp"
 #include "dstability/soil_defaults.hpp"
 
 #include <optional>
@@ -29,7 +30,7 @@ struct SoilUse {
 
 struct SoilText {
   CaseMaterialText material;
-  std::vector<std::string> assumed;  ///< sentences for the report
+  std::vector<Sentence> assumed;  ///< for the report
 };
 
 /// Throws InputError, one problem for each number of the soil that is empty or out of range, or if it has no strength

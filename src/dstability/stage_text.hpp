@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dstability/case_text.hpp"
+#include "dstability/sentence.hpp"
 
 namespace terp {
 
@@ -22,9 +23,15 @@ struct StagePlan {
   TriggerStage trigger = {};
 };
 
-inline constexpr const char* held_sentence =
-    "The soil is held until it is at rest: strengths are doubled, then taken back to those of the file. It would not "
-    "stand otherwise.";
+inline Sentence held_sentence()
+{
+  return {
+      "The soil is held until it is at rest: strengths are doubled, then taken back to those of the file. It would "
+      "not stand otherwise.",
+      "De grond wordt vastgehouden tot hij in rust is: sterktes zijn verdubbeld en dan weer die van het bestand. "
+      "Anders "
+      "zou hij niet blijven staan."};
+}
 
 /// In their order; none: the run is one of the analysed stage alone.
 std::vector<CaseTableText> stage_tables(const StagePlan& plan);

@@ -91,17 +91,27 @@ std::string slip_planes_text(const std::vector<SlipPlaneCase>& planes)
   return text;
 }
 
-/// One warning with all texts; nothing of them is kept.
-bool read_doubts(const Entry& entry, Findings& findings)
+/// Nothing of the texts is kept.
+bool read_texts(const Entry& entry, Findings& findings)
 {
+  const std::string name = last_part(entry.path);
   const auto is_text = [](const Node& item) { return item.kind == NodeKind::text; };
   if (entry.node.kind != NodeKind::list || !std::ranges::all_of(entry.node.items, is_text))
-    return refuse(entry, entry.path, fmt::format("`doubts` must be {}", list_of_texts),
+    return refuse(entry, entry.path, fmt::format("`{}` must be {}", name, list_of_texts),
         fmt::format("Got {}.", describe_value(entry.node)), findings);
   if (std::ranges::any_of(entry.node.items,
           [](const Node& item) { return item.text.find_first_not_of(" \t\r\n") == std::string::npos; }))
-    return refuse(entry, entry.path, "a text of `doubts` is empty",
-        "Write what is in doubt, or take the text out of the list.", findings);
+    return refuse(entry, entry.path, fmt::format("a text of `{}` is empty", name),
+        fmt::format(
+            "Write what {}, or take the text out of the list.", name == "doubts" ? "is in doubt" : "was assumed"),
+        findings);
+  return true;
+}
+
+/// One warning with all texts.
+bool read_doubts(const Entry& entry, Findings& findings)
+{
+  if (!read_texts(entry, findings)) return false;
   std::string all;
   for (const Node& item : entry.node.items) all += (all.empty() ? "" : "\n") + item.text;
   if (!all.empty())
@@ -109,18 +119,32 @@ bool read_doubts(const Entry& entry, Findings& findings)
   return true;
 }
 
+KeyInfo assumed_key(const char* path, const char* meaning)
+{
+  return {.path = path,
+      .field =
+          [](Case&, std::size_t) {
+            return OwnForm{list_of_texts, read_texts, [] { return std::string(); }};
+          },
+      .meaning = meaning,
+      .default_text = "none"};
+}
+
 }  // namespace
 
 std::vector<KeyInfo> reference_keys()
 {
-  return {{.path = "reference.doubts",
-              .field =
-                  [](Case&, std::size_t) {
-                    return OwnForm{list_of_texts, read_doubts, [] { return std::string(); }};
-                  },
-              .meaning = "what speaks against the section, which every command that reads the case repeats as a "
-                         "warning; `terp import` writes it. Take out what you have looked at",
-              .default_text = "none"},
+  return {assumed_key("reference.assumed",
+              "what was assumed for the section, which the report page lists; `terp import` writes it"),
+      assumed_key("reference.assumed_nl", "the same in Dutch, for the page in Dutch"),
+      {.path = "reference.doubts",
+          .field =
+              [](Case&, std::size_t) {
+                return OwnForm{list_of_texts, read_doubts, [] { return std::string(); }};
+              },
+          .meaning = "what speaks against the section, which every command that reads the case repeats as a "
+                     "warning; `terp import` writes it. Take out what you have looked at",
+          .default_text = "none"},
       {.path = "reference.slip_planes",
           .field =
               [](Case& c, std::size_t) {

@@ -3,6 +3,7 @@
 #include "base/checksum.hpp"
 #include "base/errors.hpp"
 #include "input/case_file.hpp"
+#include "input/document.hpp"
 #include "output/compress.hpp"
 #include "output/soil_colours.hpp"
 #include "report/backdrop.hpp"
@@ -68,6 +69,17 @@ void add_doubts(const CaseFile& of, std::vector<std::string>& warnings)
     std::istringstream lines(warning.detail);
     for (std::string line; std::getline(lines, line);) warnings.push_back(line);
   }
+}
+
+/// What the import of a section assumed, by language.
+Json assumed_json(const std::string& case_toml)
+{
+  Json json{{"en", Json::array()}, {"nl", Json::array()}};
+  const Node document = parse_toml(case_toml);
+  for (const auto& [language, path] : {std::pair{"en", "reference.assumed"}, {"nl", "reference.assumed_nl"}})
+    if (const Node* const texts = find_node(document, path))
+      for (const Node& item : texts->items) json[language].push_back(item.text);
+  return json;
 }
 
 Source open_source(const std::string& folder, const std::string& name)
@@ -372,6 +384,7 @@ Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   json["layers"] = layers_json(chunks, source, shown);
   json["loads"] = loads_json(chunks, source, shown);
   json["slip_planes"] = slip_planes_json(source);
+  if (source.case_read) json["assumed"] = assumed_json(source.run.case_toml);
   json["histories"] = histories_json(chunks, source.run);
   json["series"] = table_json(chunks, source.run.ledger);
   const Real column = source.mesh ? typical_cell_size(*source.mesh) : 0.0;

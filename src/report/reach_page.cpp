@@ -43,8 +43,8 @@ constexpr Words title{"Sections of a reach", "Doorsneden van een traject"},
     damaged{"damaged, holds the water", "beschadigd, keert het water"}, floods{"floods", "overstroming"},
     no_flood{"no verdict on the water", "geen oordeel over het water"}, refused{"refused", "geweigerd"},
     failed{"failed", "mislukt"}, open{"not finished", "niet afgerond"},
-    divided{"after strengths were divided by {:g}", "nadat de sterktes door {:g} zijn gedeeld"},
-    raised{"after the river was brought to {:.2f} m", "nadat de rivier op {:.2f} m is gebracht"},
+    divided{"after strengths were divided by {}", "nadat de sterktes door {} zijn gedeeld"},
+    raised{"after the river was brought to {} m", "nadat de rivier op {} m is gebracht"},
     after_stage{"after the stage {}", "na fase {}"}, before{"As it is: {}.", "Zoals zij is: {}."},
     moved_before{"no verdict, as it had not come to rest", "geen oordeel, want niet tot rust gekomen"},
     at_rest{"not at rest", "niet in rust"}, moving{" Not at rest at the end: {}.", " Aan het eind niet in rust: {}."},
@@ -77,14 +77,20 @@ std::string english(const std::string& text, bool dutch) { return paragraph(text
 
 std::string trigger_in(const FloodTrigger& trigger, bool dutch)
 {
-  std::string text = trigger.at_strength != 1.0 ? filled(divided, dutch, trigger.at_strength) : "";
-  if (trigger.river) text += (text.empty() ? "" : dutch ? " en " : " and ") + filled(raised, dutch, *trigger.river);
+  std::string text = trigger.at_strength != 1.0
+                         ? filled(divided, dutch, decimal_sign(fmt::format("{:g}", trigger.at_strength), dutch))
+                         : "";
+  if (trigger.river)
+    text += (text.empty() ? ""
+                : dutch   ? " en "
+                          : " and ") +
+            filled(raised, dutch, decimal_sign(fmt::format("{:.2f}", *trigger.river), dutch));
   return text.empty() ? filled(after_stage, dutch, trigger.stage) : text;
 }
 
-std::string metres(std::optional<Real> value)
+std::string metres(std::optional<Real> value, bool dutch)
 {
-  return value && std::isfinite(*value) ? fmt::format("{:.2f}&nbsp;m", *value) : "&ndash;";
+  return value && std::isfinite(*value) ? decimal_sign(fmt::format("{:.2f}", *value), dutch) + "&nbsp;m" : "&ndash;";
 }
 
 std::string class_of(const ReachSection& s)
@@ -139,7 +145,8 @@ std::string factor_cell(const ReachSection& s, bool dutch)
 {
   std::string text;
   if (s.record.factor)
-    text = paragraph(fmt::format("{:.3f} ± {:.3f}", *s.record.factor, s.record.uncertainty.value_or(0.0)));
+    text = paragraph(
+        decimal_sign(fmt::format("{:.3f} ± {:.3f}", *s.record.factor, s.record.uncertainty.value_or(0.0)), dutch));
   if (!s.record.stored.empty())
     text += paragraph(fmt::format("{}: {}", stored.in(dutch), stored_text(s.record, dutch)), " class=\"muted\"");
   return "<td class=\"words\">" + text + "</td>";
@@ -153,8 +160,8 @@ std::string row_of(const ReachSection& s, bool dutch)
   };
   return fmt::format("<tr class=\"{}\">{}<td>{}</td>{}<td>{}</td><td>{}</td>{}<td>{:.0f}&nbsp;s</td></tr>\n",
       class_of(s), name_cell(s, dutch), reach_picture(s), verdict_cell(s, dutch),
-      metres(s.is_solved ? s.summary.residual_height : std::nullopt), metres(of_flood(&FloodSummary::freeboard)),
-      factor_cell(s, dutch), s.record.seconds);
+      metres(s.is_solved ? s.summary.residual_height : std::nullopt, dutch),
+      metres(of_flood(&FloodSummary::freeboard), dutch), factor_cell(s, dutch), s.record.seconds);
 }
 
 std::string counts_in(const std::vector<ReachSection>& sections, bool dutch)

@@ -300,10 +300,16 @@ std::vector<Hint> hints_on(const ReachSection& section)
   return hints;
 }
 
+std::string decimal_sign(std::string number, bool dutch)
+{
+  if (dutch) std::ranges::replace(number, '.', ',');
+  return number;
+}
+
 std::string words_of(Hint hint, const ReachSection& section, bool dutch)
 {
   const auto fastest = speed_at_end(section);
-  const std::string speed = fastest ? fmt::format(" ({:.2g} m/s)", *fastest) : "";
+  const std::string speed = fastest ? decimal_sign(fmt::format(" ({:.2g} m/s)", *fastest), dutch) : "";
   switch (hint) {
     case Hint::doubt:
       return fmt::format("{}{}", dutch ? "twijfel bij het inlezen (Engels): " : "in doubt since the import: ",
@@ -318,13 +324,13 @@ std::string words_of(Hint hint, const ReachSection& section, bool dutch)
       return dutch ? "vastgehouden tot rust: de grond staat niet uit zichzelf"
                    : "held until it was at rest: the soil does not stand by itself";
     case Hint::stored_below:
-      return fmt::format(fmt::runtime(dutch ? "blijft staan, maar een opgeslagen factor is {:.3f}, kleiner dan 1"
-                                            : "stands, but a stored factor is {:.3f}, below 1"),
-          least_stored(section.record));
+      return fmt::format(fmt::runtime(dutch ? "blijft staan, maar een opgeslagen factor is {}, kleiner dan 1"
+                                            : "stands, but a stored factor is {}, below 1"),
+          decimal_sign(fmt::format("{:.3f}", least_stored(section.record)), dutch));
     case Hint::stored_above:
-      return fmt::format(fmt::runtime(dutch ? "overstroomt, maar elke opgeslagen factor is ten minste {:.3f}"
-                                            : "floods, but every stored factor is at least {:.3f}"),
-          least_stored(section.record));
+      return fmt::format(fmt::runtime(dutch ? "overstroomt, maar elke opgeslagen factor is ten minste {}"
+                                            : "floods, but every stored factor is at least {}"),
+          decimal_sign(fmt::format("{:.3f}", least_stored(section.record)), dutch));
   }
   return "";
 }
@@ -345,7 +351,11 @@ std::string stored_text(const SectionRecord& record, bool dutch)
     std::vector<std::string> remarks;
     if (s.strength != "deterministic") remarks.push_back(strength_words(s.strength, dutch));
     if (s.stale) remarks.emplace_back(dutch ? "verouderd" : "stale");
-    text += fmt::format("{}{} {:.3f}{}", text.empty() ? "" : ", ", s.method, s.factor,
+    text += fmt::format("{}{} {}{}",
+        text.empty() ? ""
+        : dutch      ? "; "
+                     : ", ",
+        s.method, decimal_sign(fmt::format("{:.3f}", s.factor), dutch),
         remarks.empty() ? "" : fmt::format(" ({})", fmt::join(remarks, ", ")));
   }
   return text;

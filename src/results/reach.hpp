@@ -91,6 +91,9 @@ enum class Hint {
   stored_above,  ///< it floods as it is, though all stored factors of the same strengths are at least one
 };
 std::vector<Hint> hints_on(const ReachSection& section);
+/// A number as text, with a comma in Dutch.
+std::string decimal_sign(std::string number, bool dutch);
+
 /// In English, or in Dutch.
 std::string words_of(Hint hint, const ReachSection& section, bool dutch);
 

@@ -55,6 +55,23 @@ std::optional<Problem> find_low_flood(const Model& model)
       "flood.water_level", true};
 }
 
+/// water_level is of the case, and the water at the river stands elsewhere: pressures and verdict are of two levels.
+std::optional<Problem> find_other_water(const Model& model)
+{
+  constexpr Real least = 0.01;  // [m]
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const FloodLevel& level = model.flood_level;
+  if (whole.flood.water_level != level.value || !level.river || changes_with_time(whole)) return std::nullopt;
+  const FreeWater water = free_water_at_ends(whole, model, whole.stages.size())[level.river == Facing::right ? 1 : 0];
+  if (water.level == FreeWater::none || std::abs(water.level - level.value) < least) return std::nullopt;
+  return Problem{"flood.water_level", "the verdict is for another level than that of the water",
+      fmt::format(
+          "The water at the river stands at {:.4g} m, water_level is {:.4g} m. Give both one level: pressures and\n"
+          "strengths follow the water, the verdict follows water_level.",
+          water.level, level.value),
+      "flood.water_level"};
+}
+
 }  // namespace
 
 std::vector<Problem> find_flood_warnings(const Model& model, const State& state)
@@ -70,6 +87,7 @@ std::vector<Problem> find_flood_warnings(const Model& model, const State& state)
   if (heights.empty()) return {};
   std::vector<Problem> warnings;
   if (auto low = find_low_flood(model)) warnings.push_back(std::move(*low));
+  if (auto other = find_other_water(model)) warnings.push_back(std::move(*other));
   const auto warn = [&](const char* key, std::string what, std::string detail) {
     warnings.push_back({std::string("flood.") + key, std::move(what), std::move(detail), std::string("flood.") + key});
   };

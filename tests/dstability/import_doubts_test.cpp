@@ -3,6 +3,7 @@
 
 #include "dstability/case_folder.hpp"
 #include "input/case_file.hpp"
+#include "input/document.hpp"
 #include "sections.hpp"
 
 namespace import_doubts_test {
@@ -173,6 +174,14 @@ TEST(ImportDoubts, StandInTheCaseAndAreRepeatedByWhatReadsIt)
   ASSERT_EQ(file.warnings.size(), 1u);
   EXPECT_EQ(file.warnings[0].key, "reference.doubts");
   EXPECT_THAT(file.warnings[0].detail, HasSubstr("The layer `clay (clay \"a\" \\ b)` has SHANSEP strength, but no"));
+  const Node document = parse_toml(text);
+  for (const auto& [key, last] : {std::pair{"reference.assumed", "defaults of sand."},
+           {"reference.assumed_nl", "standaardwaarden van de soort sand."}}) {
+    const Node* const assumed = find_node(document, key);
+    ASSERT_NE(assumed, nullptr);
+    EXPECT_TRUE(std::ranges::any_of(assumed->items, [&](const Node& item) { return item.text.ends_with(last); }))
+        << key;
+  }
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120u) << line;
 }

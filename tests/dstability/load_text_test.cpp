@@ -22,8 +22,9 @@ TEST(LoadText, OfTheOnlyStageIsThereFromTheStart)
   EXPECT_EQ(texts.tables[0].lines[1].value, "0.0") << "its part in the section";
   EXPECT_EQ(texts.tables[0].lines[3].value, "\"13 kPa\"");
   EXPECT_THAT(texts.sets, IsEmpty());
-  EXPECT_THAT(texts.assumed, ElementsAre("Load traffic: its spread of 30 degrees is not set; the run computes how it "
-                                         "spreads."));
+  EXPECT_THAT(in_english(texts.assumed),
+      ElementsAre("Load traffic: its spread of 30 degrees is not set; the run computes how it "
+                  "spreads."));
 }
 
 TEST(LoadText, ThatTheFirstStageDoesNotHaveIsPutOnInTheLast)

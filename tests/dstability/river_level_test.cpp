@@ -39,7 +39,7 @@ TEST(RiverLevel, IsThatOfTheLaterStageAndItsHistoryStays)
   // The river falls by 1.5 m of the 3 m that it stands over the land: an aquifer 2 m over it by 1 m, 1.5 m by 0.75 m.
   EXPECT_NEAR(stages[1].water.head_lines[1].line[0][1], 0.0, 1e-12);
   EXPECT_NEAR(stages[1].water.head_lines[1].line[1][1], -0.25, 1e-12);
-  EXPECT_EQ(moved.comment,
+  EXPECT_EQ(moved.sentence.en,
       "The river stands at 0.50 m instead of the 2.00 m of the file (--river). The heads in the ground move in "
       "proportion to their height over the phreatic line at the land's end (-1.00 m), as in a steady state. After a "
       "fast "
@@ -77,7 +77,7 @@ TEST(RiverLevel, OfTheFileChangesNothing)
   for (const std::size_t stage : {0u, 1u}) {
     const RiverLevel moved = moved_to(2.004, dike(2), stage);
     EXPECT_EQ(moved.stage, stage);
-    EXPECT_EQ(moved.comment, "The river stands at 2.00 m in the file already: --river changes nothing.");
+    EXPECT_EQ(moved.sentence.en, "The river stands at 2.00 m in the file already: --river changes nothing.");
     EXPECT_EQ(moved.project.scenarios[0].stages.size(), 2u);
     EXPECT_EQ(moved.project.scenarios[0].stages[1].label, "high");
     EXPECT_EQ(moved.project.scenarios[0].calculations[0].result->factor_of_safety, 1.25);
@@ -97,7 +97,7 @@ TEST(RiverLevel, IsSaidInTheCaseAndAsksWhetherItFloods)
   EXPECT_THAT(folder.notes, Contains(HasSubstr("The river stands at 3.00 m instead of the 2.00 m of the file")));
   EXPECT_THAT(folder.files.back().second, HasSubstr("- The river stands at 3.00 m instead of the 2.00 m of the file"));
   const CaseFolder dry = case_folder_of(dike(2), {.stage = 1, .kinds = kinds, .river = 0.0});
-  EXPECT_THAT(dry.files.front().second, testing::Not(HasSubstr("[flood]")));
+  EXPECT_THAT(dry.files.front().second, testing::Not(HasSubstr("\n[flood]\n")));
   EXPECT_THAT(
       dry.notes, Contains(HasSubstr("No water stands on the ground at the river's end (left) of the section: the "
                                     "case has no [flood], and no verdict on flooding.")));

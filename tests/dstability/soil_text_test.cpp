@@ -47,9 +47,10 @@ TEST(SoilText, HasTheNumbersOfDrainedSoil)
   EXPECT_EQ(value_of_key(sand, "density"), "\"20 kN/m3\"");
   EXPECT_EQ(value_of_key(sand, "friction_angle"), "26.5650512");         // tan phi* = sin 30, without dilatancy
   EXPECT_THAT(value_of_key(sand, "cohesion"), StartsWith("\"1.73205"));  // 2 cos 30
-  EXPECT_THAT(sand.assumed, Contains("soil: phi' = 30 degrees and c' = 2 kPa of the file were reduced to 26.57 and "
-                                     "1.73, as D-Stability reduces them on slip planes of soil that dilates by 0 "
-                                     "degrees."));
+  EXPECT_THAT(
+      in_english(sand.assumed), Contains("soil: phi' = 30 degrees and c' = 2 kPa of the file were reduced to 26.57 and "
+                                         "1.73, as D-Stability reduces them on slip planes of soil that dilates by 0 "
+                                         "degrees."));
   EXPECT_EQ(value_of_key(sand, "shear_modulus"), "\"12 MPa\"");  // default of sand
 }
 
@@ -68,7 +69,7 @@ TEST(SoilText, KeepsTheStrengthOfSoilThatDilatesAsMuchAsItRubs)
   EXPECT_EQ(value_of_key(text, "friction_angle"), "30");
   EXPECT_EQ(value_of_key(text, "cohesion"), "\"2 kPa\"");
   EXPECT_EQ(value_of_key(text, "dilatancy_angle"), "30");
-  EXPECT_THAT(text.assumed, Not(Contains(HasSubstr("reduced"))));
+  EXPECT_THAT(in_english(text.assumed), Not(Contains(HasSubstr("reduced"))));
   sand.advanced.dilatancy.value = 29.0;  // phi* = 29.997 degrees
   EXPECT_EQ(value_of_key(text_of(sand), "dilatancy_angle"), "29");
 }
@@ -78,7 +79,7 @@ TEST(SoilText, TakesClassicStrengthAsItIs)
   const SoilText clay = text_of(two_soils()[1], true);
   EXPECT_EQ(value_of_key(clay, "friction_angle"), "25");
   EXPECT_EQ(value_of_key(clay, "cohesion"), "\"5 kPa\"");
-  EXPECT_THAT(clay.assumed, Not(Contains(HasSubstr("reduced"))));
+  EXPECT_THAT(in_english(clay.assumed), Not(Contains(HasSubstr("reduced"))));
 }
 
 TEST(SoilText, RefusesEmptyNumbersWithSoilParameterAndStage)
@@ -135,7 +136,7 @@ TEST(SoilText, SaysThatAnEmptyDilatancyIsZero)
   sand.advanced.dilatancy.value = not_given;
   const SoilText text = text_of(sand);
   EXPECT_EQ(value_of_key(text, "dilatancy_angle"), "0");
-  EXPECT_THAT(text.assumed, Contains("soil: its dilatancy is empty in the file; taken was 0."));
+  EXPECT_THAT(in_english(text.assumed), Contains("soil: its dilatancy is empty in the file; taken was 0."));
 }
 
 TEST(SoilText, OfADrawingIsThatOfItsKind)

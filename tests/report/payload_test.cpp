@@ -144,10 +144,13 @@ TEST_F(PayloadTest, HasLoadsAndSlipPlanesOfTheCase)
 TEST_F(PayloadTest, SaysWhatSpeaksAgainstAnImport)
 {
   const std::string path = scratch.path() + "/gp/case.toml";
-  write_file_atomically(path, read_file(path) + "\n[reference]\ndoubts = [\"A layer is missing.\", \"No POP.\"]\n");
+  write_file_atomically(path, read_file(path) +
+                                  "\n[reference]\ndoubts = [\"A layer is missing.\", \"No POP.\"]\nassumed = "
+                                  "[\"K0.\"]\nassumed_nl = [\"K0 aangenomen.\"]\n");
   const json alone = json::parse(make_payload({scratch.path() + "/gp"}, {}).json);
   EXPECT_THAT(alone["runs"][0]["warnings"].get<std::vector<std::string>>(),
       AllOf(Contains("A layer is missing."), Contains("No POP.")));
+  EXPECT_EQ(alone["runs"][0]["assumed"], (json{{"en", {"K0."}}, {"nl", {"K0 aangenomen."}}}));
 }
 
 TEST_F(PayloadTest, ACaseThatCannotBeReadCostsTheMeshAndSaysSo)

@@ -48,8 +48,11 @@ TEST(ReachPage, SaysATriggerInTheVerdictItself)
                 "3.50 m</p><p>As it is: stands.</p>"));
   EXPECT_THAT(reach_page(sample(), "nl", ""),
       HasSubstr(
-          "<p class=\"verdict\">overstroming, nadat de sterktes door 1.12 zijn gedeeld en nadat de rivier op 3.50 m "
+          "<p class=\"verdict\">overstroming, nadat de sterktes door 1,12 zijn gedeeld en nadat de rivier op 3,50 m "
           "is gebracht</p><p>Zoals zij is: blijft staan.</p>"));
+  EXPECT_THAT(reach_page(sample(), "nl", ""),
+      AllOf(HasSubstr("<p>1,110 ± 0,010</p><p class=\"muted\">opgeslagen: Bishop 1,004</p>"),
+          HasSubstr("3,50&nbsp;m</td><td>-0,50&nbsp;m")));
 }
 
 TEST(ReachPage, CountsSectionsWithoutAVerdictAndSaysThatThereWasNoneBeforeATrigger)

@@ -190,6 +190,7 @@ export interface RunMeta {
   passes: { name: string; seconds: number }[];
   events: Events | null;
   warnings: string[]; // of the writer; the rest follows from the summary
+  assumed?: Record<string, string[]>; // by language: what the import of the section took that its file does not say
   summary: Record<string, unknown>;
 }
 

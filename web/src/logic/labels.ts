@@ -1,7 +1,7 @@
 // How runs are called on the page: by scheme where that tells them apart, else by name.
 
 import type { RunMeta } from "../data/format";
-import { say, TEXTS, type TextKey } from "./texts";
+import { decimalSign, say, TEXTS, type TextKey } from "./texts";
 
 const SCHEMES: Record<string, string> = { mpm_gp: "MPM-GP", mpm_mixed: "MPM-Mixed", standard_mpm: "standard MPM" };
 
@@ -23,6 +23,19 @@ export function runLabels(runs: readonly Pick<RunMeta, "name" | "scheme">[]): st
 export function fieldHelp(name: string): string {
   const key = `help_${name}`;
   return key in TEXTS ? say(key as TextKey) : "";
+}
+
+/** "sand_below" -> "sand, below water": the import cuts soils that differ above and below the phreatic line there. */
+export function soilName(name: string): string {
+  const [, soil, side] = /^(.+)_(below|above)$/.exec(name) ?? [];
+  return side ? `${spoken(soil!)}, ${say(`soil_${side}` as TextKey)}` : spoken(name);
+}
+
+/** Sentences that begin with a soil as the case names it: "sand_below: ..." */
+export function withSoilName(sentence: string, materials: readonly { name: string }[]): string {
+  const of = materials.find(({ name }) => sentence.startsWith(`${name}: `));
+  const text = of ? soilName(of.name) + sentence.slice(of.name.length) : sentence;
+  return text.replace(/\d\.\d/g, decimalSign);
 }
 
 /** "front_x" -> "front x", for names that the writer gave no label. */

@@ -3,10 +3,10 @@
 
 import type { RunMeta, Slide, Trigger } from "../data/format";
 import type { Run } from "../data/run";
-import { schemeLabel, spoken } from "./labels";
+import { schemeLabel, soilName, spoken } from "./labels";
 import { columnPlace, fixed, metres, numberText, percent, withUnit } from "./numbers";
 import { nextOf, slidesOf } from "./slides";
-import { ordinal, say, type TextKey } from "./texts";
+import { ordinal, say, TEXTS, type TextKey } from "./texts";
 
 const HARDLY_MOVED = 0.01; // share of the volume
 const STILL_MOVING = 0.01; // kinetic energy at the end over its largest
@@ -219,11 +219,13 @@ function tellStrength(meta: RunMeta): string[] {
   for (const of of listOf<StrengthWater>(meta, "strength_water")) {
     const key = [of.parameter, of.stress, of.daily ?? ""].join("\n");
     const group = groups.get(key) ?? { of, soils: [] };
-    group.soils.push(spoken(of.material));
+    group.soils.push(soilName(of.material));
     groups.set(key, group);
   }
   for (const { of, soils } of groups.values()) {
-    const values = { soils: soils.join(", "), parameter: of.parameter, water: water(of.stress) };
+    const key = `of_${of.parameter}`;
+    const parameter = key in TEXTS ? say(key as TextKey) : spoken(of.parameter);
+    const values = { soils: soils.join("; "), parameter, water: water(of.stress) };
     texts.push(of.daily ? say("story_strength_daily", { ...values, daily: water(of.daily) })
       : say("story_strength", values));
   }

@@ -293,12 +293,12 @@ export const TEXTS = {
     "does not say what softening leaves.",
   "Het is niet bekend hoeveel grond is ontsterkt: van een eigen wet van de gebruiker zegt de invoer niet wat " +
     "ontsterking overlaat."],
-  story_strength: ["Strength of {soils}: {parameter} follows from sigma'_v in the water {water}.",
-    "Sterkte van {soils}: {parameter} volgt uit sigma'_v bij de waterspanningen {water}."],
-  story_strength_daily: ["Strength of {soils}: {parameter} follows from sigma'_v in the water {water}, and from " +
-    "sigma'_p in the water {daily}.",
-  "Sterkte van {soils}: {parameter} volgt uit sigma'_v bij de waterspanningen {water}, en uit sigma'_p bij de " +
-    "waterspanningen {daily}."],
+  story_strength: ["Strength of {soils}: {parameter} follows from the vertical effective stress in the water {water}.",
+    "Sterkte van {soils}: {parameter} volgt uit de verticale effectieve spanning bij de waterspanningen {water}."],
+  story_strength_daily: ["Strength of {soils}: {parameter} follows from the vertical effective stress in the water " +
+    "{water}, and from the yield stress of the water {daily}.",
+  "Sterkte van {soils}: {parameter} volgt uit de verticale effectieve spanning bij de waterspanningen {water}, en " +
+    "uit de grensspanning bij de waterspanningen {daily}."],
   water_start: ["at the start", "van het begin"],
   water_situation: ["of the situation “{name}”", "van de situatie “{name}”"],
   story_fell: ["At {n} of {all} points the plastic strain fell at some time. The law of the soil does not allow it: " +
@@ -313,6 +313,14 @@ export const TEXTS = {
     "water of its own calculation, which need not be those of this run.",
   "Glijvlakken van andere methoden zijn erover getekend: {planes}. Elk hoort bij de sterkten en het water van zijn " +
     "eigen berekening, die anders kunnen zijn dan hier."],
+
+  soil_above: ["above water", "boven water"],
+  soil_below: ["below water", "onder water"],
+  of_su_peak: ["the undrained strength S_u", "de ongedraineerde schuifsterkte S_u"],
+  of_su_residual: ["the residual undrained strength", "de resterende ongedraineerde schuifsterkte"],
+  of_su_remoulded: ["the remoulded undrained strength", "de geroerde ongedraineerde schuifsterkte"],
+  assumed: ["What the import assumed, as the file does not say it ({n})",
+    "Wat bij het inlezen is aangenomen omdat het bestand het niet zegt ({n})"],
 
   // Warnings and checks
   a_warning: ["A warning", "Een waarschuwing"],

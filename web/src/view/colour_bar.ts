@@ -4,7 +4,7 @@ import type { Current } from "./current";
 import { barTicks, categoryColour, mapNamed, type Range } from "../logic/colour";
 import { niceTicks, unitSuffix } from "../logic/numbers";
 import { quantityLabel } from "../logic/quantities";
-import { spoken } from "../logic/labels";
+import { soilName } from "../logic/labels";
 import { canvasTheme, FONT } from "./theme";
 
 export const BAR_HEIGHT = 40;
@@ -44,12 +44,12 @@ function drawCategories(context: CanvasRenderingContext2D, current: Current, lef
     for (const { id, name } of run.meta.materials) {
       if (seen.has(name)) continue;
       seen.add(name);
-      const wide = 20 + context.measureText(spoken(name)).width;
+      const wide = 20 + context.measureText(soilName(name)).width;
       if (x > left && x + wide > width) [x, y] = [left, y + 18];
       context.fillStyle = categoryColour(given, id);
       context.fillRect(x, y, 14, 14);
       context.fillStyle = text;
-      context.fillText(spoken(name), x + 20, y + 7.5);
+      context.fillText(soilName(name), x + 20, y + 7.5);
       x += wide + 20;
     }
   }

@@ -2,7 +2,7 @@
 // slip surfaces of the run and of other methods.
 
 import type { Run } from "../data/run";
-import { spoken } from "../logic/labels";
+import { soilName, spoken } from "../logic/labels";
 import { metres, numberText, withUnit } from "../logic/numbers";
 import { slidesOf, slipAt } from "../logic/slides";
 import { heightAt } from "../logic/surface";
@@ -13,6 +13,7 @@ const SLIT = 3; // spacings of points below the surface from which on gaps are f
 const LINE = 13; // pixels between names
 const NARROW = 520; // pixels of a view in which the level has no name
 const SCALE_BAR = 190; // pixels at the right end of a view that the bar of lengths takes
+const FOOT = 34; // pixels at the foot of a view that names keep free
 const ROOM = 44; // pixels at the left end of a view that names keep free
 
 /** Outlines of all soils, where they are now. */
@@ -31,20 +32,51 @@ export function drawSoilNames(drawing: Drawing): void {
   const { context, theme, run, frame, options } = drawing;
   if (run.layers.length < 2) return;
   letters(drawing, 12);
-  const taken: { left: number; right: number; y: number }[] = []; // a name that would cover another is left out
+  const taken: Box[] = [];
+  const unnamed: string[] = [];
   for (const { soil, middle } of run.layers) {
-    if (!middle) continue;
-    const [x, y] = run.places(frame, middle);
-    if (!Number.isFinite(x)) continue;
+    const [x, y] = middle ? run.places(frame, middle) : [NaN, NaN];
     const [px, py] = at(drawing, x!, y!);
-    const text = spoken(soil);
+    const text = soilName(soil);
     const width = context.measureText(text).width;
-    const left = Math.max(ROOM, px - width / 2);
-    const covers = taken.some((other) =>
-      Math.abs(other.y - py) < LINE && left < other.right && left + width > other.left);
-    if (covers || py < options.top + 2 || py > options.size.height - 34) continue;
+    const { width: wide, height } = options.size;
+    if (middle && !(px >= 0 && px <= wide && py >= options.top && py <= height)) continue; // out of view, or has left
+    const left = middle && py <= height - FOOT ? freePlace(taken, px - width / 2, py, width, wide) : null;
+    if (left === null) {
+      unnamed.push(soil);
+      continue;
+    }
     taken.push({ left, right: left + width, y: py });
     haloText(drawing, text, left, py, theme.text);
+  }
+  legend(drawing, unnamed);
+}
+
+interface Box { left: number; right: number; y: number }
+
+/** Where a name covers no other: as near to its place as it can be along its layer; null: nowhere in the view. */
+export function freePlace(taken: readonly Box[], wanted: number, y: number, width: number,
+  view: number): number | null {
+  for (const step of [0, 1, -1, 2, -2, 3, -3]) {
+    const left = Math.max(ROOM, wanted) + step * (width + LINE);
+    const covers = taken.some((other) =>
+      Math.abs(other.y - y) < LINE && left < other.right && left + width > other.left);
+    if (!covers && left >= ROOM && left + width <= view - 4) return left;
+  }
+  return null;
+}
+
+/** Soils for whose names the section has no room, with their colours, at its foot. */
+function legend(drawing: Drawing, soils: readonly string[]): void {
+  const { context, theme, run, options } = drawing;
+  let left = ROOM;
+  const y = options.size.height - FOOT + 4;
+  for (const soil of soils) {
+    const material = run.meta.materials.find((of) => (of.soil ?? of.name) === soil);
+    context.fillStyle = material?.color ?? "#c7c7c7";
+    context.fillRect(left, y - 5, 10, 10);
+    haloText(drawing, soilName(soil), left + 14, y, theme.text);
+    left += 14 + context.measureText(soilName(soil)).width + LINE;
   }
 }
 

@@ -5,7 +5,7 @@ import type { Current } from "./current";
 import type { Run } from "../data/run";
 import { element } from "../shell/element";
 import { quantityLabel } from "../logic/quantities";
-import { spoken } from "../logic/labels";
+import { soilName } from "../logic/labels";
 import { say } from "../logic/texts";
 import { fixed, numberText, withUnit } from "../logic/numbers";
 
@@ -18,7 +18,7 @@ export function pointValues(run: Run, frame: number, point: number, fields = run
     if (field) {
       const number = field.value(frame, point);
       const material = run.meta.materials.find((m) => m.id === Math.round(number));
-      value = meta.kind === "category" && material ? spoken(material.name) : withUnit(number, meta.unit, 3);
+      value = meta.kind === "category" && material ? soilName(material.name) : withUnit(number, meta.unit, 3);
     } else {
       void run.field(meta.name);
     }

@@ -5,7 +5,9 @@ import { Report } from "../../src/data/report";
 import type { Run } from "../../src/data/run";
 import { chooseLanguage } from "../../src/logic/texts";
 import { categoryTable, preferredMap } from "../../src/logic/colour";
+import { soilName, withSoilName } from "../../src/logic/labels";
 import { planeText } from "../../src/logic/story";
+import { freePlace } from "../../src/view/section";
 import { groundsOf } from "../../src/sections/profile";
 import { layered, samplesAt } from "../../src/sections/strength";
 import { exampleDike } from "../support/example";
@@ -39,6 +41,26 @@ describe("lines that go with points", () => {
     expect(breaks([0, 1, 19])).toBe(2); // 3.6 m on, spacing 0.2 m
     expect(breaks([0, 0xffffffff, 1])).toBe(2);
     expect(breaks([399, 398], 60)).toBe(2); // the last point leaves
+  });
+});
+
+describe("names of soils", () => {
+  it("say in words what the import cut along the phreatic line", () => {
+    expect(soilName("sand_with_clay_below")).toBe("sand with clay, below water");
+    expect(soilName("peat_deep")).toBe("peat deep");
+    chooseLanguage("nl");
+    expect(soilName("zand_above")).toBe("zand, boven water");
+    expect(withSoilName("zand_above: K0 is 0.5.", [{ name: "zand" }, { name: "zand_above" }]))
+      .toBe("zand, boven water: K0 is 0,5.");
+    expect(withSoilName("Load ul_1: no spread.", [{ name: "load" }])).toBe("Load ul_1: no spread.");
+  });
+
+  it("are moved along their layer where another is, and have no place only where the view is full", () => {
+    const taken = [{ left: 100, right: 180, y: 50 }];
+    expect(freePlace(taken, 120, 90, 60, 600)).toBe(120); // another height
+    expect(freePlace(taken, 120, 52, 60, 600)).toBe(193); // to the right of it
+    expect(freePlace([...taken, { left: 180, right: 600, y: 50 }], 320, 52, 50, 600)).toBeNull();
+    expect(freePlace(taken, -500, 52, 40, 600)).toBe(44); // the layer goes on beyond the view
   });
 });
 

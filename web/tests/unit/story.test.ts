@@ -124,8 +124,8 @@ describe("the story", () => {
     };
     const texts = plain(tellStory(sampleRun({ intact_fraction: 0.248 }, summary)));
     expect(texts).toContain("Stages: daily from 0.00 s to 4.25 s, at rest; flood from 4.25 s to 44.00 s, not at rest (the fastest node: 0.013 m/s).");
-    expect(texts).toContain("Strength of clay, peat: su_peak follows from sigma'_v in the water of the situation “flood”, and from sigma'_p in the water at the start.");
-    expect(texts).toContain("Strength of sand: cohesion follows from sigma'_v in the water at the start.");
+    expect(texts).toContain("Strength of clay; peat: the undrained strength S_u follows from the vertical effective stress in the water of the situation “flood”, and from the yield stress of the water at the start.");
+    expect(texts).toContain("Strength of sand: cohesion follows from the vertical effective stress in the water at the start.");
     expect(texts).toContain("41.7 % of the soil has lost more than half of what softening takes from its strength.");
     expect(texts).toContain("Of the soil that moved, 24.8 % is intact: its plastic strain is below 0.01.");
     expect(texts.some((text) => /^At 16 of 500 points the plastic strain fell at some time and strength came back\./.test(text))).toBe(true);

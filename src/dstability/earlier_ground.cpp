@@ -1,0 +1,116 @@
+#include "dstability/earlier_ground.hpp"
+
+#include "dstability/preload.hpp"
+#include "dstability/section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace terp {
+namespace {
+
+constexpr Real least_height = 1e-3;  // [m]: files have places to the millimetre
+
+/// An area between two heights of the ground, and where it lies.
+struct Strip {
+  Real area = 0.0, left = 1e30, right = -1e30;  ///< [m^2], x [m]
+
+  void add(Real x, Real column, Real height)
+  {
+    if (!(height > least_height)) return;
+    area += column * height;
+    left = std::min(left, x - 0.5 * column);
+    right = std::max(right, x + 0.5 * column);
+  }
+  bool counts(Real column) const { return area > 0.01 * column * column; }
+};
+
+struct Change {
+  std::string labels;  ///< of the stages that have it
+  Strip added, removed;
+};
+
+/// The ground [m]; where there is none as low as can be drawn in the section.
+Real ground_of(const StixProject& project, const StixStage& stage, Real x, Real lowest)
+{
+  const Real ground = StixStageColumn(project, stage, x).ground();
+  return std::isnan(ground) ? lowest : ground;
+}
+
+Change change_since(
+    const StixProject& project, std::pair<const StixStage*, const StixStage*> stages, Vec<2> between, Real column)
+{
+  const auto& [then, now] = stages;
+  Real lowest = 1e30;
+  for (const StixStage* const stage : {then, now})
+    for (const StixLayer& layer : stage->layers)
+      for (const Vec<2>& x : layer.outline) lowest = std::min(lowest, x[1]);
+  Change change{.labels = fmt::format("`{}`", then->label), .added = {}, .removed = {}};
+  for (Real x = between[0] + 0.5 * column; x < between[1]; x += column) {
+    const Real rise = ground_of(project, *now, x, lowest) - ground_of(project, *then, x, lowest);
+    change.added.add(x, column, rise);
+    change.removed.add(x, column, -rise);
+  }
+  return change;
+}
+
+std::string in_words(const Change& change, Real column, const char* const (&words)[4])
+{
+  std::string text;
+  for (const auto& [strip, what] : {std::pair{&change.added, words[1]}, {&change.removed, words[2]}})
+    if (strip->counts(column))
+      text += fmt::format("{}{:.1f} m2 {} (x = {:.1f} {} {:.1f} m)", text.empty() ? "" : ", ", strip->area, what,
+          strip->left, words[3], strip->right);
+  return fmt::format("{} {}: {}", words[0], change.labels, text);
+}
+
+Sentence layers_or_loads_changed()
+{
+  return {
+      "Layers or loads change between the stages of the file: the run has those of the analysed stage from the "
+      "start. Yield stresses follow the ground, water and loads of each stage.",
+      "Lagen of belastingen veranderen tussen de fasen van het bestand: de berekening heeft vanaf het begin die van de "
+      "beschouwde fase. Grensspanningen volgen uit maaiveld, water en belasting van elke fase."};
+}
+
+}  // namespace
+
+std::optional<EarlierGround> earlier_ground(
+    const StixProject& project, std::size_t scenario, std::size_t stage, Vec<2> between, Real column)
+{
+  if (same_ground_until(project.scenarios[scenario], stage)) return std::nullopt;
+  const std::vector<StixStage>& stages = project.scenarios[scenario].stages;
+  std::vector<Change> changes;
+  for (std::size_t k = 0; k < stage; ++k) {
+    Change change = change_since(project, {&stages[k], &stages[stage]}, between, column);
+    if (!change.added.counts(column) && !change.removed.counts(column)) continue;
+    const auto is_same = [&](const Strip& a, const Strip& b) { return std::abs(a.area - b.area) < 1e-6; };
+    if (!changes.empty() && is_same(changes.back().added, change.added) &&
+        is_same(changes.back().removed, change.removed))
+      changes.back().labels += ", " + change.labels;
+    else
+      changes.push_back(std::move(change));
+  }
+  if (changes.empty()) return EarlierGround{layers_or_loads_changed(), false};
+  std::string en, nl;
+  for (const Change& change : changes) {
+    en += " " + in_words(change, column, {"Since", "were added", "were taken away", "to"}) + ".";
+    nl += " " + in_words(change, column, {"Sinds", "opgehoogd", "ontgraven", "tot"}) + ".";
+  }
+  return EarlierGround{
+      {"Earlier stages of the file have other ground." + en +
+              " The run has the ground of the analysed stage from its start: settlement, stress and slides of the "
+              "building are not in it. Yield stresses, and so undrained strengths, follow the ground, water and loads "
+              "of each stage.",
+          "Eerdere fasen van het bestand hebben ander maaiveld." + nl +
+              " De berekening heeft vanaf het begin het maaiveld van de beschouwde fase: zetting, spanning en "
+              "afschuivingen van de aanleg zitten er niet in. Grensspanningen, en dus ongedraineerde sterktes, volgen "
+              "uit maaiveld, water en belasting van elke fase."},
+      true};
+}
+
+}  // namespace terp
