@@ -157,6 +157,9 @@ constexpr std::array table{ExpectedKeys{"projectinfo", both_models, "ContentVers
     ExpectedKeys{
         "stages", first_model, "CalculationSettingsId ResultId", "the stage's calculation has none", in_words_only},
     ExpectedKeys{"results", both_models, "FactorOfSafety|ReliabilityIndex", "the result has none", in_words_only},
+    ExpectedKeys{"results", both_models, "Points|ReliabilityIndex", "the slip plane is not drawn", in_words_only},
+    ExpectedKeys{"results", both_models, "Slices|ReliabilityIndex", "nothing is compared with it", in_words_only},
+    ExpectedKeys{"results, Points[]", both_models, "X Z", "the place was left out", in_words_only},
     ExpectedKeys{"results, Slices[]", both_models,
         "TotalStress LoadStress TotalPorePressure PiezometricPorePressure EffectiveStress NormalStress YieldStress Pop "
         "SuOutput CohesionInput PhiInput DilatancyInput ShearStress|OutputShearStress",

@@ -3,7 +3,7 @@
 
     dropped_keys.py TERP FILE.stix... [--cell H] [--all] [--table]
 
-A key that is dropped must be refused, told (the key stands in the list of what was not understood), or harmless: the
+A key that is dropped must be refused, told (something new is in the list of what was not understood), or harmless: the
 list of the file and the cases of all stages that can be made are the same to the letter. Prints what is none of these,
 and how many were what; --table prints each key. --all drops a key in all objects of its kind, else in the first.
 Exit status 1: a key was lost without a word.
@@ -71,14 +71,14 @@ def cases_of(terp, path, listing, cell):
     return texts
 
 
-def verdict_on(terp, key, path, sound, cell):
+def verdict_on(terp, path, sound, cell):
     """refused, told, harmless or LOST."""
     listing = call(terp, path, "--json")
     if listing.returncode != 0:
         return "refused" if listing.returncode == 2 else "LOST"
     text = listing.stdout
     known = json.loads(sound[0])["remarks"]
-    if any(key in remark["where"] + remark["what"] for remark in json.loads(text)["remarks"] if remark not in known):
+    if any(remark not in known for remark in json.loads(text)["remarks"]):
         return "told"
     if text != sound[0]:
         return "LOST"
@@ -96,7 +96,7 @@ def look_at(arguments, source):
         for (place, key), owners in keys_of(members).items():
             kept = [(owner, owner.pop(key)) for owner in (owners if arguments.all else owners[:1])]
             write(members, path)
-            verdict = verdict_on(arguments.terp, key, path, sound, arguments.cell)
+            verdict = verdict_on(arguments.terp, path, sound, arguments.cell)
             for owner, value in kept:
                 owner[key] = value
             counts[verdict] += 1

@@ -352,6 +352,20 @@ TEST(Flood, AFloodBelowTheWaterOfTheStartIsDoubted)
           &Problem::what, "no stage has higher water at the river than the start, and one has lower water")));
 }
 
+TEST(Flood, ALevelThatIsNotThatOfTheWaterAtTheRiverIsDoubted)
+{
+  Case c = dike_in_water();
+  c.flood.water_level = 3.0;
+  const Drawn s(c);
+  EXPECT_THAT(find_flood_warnings(s.model, s.state),
+      ElementsAre(told("flood.water_level", "the verdict is for another level than that of the water",
+          "The water at the river stands at 2 m, water_level is 3 m. Give both one level: pressures and\nstrengths "
+          "follow the water, the verdict follows water_level.")));
+  c.flood.water_level = 2.0;
+  const Drawn same(c);
+  EXPECT_THAT(find_flood_warnings(same.model, same.state), IsEmpty());
+}
+
 TEST(Flood, ABermThatSlidIsDamageThoughTheCrestStands)
 {
   const auto lower_slope_moves = [](Real by) {
