@@ -392,6 +392,7 @@ class FolderMaker {
       if (is_shansep(project_.soils[piece.soil], piece.zone)) shansep.push_back(layer_piece(piece));
     add(doubts_of_reading(project_, options_.scenario, options_.stage));
     add(doubts_of_water(scenario(), options_.stage, !shansep.empty()));
+    add(doubts_of_numbers(section_));
     add(section_.state_doubts());
     add(doubts_of_preload(section_, shansep, layout_.cell));
     if (river_.doubt.empty()) add(doubts_of_embankment(section_));

@@ -163,6 +163,32 @@ std::vector<std::string> doubts_of_embankment(const StixSection& section)
   return doubts;
 }
 
+std::vector<std::string> doubts_of_numbers(const StixSection& section)
+{
+  constexpr Vec<2> of_water{9.5e3, 10.5e3}, of_soil{8e3, 25e3};  // [N/m^3]
+  constexpr Real largest_load = 200e3;                           // [Pa]; a lorry is 10 to 20 kPa
+  const StixStage& stage = section.stage();
+  std::vector<std::string> doubts;
+  const auto look = [&](const std::string& what, Real weight, Vec<2> usual) {
+    if (weight < usual[0] || weight > usual[1])
+      doubts.push_back(fmt::format("{} weighs {:g} kN/m3: {:g} to {:g} kN/m3 are usual. Is it in another unit?", what,
+          weight / 1e3, usual[0] / 1e3, usual[1] / 1e3));
+  };
+  if (stage.water.is_mesh || stage.water.phreatic) look("The water of the stage", stage.water.unit_weight, of_water);
+  std::set<std::size_t> soils;
+  for (const StixLayer& layer : stage.layers)
+    if (layer.soil && soils.insert(*layer.soil).second) {
+      const StixSoil& soil = section.project().soils[*layer.soil];
+      look(fmt::format("The soil `{}` above the phreatic line", soil.name), soil.weight_above, of_soil);
+      look(fmt::format("The soil `{}` below the phreatic line", soil.name), soil.weight_below, of_soil);
+    }
+  for (const StixUniformLoad& load : stage.loads)
+    if (std::abs(load.magnitude) > largest_load)
+      doubts.push_back(fmt::format("The load `{}` is {:g} kPa, as much as {:.0f} m of soil. Is it in another unit?",
+          load.label, load.magnitude / 1e3, load.magnitude / 18e3));
+  return doubts;
+}
+
 std::vector<std::string> doubts_of_preload(const StixSection& section, const std::vector<LayerPiece>& pieces, Real cell)
 {
   std::map<std::size_t, Real> largest;  // POP by layer, of any stage and place [Pa]

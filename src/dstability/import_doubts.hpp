@@ -20,6 +20,9 @@ std::vector<std::string> doubts_of_water(const StixScenario& scenario, std::size
 /// Points of the embankment of the last stage that lie outside of the ground, or in an order that no dike has.
 std::vector<std::string> doubts_of_embankment(const StixSection& section);
 
+/// Weights of water and soils, and loads of the last stage, that are hardly meant: most likely of another unit.
+std::vector<std::string> doubts_of_numbers(const StixSection& section);
+
 /// Pieces of SHANSEP soil that no state of any stage gives a POP: one sentence for each layer.
 std::vector<std::string> doubts_of_preload(
     const StixSection& section, const std::vector<LayerPiece>& pieces, Real cell);

@@ -165,6 +165,20 @@ TEST(ImportDoubts, SayWhichStageHasNoWater)
   EXPECT_THAT(doubts_of_water(of, 1, false), IsEmpty());
 }
 
+TEST(ImportDoubts, SayWhichNumbersAreMostLikelyOfAnotherUnit)
+{
+  StixProject project = project_of({with_state(pop_10)});
+  StixStage& stage = project.scenarios[0].stages[0];
+  EXPECT_THAT(doubts_of_numbers(StixSection(project, 0, 0, StixBasis::deterministic)), IsEmpty());
+  stage.water.unit_weight = 1e3;
+  project.soils[0].weight_below = 2e3;
+  stage.loads = {{.label = "traffic", .start = 2.0, .end = 4.0, .magnitude = 13e6}};
+  EXPECT_THAT(doubts_of_numbers(StixSection(project, 0, 0, StixBasis::deterministic)),
+      ElementsAre("The water of the stage weighs 1 kN/m3: 9.5 to 10.5 kN/m3 are usual. Is it in another unit?",
+          "The soil `sand` below the phreatic line weighs 2 kN/m3: 8 to 25 kN/m3 are usual. Is it in another unit?",
+          "The load `traffic` is 13000 kPa, as much as 722 m of soil. Is it in another unit?"));
+}
+
 TEST(ImportDoubts, StandInTheCaseAndAreRepeatedByWhatReadsIt)
 {
   StixProject project = project_of({clay_on_sand()});
