@@ -149,7 +149,7 @@ void expand(const Node* node, const Parts& parts, std::size_t first, Parts& path
   const std::string pattern = part.size() > 2 && part.front() == '[' ? part.substr(1, part.size() - 2) : part;
   for (const std::string& name : names_below(*node)) {
     const Node* below = below_of(*node, name);
-    const bool of_material = first == 1 && parts[0] == "material" && parts.size() == 3;
+    const bool of_material = first == 1 && parts[0] == "material" && parts.size() >= 3;
     if (below != nullptr && fits(pattern, node->kind == NodeKind::list ? name.substr(1, name.size() - 2) : name) &&
         (!of_material || takes_key(*below, parts[2])))
       go_on(below, name);

@@ -3,6 +3,7 @@
 #include "base/checksum.hpp"
 #include "input/printable.hpp"
 #include "input/random_kind.hpp"
+#include "mesh/box_grid.hpp"
 #include "output/files.hpp"
 #include "points/polygon.hpp"
 #include "simulation/setup.hpp"
@@ -264,14 +265,22 @@ Real drawn_area(const Case& c)
   return sum;
 }
 
-/// A slide of more soil than there is never happens: P(I) would be 0, whatever the dike.
-void check_volume(const Study& study, std::vector<Problem>& problems)
+/// A slide of more soil than there is, or by more than the mesh is long, never happens: P(I) would be 0, whatever the
+/// dike.
+void check_event(const Study& study, std::vector<Problem>& problems)
 {
-  const Real area = drawn_area(study.base.values), volume = study.settings.event.volume;
-  if (!study.shares_mesh || volume < area) return;
-  problems.push_back({"events.volume", "no slide can be so large",
-      fmt::format("Got {:g} m^2; the case has {:g} m^2 of soil. P(I) would be 0, whatever is drawn.", volume, area),
-      ""});
+  if (!study.shares_mesh) return;
+  const EventRule& event = study.settings.event;
+  constexpr const char* sure = "P(I) would be 0, whatever is drawn.";
+  if (const Real area = drawn_area(study.base.values); event.volume >= area)
+    problems.push_back({"events.volume", "no slide can be so large",
+        fmt::format("Got {:g} m^2; the case has {:g} m^2 of soil. {}", event.volume, area, sure), ""});
+  const BoundingBox box = box_around(study.mesh->nodes);
+  if (const Real longest = std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+      event.displacement >= longest)
+    problems.push_back({"events.displacement", "no soil can move so far",
+        fmt::format("Got {:g} m; the mesh is {:.4g} m from corner to corner. {}", event.displacement, longest, sure),
+        ""});
 }
 
 void set_shares_mesh(Study& study)
@@ -346,10 +355,10 @@ Study prepare_study(StudySettings settings)
   refuse_if_any(problems, s);
   study.points = make_points(study.settings);
   set_shares_mesh(study);
-  check_volume(study, problems);
   try {
     check_judged(study);
     study.mesh = std::make_shared<const Mesh<2>>(build_mesh(study.base.values));
+    check_event(study, problems);
     if (s.adaptive.of_flood && !flood_level_of(study, study.base.values).is_known())
       problems.push_back({"estimator.event", "`event = \"flood\"` needs a case with a water level",
           "See docs/flood.md, or choose `event = \"slide\"`.", ""});

@@ -13,7 +13,7 @@
 #include "study/study_inputs.hpp"
 #include "study/study_keys.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,15 +58,23 @@ void refuse_unknown_key(const std::string& key, const std::string& path, Finding
   const auto take = [&](const KeyInfo& info) {
     auto names = split_path(info.path);
     std::string text;
-    for (std::size_t k = 0; k < names.size(); ++k)
-      text +=
-          (k == 0 ? "" : ".") + ((names[k] == "NAME" || names[k] == "SIDE") && k < parts.size() ? parts[k] : names[k]);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const bool any = names[k] == "NAME" || names[k] == "SIDE" || names[k] == "[]";
+      text += (k == 0 ? "" : ".") + (any && k < parts.size() ? parts[k] : names[k]);
+    }
     known.push_back(text);
   };
   for (const KeyInfo& info : all_keys()) take(info);
   for (const MaterialType* law : all_materials())
     for (const KeyInfo& info : keys_of_law(*law)) take(info);
   const std::string nearest = closest(key, known);
+  if (std::ranges::find(known, fmt::format("{}", fmt::join(parts, "."))) != known.end()) {
+    findings.problems.push_back({join_path(path, "key"), fmt::format("`{}` is not one number", key),
+        "A number is drawn for one place of a list, as in `body[0].polygon[2][1]`. `terp explain` says what a key "
+        "takes.",
+        ""});
+    return;
+  }
   findings.problems.push_back({join_path(path, "key"), fmt::format("`{}` is no key of a case", key),
       (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + "`terp explain` describes the keys.",
       ""});

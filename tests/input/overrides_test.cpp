@@ -81,6 +81,17 @@ TEST(Overrides, APatternSetsEveryMaterialThatHasTheKey)
   EXPECT_THAT(etas_or_ratios({"material.*.poisson_ratio=0.2", "material.c*.eta=7"}), ElementsAre(7.0, 0.2, 10.0));
 }
 
+TEST(Overrides, APatternOfAPartOfAKeySetsEveryMaterialThatHasTheKey)
+{
+  const std::vector<std::string> changes{
+      "material.*.su_peak={random={mean=1e4,cov=0.1,theta=[4,4],box=[[0,0],[9,2]],seed=1}}",
+      "material.*.su_peak.random.cov=0.2"};
+  int n = 0;  // sand has no su_peak
+  for (const MaterialCase& m : read_case_text(two_soils, "case.toml", changes).values.materials)
+    n += static_cast<int>(m.fields.size());
+  EXPECT_EQ(n, 2);
+}
+
 TEST(Overrides, APatternSetsEveryEntryOfAList)
 {
   const std::string two_bodies = small_case + "[[body]]\nmaterial = \"clay\"\nbox = [[8.0, 0.0], [9.0, 1.0]]\n";

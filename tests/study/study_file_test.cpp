@@ -239,11 +239,22 @@ TEST(StudyFile, AFieldOfDensitySaysWhatDensityMayBe)
   EXPECT_THAT(message, Not(HasSubstr("there is no material"))) << "one fault, one message";
 }
 
+TEST(StudyFile, AKeyThatIsNoNumberIsToldFromAnUnknownOne)
+{
+  const auto message = [](const char* key) {
+    return message_on(column_study, {"key = \"material.clay.su_peak\"", key, ""});
+  };
+  EXPECT_THAT(message("key = \"body.*.points_per_cell\""), HasSubstr("`body.*.points_per_cell` is not one number"));
+  EXPECT_THAT(message("key = \"body.*.points_per_sell\""), HasSubstr("Did you mean `body.*.points_per_cell`?"));
+}
+
 TEST(StudyFile, ASlideOfMoreSoilThanThereIsIsRefused)
 {
   EXPECT_THAT(message_on(column_study, {"volume = 1.0", "volume = 8.0", ""}),
       AllOf(HasSubstr(": no slide can be so large\n"), HasSubstr("volume = 8.0"),
           HasSubstr("Got 8 m^2; the case has 8 m^2 of soil. P(I) would be 0, whatever is drawn.")));
+  EXPECT_THAT(message_on(column_study, {"displacement = 0.3", "displacement = 10.5", ""}),
+      AllOf(HasSubstr(": no soil can move so far\n"), HasSubstr("Got 10.5 m; the mesh is 10.44 m from corner")));
   const ScratchFolder folder;
   EXPECT_NO_THROW(open_study(write_study(folder.path(), changed(column_study, "volume = 1.0", "volume = 7.9"))));
 }
