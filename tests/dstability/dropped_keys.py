@@ -18,6 +18,9 @@ import zipfile
 from pathlib import Path
 
 
+SHOWN = {"ApplicationModified", "ApplicationCreated"}  # the head of the list shows them, or that they are unknown
+
+
 def members_of(path):
     """Names and JSON trees; None for a member that is no JSON."""
     with zipfile.ZipFile(path) as archive:
@@ -94,6 +97,8 @@ def look_at(arguments, source):
         listing = call(arguments.terp, path, "--json").stdout
         sound = listing, cases_of(arguments.terp, path, listing, arguments.cell)
         for (place, key), owners in keys_of(members).items():
+            if key in SHOWN:
+                continue
             kept = [(owner, owner.pop(key)) for owner in (owners if arguments.all else owners[:1])]
             write(members, path)
             verdict = verdict_on(arguments.terp, path, sound, arguments.cell)

@@ -418,9 +418,14 @@ describe("the page", () => {
   });
 
   it("of a dike prints on two sheets, with the path and the checksum of its case", async () => {
-    const { page, errors } = await open(browser, dikePage());
+    const lines = Array.from({ length: 25 }, (_, k) => `soil_${k}: stiffness and K0 are defaults of clay, 0.5 each.`);
+    const { page, errors } = await open(browser, dikePage(({ runs: [run] }) => (run!.assumed = { en: lines, nl: lines })));
     const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
     expect(pdf.toString("latin1").match(/\/Type \/Page\b/g)).toHaveLength(2);
+    expect(await page.locator(".assumed summary").innerText()).toContain("(25)");
+    expect(await page.locator(".assumed li").first().isVisible()).toBe(false); // folded
+    await page.locator(".assumed summary").click();
+    expect(await page.locator(".assumed li").nth(24).innerText()).toBe(lines[24]);
     await page.emulateMedia({ media: "print" });
     expect(await page.locator(".about-run pre").isVisible()).toBe(false);
     expect(await page.locator(".about-run .pairs").innerText()).toContain("runs/example/case.toml, checksum 0123456789abcdef");
