@@ -269,7 +269,7 @@ Real drawn_area(const Case& c)
 /// dike.
 void check_event(const Study& study, std::vector<Problem>& problems)
 {
-  if (!study.shares_mesh) return;
+  if (!study.shares_mesh || study.settings.estimator == Estimator::sweep) return;  // a sweep may be of a small sample
   const EventRule& event = study.settings.event;
   constexpr const char* sure = "P(I) would be 0, whatever is drawn.";
   if (const Real area = drawn_area(study.base.values); event.volume >= area)

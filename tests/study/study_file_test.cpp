@@ -257,6 +257,10 @@ TEST(StudyFile, ASlideOfMoreSoilThanThereIsIsRefused)
       AllOf(HasSubstr(": no soil can move so far\n"), HasSubstr("Got 10.5 m; the mesh is 10.44 m from corner")));
   const ScratchFolder folder;
   EXPECT_NO_THROW(open_study(write_study(folder.path(), changed(column_study, "volume = 1.0", "volume = 7.9"))));
+  const std::string sweep =
+      "case = \"column.toml\"\n[estimator]\nkind = \"sweep\"\n[[sweep]]\nkey = \"material.clay.eta\"\nvalues = [5, 6]\n"
+      "[events]\nvolume = 8.0\n";
+  EXPECT_NO_THROW(open_study(write_study(folder.path(), sweep))) << "of a sample smaller than the default event, too";
 }
 
 // The river would slope down to the next place of the line.
