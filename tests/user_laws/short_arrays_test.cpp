@@ -41,6 +41,29 @@ TEST(ShortArrays, AreNotFoundWhereAllIsGiven)
   EXPECT_EQ(key_of(of_library(native("terp_law"))), "");
 }
 
+TEST(ShortArrays, OfLawsInFortranAreThoseWithOneNumberLess)
+{
+  if (!is_built("tresca.so")) GTEST_SKIP() << "there is no gfortran";
+  LibraryCase tresca{.file = "tresca.so", .interface = LawInterface::umat, .state = {{"eps_eq_p", 0.0}}};
+  for (const Real value : {shear, poisson, 8e3, 2e3, 50.0}) tresca.parameters.push_back({"", value});
+  LibraryCase esm{.file = "esm_hardening.so", .interface = LawInterface::esm, .stress_unit = 1e3};
+  esm.parameters = {{"", shear / 1e3}, {"", poisson}, {"", 2.0}};
+  esm.state = {{"k", 0.0}, {"calls", 0.0}};
+  LibraryCase six{
+      .file = "six_components.so", .interface = LawInterface::umat, .state = {{"eps_eq_p", 0.0}, {"k", 4e3}}};
+  for (const Real value : {shear, poisson, 4e3, 1e5, 0.0, 0.0}) six.parameters.push_back({"", value});
+  EXPECT_EQ(key_of(of_library(six, {.n_components = 6})), "");
+  for (const LibraryCase& whole : {tresca, esm}) {
+    EXPECT_EQ(key_of(of_library(whole)), "") << whole.file;
+    LibraryCase less = whole;
+    less.state.pop_back();
+    EXPECT_EQ(key_of(of_library(less)), "state") << whole.file;
+    less = whole;
+    less.parameters.pop_back();
+    EXPECT_EQ(key_of(of_library(less)), "parameters") << whole.file;
+  }
+}
+
 TEST(ShortArrays, AreAFaultOfTheCase)
 {
   const auto said = [](const MaterialCase& material) {
