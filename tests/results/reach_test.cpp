@@ -108,7 +108,7 @@ TEST(Reach, SaysWhereTheVerdictAndTheStoredFactorsOrTheMotionOfTheSoilDisagree)
   section.record.stored[0].factor = 1.0;
   EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::stored_above));
   EXPECT_EQ(
-      words_of(Hint::stored_above, section, true), "overstroomt, maar elke opgeslagen factor is ten minste 1.000");
+      words_of(Hint::stored_above, section, true), "overstroomt, maar elke opgeslagen factor is ten minste 1,000");
   flood.verdict = FloodVerdict::stands;
   EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::moves));
   EXPECT_EQ(words_of(Hint::moves, section, false), "not at rest at the end (0.25 m/s): the verdict may change");
@@ -116,7 +116,7 @@ TEST(Reach, SaysWhereTheVerdictAndTheStoredFactorsOrTheMotionOfTheSoilDisagree)
   const FloodSummary kept = flood;
   section.summary.flood.reset();  // no verdict on the water: the speed is that of the last stage
   EXPECT_EQ(words_of(Hint::moves, section, false), "not at rest at the end (0.25 m/s)");
-  EXPECT_EQ(words_of(Hint::moves, section, true), "aan het eind niet in rust (0.25 m/s)");
+  EXPECT_EQ(words_of(Hint::moves, section, true), "aan het eind niet in rust (0,25 m/s)");
   EXPECT_THAT(reach_csv({section}), HasSubstr(",no,no,0.25,\"not at rest at the end (0.25 m/s)\","));
   section.summary.flood = kept;
   section.summary.stages.clear();
@@ -134,7 +134,7 @@ TEST(Reach, ComparesNoFactorOfOtherStrengthsThanThoseOfTheCase)
   EXPECT_THAT(hints_on(section), testing::ElementsAre());
   section.record.strength = "design";
   EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::stored_below));
-  EXPECT_EQ(stored_text(section.record, true), "Bishop 0.984 (rekenwaarden)");
+  EXPECT_EQ(stored_text(section.record, true), "Bishop 0,984 (rekenwaarden)");
 }
 
 TEST(Reach, SaysWhichOptionsDidNotAct)
