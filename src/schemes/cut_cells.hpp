@@ -33,13 +33,19 @@ void find_slips(const SchemeContext& context, const CellGroup<Quad4>& group);
 /// show none.
 Vec<2> across_border(const Mesh<2>& mesh, const PointBlocks<2>& points, Index cell, std::array<Index, 2> materials);
 
-/// Adds the strain of a slip to that of the cell, at all Gauss points.
+/// Slip g of a soil in one step.
 template <class Element, class R>
-void add_slip(R normal, R shear, R held, R rate, GaussStrain<Element, R>& strain)
+R slip_of(R normal, R shear, R held, R rate, const GaussStrain<Element, R>& strain)
 {
   const auto mean = [](const PerGauss<Element, R>& values) { return total(values) * R(1.0 / Element::n_gauss); };
   const R stretch = mean(strain.d_eps[0]) - mean(strain.d_eps[1]), in_plane = mean(strain.d_eps[3]);
-  const R d_gamma = R(2.0) * (normal * stretch + R(2.0) * shear * in_plane), g = held + rate * d_gamma;
+  return held + rate * (R(2.0) * (normal * stretch + R(2.0) * shear * in_plane));
+}
+
+/// Adds the strain of a slip to that of the cell, at all Gauss points.
+template <class Element, class R>
+void add_slip(R normal, R shear, R g, GaussStrain<Element, R>& strain)
+{
   for (int k = 0; k < Element::n_gauss; ++k) {
     strain.d_eps[0][k] += g * normal;
     strain.d_eps[1][k] -= g * normal;
@@ -54,7 +60,7 @@ GaussStrain<Element> with_slip(const CellGroup<Element>& group, Index b, GaussSt
 {
   if (group.slips.empty() || !group.slips[b].acts()) return strain;
   const BlockSlip& slip = group.slips[b];
-  add_slip(slip.normal, slip.shear, slip.held, slip.rate, strain);
+  add_slip(slip.normal, slip.shear, slip_of(slip.normal, slip.shear, slip.held, slip.rate, strain), strain);
   return strain;
 }
 
@@ -68,9 +74,33 @@ GaussStrain<Element, Pack> with_slips(
   const auto lanes = [&](Real BlockSlip::*part) {
     return pack_of([&](int c) { return acts(layer.block[c]) ? group.slips[layer.block[c]].*part : 0.0; });
   };
-  add_slip(
-      lanes(&BlockSlip::normal), lanes(&BlockSlip::shear), lanes(&BlockSlip::held), lanes(&BlockSlip::rate), strain);
+  const Pack normal = lanes(&BlockSlip::normal), shear = lanes(&BlockSlip::shear);
+  add_slip(normal, shear, slip_of(normal, shear, lanes(&BlockSlip::held), lanes(&BlockSlip::rate), strain), strain);
   return strain;
+}
+
+/// What the slip of a block takes from the stress without any work of the nodes [J per m]: it is lost on the border, as
+/// the shear stress on both sides was not the same. strain: of the cell.
+template <class Element>
+Real lost_on_border(const CellGroup<Element>& group, Index b, const GaussStrain<Element>& strain)
+{
+  if (group.slips.empty() || !group.slips[b].acts()) return 0.0;
+  const BlockSlip& slip = group.slips[b];
+  const Real tau = slip.normal * (slip.sigma[0] - slip.sigma[1]) + 2.0 * slip.shear * slip.sigma[3];
+  return -slip.weight * tau * slip_of(slip.normal, slip.shear, slip.held, slip.rate, strain);
+}
+
+/// The same of all blocks of a group.
+template <class Element>
+Real lost_on_borders(const CellGroup<Element>& group, const GaussStrain<Element, Pack>& strain)
+{
+  if (group.slips.empty()) return 0.0;
+  const auto of_cells = strain_by_cell(strain);
+  Real lost = 0.0;
+  for (int c = 0; c < group.n(); ++c)
+    for_each_block(
+        group.points, group.cells[c], [&](const auto&, Index b) { lost += lost_on_border(group, b, of_cells[c]); });
+  return lost;
 }
 
 }  // namespace terp

@@ -21,7 +21,9 @@ struct MpmGp {
   static void update_stress(
       const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
-    const auto strain = strain_by_cell(strain_of_group(group, du, context.method.b_bar));  // Step 2
+    const GaussStrain<Element, Pack> lanes = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    const auto strain = strain_by_cell(lanes);
+    sums.plastic_work += lost_on_borders(group, lanes);
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
@@ -44,9 +46,10 @@ struct MpmGp {
   }
 
   static void leave_strain(
-      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums&)
+      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
     const auto strain = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    sums.plastic_work += lost_on_borders(group, strain);
     for_each_layer(group, [&](const BlockLayer& layer) {
       LeftRows<Element> rows;
       const GaussStrain<Element, Pack> own = with_slips(group, layer, strain);

@@ -32,6 +32,7 @@ struct MpmMixed {
   {
     const GaussStrain<Element, Pack> lanes = strain_of_group(group, du, context.method.b_bar);  // Step 2
     const auto strain = strain_by_cell(lanes);
+    sums.plastic_work += lost_on_borders(group, lanes);
     for_each_layer(group, [&](const BlockLayer& layer) {
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
@@ -81,6 +82,7 @@ struct MpmMixed {
       const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
     const GaussStrain<Element, Pack> of_cells = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    sums.plastic_work += lost_on_borders(group, of_cells);
     for_each_layer(group, [&](const BlockLayer& layer) {
       const GaussStrain<Element, Pack> strain = with_slips(group, layer, of_cells);
       const SoilMaterial& material = context.materials[layer.material];

@@ -220,7 +220,7 @@ TEST_P(SoilsOfACutCell, KeepMomentumAndEnergy)
   without.run();
   EXPECT_NE(first_difference(with.save(), without.save()), "");
   const auto error = [](const Simulation& s) { return summarise(s.model, s.state).energy_balance_error; };
-  EXPECT_LT(error(with), error(without) + 0.02);
+  EXPECT_LT(error(with), error(without) + 0.005);
 }
 
 TEST_P(SoilsOfACutCell, ChangeNoBitOfOneSoil)
