@@ -8,6 +8,7 @@
 #include "output/files.hpp"
 #include "output/section_svg.hpp"
 #include "progress.hpp"
+#include "simulation/flood_level.hpp"
 #include "simulation/ground_section.hpp"
 #include "simulation/loads.hpp"
 #include "simulation/output_costs.hpp"
@@ -120,12 +121,28 @@ void print_loads(const Model& model, const State& state)
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
     const Load& load = model.loads[k];
     Index n = 0;
-    for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) { n += block.row(load.row)[lane] > 0.0; });
+    Real low = INFINITY, high = -INFINITY;  // places of these points [m]
+    for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+      if (!(block.row(load.row)[lane] > 0.0)) return;
+      const Real y = block.row(PointRows<2>::x + 1)[lane];
+      ++n, low = std::min(low, y), high = std::max(high, y);
+    });
     fmt::print("  load {:<10}{} on x = {:g} to {:g} m, {:.4g} kN per m{}\n", printable(load.name),
         printable(describe_pressures(model.whole ? *model.whole : model.description, k)), load.from, load.to,
         load.pressure * (load.to - load.from) / 1e3,
-        n > 0 ? fmt::format(", on {} points", n) : fmt::format(", from t = {:g} s on", load.start));
+        n > 0 ? fmt::format(", on {} points at y = {:.4g} to {:.4g} m", n, low, high)
+              : fmt::format(", from t = {:g} s on", load.start));
   }
+}
+
+/// Where the river is taken to be, and the level that the ground is judged against.
+void print_flood(const FloodLevel& level)
+{
+  if (!level.is_known()) return;
+  const std::string river = !level.river                   ? ""
+                            : *level.river == Facing::left ? ", river on the left"
+                                                           : ", river on the right";
+  fmt::print("  flood          judged at {:.4g} m, {}{}\n", level.value, printable(level.origin), river);
 }
 
 /// K0 stress is at rest on level ground alone: elsewhere, how much of the weight it does not carry.
@@ -285,6 +302,7 @@ void print_check(const CaseFile& file, Simulation& simulation, const RunOptions&
   fmt::print("  steps          {}{} to t = {:g} s\n", ends_at_rest(file.values) ? "at most " : "", model.n_steps,
       file.values.time.end);
   print_loads(model, state);
+  print_flood(model.flood_level);
   print_start(simulation);
   fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);
   const OutputCost cost = estimate_output(model, state);

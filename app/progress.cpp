@@ -54,11 +54,13 @@ void ProgressLine::progress(const Progress& p)
 
 void ProgressLine::show_search(const Progress& p)
 {
+  constexpr Index enough = 20;  // steps from which a time follows
+  const std::string eta =
+      p.step < enough ? "" : fmt::format("  ETA {}{}", p.at_most ? "at most " : "", readable_duration(p.eta_s));
   const std::string line =
       label_ +
-      fmt::format(
-          "search for equilibrium: out of balance {:.1e} of the weight, limit {:.1e}  step {} of at most {}  ETA {}{}",
-          p.out_of_balance, p.limit, p.step, p.n_steps, p.at_most ? "at most " : "", readable_duration(p.eta_s));
+      fmt::format("search for equilibrium: out of balance {:.1e} of the weight, limit {:.1e}  step {} of at most {}{}",
+          p.out_of_balance, p.limit, p.step, p.n_steps, eta);
   if (terminal_) {
     show(stdout, "\r\033[K" + line);
     open_ = true;

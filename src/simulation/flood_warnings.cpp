@@ -4,6 +4,7 @@
 
 #include "simulation/free_water.hpp"
 #include "simulation/ground_section.hpp"
+#include "simulation/overburden.hpp"
 #include "water/water_pressure.hpp"
 
 #include <algorithm>
@@ -55,6 +56,32 @@ std::optional<Problem> find_low_flood(const Model& model)
       "flood.water_level", true};
 }
 
+/// The ground that holds the water, drawn narrower at its top than two cells.
+std::optional<Problem> find_narrow_crest(const Model& model, const Columns& columns, ColumnRange range, Real height)
+{
+  const Overburden overburden(model);
+  if (!overburden.is_known() || !std::isfinite(height)) return std::nullopt;
+  constexpr int n = 20;  // places in a column
+  const Real spacing = columns.width / n;
+  const auto place = [&](Index k) { return columns.left + (static_cast<Real>(k) + 0.5) * spacing; };
+  Real top = -INFINITY;
+  Index at = 0;
+  for (Index k = range.first * n; k < (range.last + 1) * n; ++k)
+    if (const auto y = overburden.ground(place(k)); y && *y > top) top = *y, at = k;
+  const Real below = 0.1 * columns.width;
+  const auto is_top = [&](Index k) { return overburden.ground(place(k)).value_or(-INFINITY) > top - below; };
+  Index left = at, right = at;
+  while (left > range.first * n && is_top(left - 1)) --left;
+  while (right < (range.last + 1) * n - 1 && is_top(right + 1)) ++right;
+  const Real width = static_cast<Real>(right - left + 1) * spacing;
+  if (width >= 2.0 * columns.width) return std::nullopt;
+  return Problem{"mesh.cell", "the crest is narrower than two cells",
+      fmt::format("At x = {:.4g} m the ground reaches {:.4g} m; {:.2g} m lower it is {:.2g} m wide, on cells of {:.3g} "
+                  "m.\nIt counts as {:.4g} m high, and has few ways to fail. Give smaller cells.",
+          0.5 * (place(left) + place(right)), top, below, width, columns.width, height),
+      "flood", false, {"mesh", "flood"}};
+}
+
 /// water_level is of the case, and the water at the river stands elsewhere: pressures and verdict are of two levels.
 std::optional<Problem> find_other_water(const Model& model)
 {
@@ -81,13 +108,15 @@ std::vector<Problem> find_flood_warnings(const Model& model, const State& state)
   if (!flood.asks()) return {};
   if (!model.flood_level.is_known()) return {no_level(model)};
   const StandingGround ground = standing_ground(model, state.points);
-  const Barrier barrier = find_barrier(ground, columns_of_barrier(ground, model.flood_level.river));
+  const ColumnRange range = columns_of_barrier(ground, model.flood_level.river);
+  const Barrier barrier = find_barrier(ground, range);
   std::vector<Real> heights;
   std::ranges::copy_if(ground.heights, std::back_inserter(heights), [](Real h) { return std::isfinite(h); });
   if (heights.empty()) return {};
   std::vector<Problem> warnings;
-  if (auto low = find_low_flood(model)) warnings.push_back(std::move(*low));
-  if (auto other = find_other_water(model)) warnings.push_back(std::move(*other));
+  for (auto doubt : {find_low_flood(model), find_other_water(model),
+           find_narrow_crest(model, columns_of_section(*model.mesh), range, barrier.height)})
+    if (doubt) warnings.push_back(std::move(*doubt));
   const auto warn = [&](const char* key, std::string what, std::string detail) {
     warnings.push_back({std::string("flood.") + key, std::move(what), std::move(detail), std::string("flood.") + key});
   };

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace terp {
 namespace {
@@ -210,6 +211,16 @@ std::vector<std::size_t> later_situations(const Case& whole)
   return numbers;
 }
 
+/// The start and the later ones; the start alone where stages change the ground that is drawn.
+std::vector<std::size_t> situations_on_drawn_ground(const Case& whole)
+{
+  const auto digs = [](const StageCase& stage) { return !stage.place.empty() || !stage.remove.empty(); };
+  std::vector<std::size_t> numbers{0};
+  if (std::ranges::any_of(whole.stages, digs)) return numbers;
+  std::ranges::copy(later_situations(whole), std::back_inserter(numbers));
+  return numbers;
+}
+
 std::string phreatic_key(std::size_t number) { return fmt::format("water.situation[{}].phreatic_line", number - 1); }
 
 /// The river changes its side: the end of the section that is high at the start gets lower, or held free water then,
@@ -241,6 +252,97 @@ void find_swapped_river(const Model& model, const State& state, std::vector<Prob
                     "and {:.4g} m.\nTurn the line about, if the river is on the {}.",
             before, names[high], land, names[other], after, river, names[high]),
         "water.phreatic_line", false, {"water"}});
+  }
+}
+
+/// Free water that slopes: a line that was not drawn along the ground, or ground that was left out.
+void find_sloping_free_water(const Model& model, std::vector<Problem>& warnings)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const Overburden overburden(model);
+  if (!overburden.is_known()) return;
+  const Columns columns = columns_of_section(*model.mesh);
+  for (const std::size_t number : situations_on_drawn_ground(whole)) {
+    const WaterSituation& of = situation_of(whole.water, number);
+    if (of.phreatic_line.empty() || (number > 0 && of.phreatic_line == whole.water.start.phreatic_line)) continue;
+    struct Stretch {
+      Real from = INFINITY, to = 0.0, low = INFINITY, high = -INFINITY, depth = 0.0;
+      Real fall() const { return high - low; }
+    } now, most;
+    for (Index c = 0; c <= columns.n; ++c) {
+      const Real x = columns.left + (static_cast<Real>(c) + 0.5) * columns.width, y = elevation_at(of.phreatic_line, x);
+      const std::optional<Real> ground = c < columns.n ? overburden.ground(x) : std::nullopt;
+      if (ground && y > *ground) {
+        now = {std::min(now.from, x), x, std::min(now.low, y), std::max(now.high, y), std::max(now.depth, y - *ground)};
+        continue;
+      }
+      if (now.from < now.to && now.fall() > most.fall()) most = now;
+      now = {};
+    }
+    if (most.from > most.to || !(most.fall() > columns.width)) continue;
+    warnings.push_back({number == 0 ? "water.phreatic_line" : phreatic_key(number),
+        fmt::format("free water slopes{}", of.name.empty() ? "" : fmt::format(" in the water `{}`", of.name)),
+        fmt::format(
+            "From x = {:.4g} to {:.4g} m the line lies up to {:.3g} m above the ground, and falls by {:.3g} m.\n"
+            "There it is the level of free water, which would run off. Draw it along the ground, or see\n"
+            "whether ground, as a berm, was left out.",
+            most.from, most.to, most.depth, most.fall()),
+        "water.phreatic_line", false, {"water"}});
+  }
+}
+
+/// Loads on ground that lies under free water.
+void find_drowned_loads(const Model& model, std::vector<Problem>& warnings)
+{
+  constexpr Real little = 0.1;  // [m]
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const Overburden overburden(model);
+  if (!overburden.is_known()) return;
+  for (std::size_t k = 0; k < whole.loads.size(); ++k) {
+    const LoadCase& load = whole.loads[k];
+    const Real x = 0.5 * (load.from + load.to);
+    const std::optional<Real> ground = overburden.ground(x);
+    if (!ground) continue;
+    Real deepest = little;
+    const WaterSituation* where = nullptr;
+    for (const std::size_t number : situations_on_drawn_ground(whole)) {
+      const WaterSituation& of = situation_of(whole.water, number);
+      if (of.phreatic_line.empty()) continue;
+      const Real depth = elevation_at(of.phreatic_line, x) - *ground;
+      if (depth > deepest) deepest = depth, where = &of;
+    }
+    if (where == nullptr) continue;
+    warnings.push_back(
+        {fmt::format("load[{}].from", k), fmt::format("the load `{}` stands under free water", load.name),
+            fmt::format("At x = {:.4g} m the ground is at {:.4g} m, {:.3g} m below the water{}.", x, *ground, deepest,
+                where->name.empty() ? "" : fmt::format(" of `{}`", where->name)),
+            "load.from", false, {fmt::format("load[{}]", k)}});
+  }
+}
+
+/// Reference lines below all of the soil: their head acts in part, or nowhere.
+void find_deep_lines(const Model& model, const State& state, std::vector<Problem>& warnings)
+{
+  Real lowest = INFINITY;
+  for_each_point(state.points,
+      [&](const PointBlock<2>& block, Index lane) { lowest = std::min(lowest, block.row(PointRows<2>::x + 1)[lane]); });
+  const Real slack = typical_cell_size(*model.mesh);
+  const WaterCase& water = model.description.water;
+  for (std::size_t k = 0; k <= water.situations.size(); ++k) {
+    const WaterSituation& of = situation_of(water, k);
+    for (std::size_t r = 0; r < of.reference_lines.size(); ++r) {
+      const auto& places = of.reference_lines[r].places;
+      const Real top = std::ranges::max(places, {}, [](const Vec<2>& at) { return at[1]; })[1];
+      const auto& first = water.start.reference_lines;  // a situation has those of the start
+      if (!(top < lowest - slack) || (k > 0 && r < first.size() && first[r].places == places)) continue;
+      warnings.push_back({fmt::format("{}.reference_lines[{}]", path_of(k), r),
+          fmt::format("the reference line {}{} lies below all of the soil", r, in_situation(of)),
+          fmt::format(
+              "It lies at {:.4g} m, the soil ends at {:.4g} m: no soil has the head of this line.\nA reference line "
+              "is where in the soil a head acts; the head itself is a head line.",
+              top, lowest),
+          "water.reference_lines", false, {"water"}});
+    }
   }
 }
 
@@ -288,7 +390,10 @@ void find_odd_water(const Model& model, const State& state, std::vector<Problem>
   find_short_lines(model, state, warnings);
   find_drowned_soil(model, warnings);
   find_swapped_river(model, state, warnings);
+  find_sloping_free_water(model, warnings);
+  find_drowned_loads(model, warnings);
   find_low_heads(model, state, warnings);
+  find_deep_lines(model, state, warnings);
   std::vector<Index> nodes;
   for (const Index cell : state.points.occupied())
     nodes.insert(nodes.end(), model.mesh->cells[cell].begin(), model.mesh->cells[cell].end());

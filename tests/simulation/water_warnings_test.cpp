@@ -71,11 +71,44 @@ TEST(WaterWarnings, ALineThatEndsWithinTheSoilIsTold)
 
 TEST(WaterWarnings, WaterAboveAllOfTheSoilIsTold)
 {
-  EXPECT_THAT(warnings_of(wet({{0.0, 0.9}, {4.0, 1.5}})), IsEmpty()) << "land on the left";
+  EXPECT_THAT(warnings_of(wet({{0.0, 0.9}, {2.0, 0.9}, {2.0, 1.5}, {4.0, 1.5}})), IsEmpty()) << "land on the left";
   EXPECT_THAT(warnings_of(wet({{0.0, 8.0}})),
       ElementsAre(told("water.phreatic_line", "the water stands above all of the soil",
           "It is 7 m above the highest ground, at x = 0.125 m, y = 1 m. Terp then computes soil under still water:\n"
           "water that flows over the ground is not simulated. Elevations are in m, in the frame of the mesh.")));
+}
+
+TEST(WaterWarnings, FreeWaterThatSlopesIsTold)
+{
+  EXPECT_THAT(warnings_of(wet({{0.0, 1.6}, {2.0, 0.8}, {4.0, 0.8}})),
+      ElementsAre(told("water.phreatic_line", "free water slopes",
+          AllOf(HasSubstr("From x = 0.125 to 1.375 m the line lies up to 0.55 m above the ground, and falls by 0.5 m."),
+              HasSubstr("would run off")))))
+      << "the drawn ground is level, at 1 m";
+  EXPECT_THAT(warnings_of(wet({{0.0, 1.2}, {2.0, 0.8}, {4.0, 0.8}})), IsEmpty()) << "by less than a cell";
+  EXPECT_THAT(warnings_of(wet({{0.0, 1.5}, {2.0, 1.5}, {2.0, 0.8}, {4.0, 0.8}})), IsEmpty()) << "level";
+}
+
+TEST(WaterWarnings, ALoadUnderFreeWaterIsTold)
+{
+  Case c = wet({{0.0, 1.3}, {2.0, 1.3}, {2.0, 0.8}, {4.0, 0.8}});
+  c.loads = {{.name = "crane", .from = 0.5, .to = 1.0, .pressure = 5e3}};
+  EXPECT_THAT(warnings_of(c), ElementsAre(told("load[0].from", "the load `crane` stands under free water",
+                                  "At x = 0.75 m the ground is at 1 m, 0.3 m below the water.")));
+  c.loads[0].from = 3.0, c.loads[0].to = 3.5;
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+}
+
+TEST(WaterWarnings, AReferenceLineBelowTheSoilIsTold)
+{
+  Case c = wet({{0.0, 0.8}});
+  c.water.start.head_lines = {{"aquifer", {{0.0, 0.7}}}};
+  c.water.start.reference_lines = {{.places = {{0.0, -0.2}}, .head = "aquifer", .head_bottom = "aquifer"}};
+  EXPECT_THAT(warnings_of(c), IsEmpty()) << "by less than a cell";
+  c.water.start.reference_lines[0].places = {{0.0, -3.0}, {4.0, -2.0}};
+  EXPECT_THAT(
+      warnings_of(c), ElementsAre(told("water.reference_lines[0]", "the reference line 0 lies below all of the soil",
+                          HasSubstr("It lies at -2 m, the soil ends at 0.025 m"))));
 }
 
 /// Warnings of two waters over the soil of wet(), whose ground is at y = 1 m.

@@ -1,0 +1,44 @@
+// What [flood] says of ground and a level that do not fit, before a run.
+#include "simulation/flood_warnings.hpp"
+
+#include "followers/flood_dike.hpp"
+
+namespace flood_doubts_test {
+
+/// What [flood] doubts of a case.
+std::vector<std::string> doubts_of(const Case& c)
+{
+  const Drawn s(c);
+  std::vector<std::string> texts;
+  for (const Problem& p : find_flood_warnings(s.model, s.state))
+    texts.push_back(p.key + ": " + p.what + ". " + p.detail);
+  return texts;
+}
+
+TEST(Flood, ACrestThatIsNarrowerThanTwoCellsIsDoubted)
+{
+  Case c = dike();
+  c.flood.water_level = 3.0;
+  EXPECT_THAT(doubts_of(c), IsEmpty());
+  c.bodies.push_back(body("clay", {19.75, 5.0}, {20.25, 5.5}));
+  EXPECT_THAT(doubts_of(c), ElementsAre(AllOf(StartsWith("mesh.cell: the crest is narrower than two cells. At x = 20 m "
+                                                         "the ground reaches 5.5 m;"),
+                                HasSubstr("0.5 m wide, on cells of 0.5 m.\nIt counts as 5.25 m high"))));
+  c.bodies.back() = body("clay", {19.0, 5.0}, {21.0, 5.5});
+  EXPECT_THAT(doubts_of(c), IsEmpty());
+}
+
+TEST(Flood, ALevelBelowTheWaterOfTheEndIsDoubted)
+{
+  Case c = dike();
+  c.flood.water_level = 3.5;
+  c.water.start.phreatic_line = {{0.0, 2.0}, {15.0, 2.0}, {25.0, 0.0}, {40.0, 0.0}};
+  c.water.situations = {{.name = "high", .time = 0.0, .phreatic_line = {{0.0, 4.0}, {15.0, 4.0}, {25.0, 0.0}}}};
+  EXPECT_THAT(doubts_of(c), ElementsAre("flood.water_level: the level lies below the water at the river. It is 3.5 m; "
+                                        "the water `high` stands at 4 m in the end. Ground between the two would count "
+                                        "as\nholding it. Left out, the level is that of the highest free water."));
+  c.water.situations[0].phreatic_line = {{0.0, 3.0}, {15.0, 3.0}, {25.0, 0.0}};
+  EXPECT_THAT(doubts_of(c), IsEmpty()) << "a drawdown";
+}
+
+}  // namespace flood_doubts_test
