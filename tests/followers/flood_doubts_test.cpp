@@ -1,4 +1,4 @@
-// What [flood] says of ground and a level that do not fit, before a run.
+// What [flood] says of a crest that the cells do not resolve, before a run.
 #include "simulation/flood_warnings.hpp"
 
 #include "followers/flood_dike.hpp"
@@ -26,19 +26,6 @@ TEST(Flood, ACrestThatIsNarrowerThanTwoCellsIsDoubted)
                                 HasSubstr("0.5 m wide, on cells of 0.5 m.\nIt counts as 5.25 m high"))));
   c.bodies.back() = body("clay", {19.0, 5.0}, {21.0, 5.5});
   EXPECT_THAT(doubts_of(c), IsEmpty());
-}
-
-TEST(Flood, ALevelBelowTheWaterOfTheEndIsDoubted)
-{
-  Case c = dike();
-  c.flood.water_level = 3.5;
-  c.water.start.phreatic_line = {{0.0, 2.0}, {15.0, 2.0}, {25.0, 0.0}, {40.0, 0.0}};
-  c.water.situations = {{.name = "high", .time = 0.0, .phreatic_line = {{0.0, 4.0}, {15.0, 4.0}, {25.0, 0.0}}}};
-  EXPECT_THAT(doubts_of(c), ElementsAre("flood.water_level: the level lies below the water at the river. It is 3.5 m; "
-                                        "the water `high` stands at 4 m in the end. Ground between the two would count "
-                                        "as\nholding it. Left out, the level is that of the highest free water."));
-  c.water.situations[0].phreatic_line = {{0.0, 3.0}, {15.0, 3.0}, {25.0, 0.0}};
-  EXPECT_THAT(doubts_of(c), IsEmpty()) << "a drawdown";
 }
 
 }  // namespace flood_doubts_test
