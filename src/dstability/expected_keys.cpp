@@ -17,7 +17,8 @@ namespace {
 constexpr int first_model = 1, second_model = 2, both_models = 3;  // bits
 
 struct ExpectedKeys {
-  std::string_view place;  ///< kind of the member and path in it: "states, StatePoints[].Stress"; *: how it ends
+  std::string_view place;  ///< kind of the member and path in it: "states, StatePoints[].Stress"; *: how it ends. In
+                           ///< both models a stage is at "stages"
   int models;
   std::string_view keys;     ///< with a space between them; a|b: one of both
   std::string_view assumed;  ///< what is taken where one is missing
@@ -133,27 +134,17 @@ constexpr std::array table{ExpectedKeys{"projectinfo", both_models, "ContentVers
         "nothing: factors are compared without it", in_words_only},
     ExpectedKeys{"scenarios", second_model, "Calculations", "the scenario has none", in_words_only},
     ExpectedKeys{"scenarios", second_model, "Label", "the scenario has no name", in_words_only},
-    ExpectedKeys{"scenarios, Stages[]", second_model, "Label", "the stage has no name", in_words_only},
-    ExpectedKeys{"scenarios, Stages[]", second_model, "StateId", "the stage has no states"},
-    ExpectedKeys{"scenarios, Stages[]", second_model, "DecorationsId", "the stage has no excavations"},
-    ExpectedKeys{"scenarios, Stages[]", second_model, "LoadsId", "the stage has no loads"},
-    ExpectedKeys{"scenarios, Stages[]", second_model, "ReinforcementsId", "the stage has no walls, geotextiles, nails"},
-    ExpectedKeys{"scenarios, Stages[]", second_model, "WaternetId", "the stage has no lines of water"},
-    ExpectedKeys{"scenarios, Stages[]", second_model, "WaternetCreatorSettingsId",
-        "crest and river's side follow from the ground and the water"},
-    ExpectedKeys{
-        "scenarios, Stages[]", second_model, "StateCorrelationsId", "nothing: it was not needed", in_words_only},
     ExpectedKeys{"scenarios, Calculations[]", second_model, "CalculationSettingsId ResultId Label Id",
         "the calculation has none", in_words_only},
-    ExpectedKeys{"stages", first_model, "Label", "the stage has no name", in_words_only},
-    ExpectedKeys{"stages", first_model, "StateId", "the stage has no states"},
-    ExpectedKeys{"stages", first_model, "DecorationsId", "the stage has no excavations"},
-    ExpectedKeys{"stages", first_model, "LoadsId", "the stage has no loads"},
-    ExpectedKeys{"stages", first_model, "ReinforcementsId", "the stage has no walls, geotextiles, nails"},
-    ExpectedKeys{"stages", first_model, "WaternetId", "the stage has no water"},
-    ExpectedKeys{"stages", first_model, "WaternetCreatorSettingsId",
+    ExpectedKeys{"stages", both_models, "Label", "the stage has no name", in_words_only},
+    ExpectedKeys{"stages", both_models, "StateId", "the stage has no states"},
+    ExpectedKeys{"stages", both_models, "DecorationsId", "the stage has no excavations"},
+    ExpectedKeys{"stages", both_models, "LoadsId", "the stage has no loads"},
+    ExpectedKeys{"stages", both_models, "ReinforcementsId", "the stage has no walls, geotextiles, nails"},
+    ExpectedKeys{"stages", both_models, "WaternetId", "the stage has no lines of water"},
+    ExpectedKeys{"stages", both_models, "WaternetCreatorSettingsId",
         "crest and river's side follow from the ground and the water"},
-    ExpectedKeys{"stages", first_model, "StateCorrelationsId", "nothing: it was not needed", in_words_only},
+    ExpectedKeys{"stages", both_models, "StateCorrelationsId", "nothing: it was not needed", in_words_only},
     ExpectedKeys{
         "stages", first_model, "CalculationSettingsId ResultId", "the stage's calculation has none", in_words_only},
     ExpectedKeys{"results", both_models, "FactorOfSafety|ReliabilityIndex", "the result has none", in_words_only},
@@ -219,7 +210,7 @@ class MissingKeys {
   {
     member_ = &member;
     stages_ = &number;
-    visit(stage, member.kind + ", Stages[]", "Stages[]");
+    visit(stage, "stages", "Stages[]");
   }
 
   void tell(StixNotes& notes) const

@@ -92,6 +92,12 @@ TEST(StagesOfARun, AreListedByCheck)
   EXPECT_THAT(f.out, HasSubstr("  stage load     t = 10 to 10.5 s, solved in "));
   EXPECT_THAT(f.out, HasSubstr(": load.q.pressure = 5000.0\n"));
   EXPECT_THAT(f.out, HasSubstr("  load q         0 kPa, 5 kPa in `load` on x = 1 to 3 m, 0 kN per m, on "));
+  EXPECT_THAT(f.out, HasSubstr(" points at y = "));
+  EXPECT_THAT(f.out, Not(HasSubstr("judged at")));
+  const Finished flood = test::terp(
+      {"check", files.run("a.toml"), "-j", "1", "--set", "flood.water_level=0.4", "--set", "flood.river=\"left\""});
+  EXPECT_THAT(flood.out, HasSubstr("  flood          judged at 0.4 m, "));
+  EXPECT_THAT(flood.out, HasSubstr(", river on the left\n"));
 }
 
 TEST(StagesOfARun, GoOnWithinAnyStageWithTheSameBits)

@@ -38,6 +38,7 @@ enum Kind {
   adds_beyond_state,
   compares_beyond_props,
   compares_beyond_state,
+  compares_in_extension,
   loops,
 };
 

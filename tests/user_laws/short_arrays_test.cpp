@@ -21,6 +21,7 @@ TEST(ShortArrays, AreNoticedThoughNothingIsLargerThanANumberThatIsNone)
 {
   EXPECT_EQ(key_of(wrong_umat(compares_beyond_props)), "parameters");
   EXPECT_EQ(key_of(wrong_umat(compares_beyond_state)), "state");
+  EXPECT_EQ(key_of(wrong_umat(compares_in_extension)), "parameters");
   EXPECT_EQ(key_of(wrong_umat(reads_props)), "parameters") << "its stress is no number where there is none";
   EXPECT_EQ(key_of(wrong_umat(beyond_state)), "state") << "it writes the number that is there once";
   EXPECT_EQ(key_of(wrong_umat(adds_beyond_state)), "state");

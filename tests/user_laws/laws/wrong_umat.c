@@ -8,7 +8,8 @@
 enum { elastic, nan_stress, nan_state, bad_memory, divides, aborts, leaves, never_small, small_parts, overflows,
        counts, turns, changes_rounding, tenths, nan_answer, beyond_state, beyond_props, reads_props, has_strength,
        has_size, crashes_in_c, tensorial_shear, counts_to_six, no_strength,
-       adds_beyond_state, compares_beyond_props, compares_beyond_state, loops };
+       adds_beyond_state, compares_beyond_props, compares_beyond_state, compares_in_extension,
+       loops };
 
 static volatile int zero = 0;
 static int calls = 0;
@@ -90,6 +91,9 @@ void umat_(double* stress, double* statev, double* ddsdde, double* sse, double* 
       break;
     case compares_beyond_state: /* in compression alone */
       if (dstran[1] < -1e-4 && stress[1] < statev[*nstatv]) stress[1] = statev[*nstatv];
+      break;
+    case compares_in_extension:
+      if (dstran[1] > 1e-4 && stress[1] > props[*nprops]) stress[1] = props[*nprops];
       break;
     case loops:
       while (!zero) continue;
