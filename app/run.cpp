@@ -150,7 +150,7 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
   try {
     MeshWriter mesh(folder, writer.frames_of_mesh(), model, state);
     SummaryKeeper keeper(model, state, writer);
-    LibraryWatch watch(model, [&](const std::string& text) {
+    LibraryWatch watch(model.description, [&](const std::string& text) {
       fmt::print(stderr, "{}warning: {}: {}\n", is_terminal(stdout) ? "\n" : "", folder, text);
     });
     simulation.observers = {&writer, &mesh, &keeper, &progress, &watch};

@@ -4,24 +4,24 @@
 
 namespace terp {
 
-LibraryWatch::LibraryWatch(const Model& model, std::function<void(const std::string&)> tell, double limit_s)
+LibraryWatch::LibraryWatch(const Case& c, std::function<void(const std::string&)> tell, double limit_s)
     : tell_(std::move(tell))
 {
-  for (const MaterialCase& material : model.description.materials)
+  for (const MaterialCase& material : c.materials)
     if (material.from_library != nullptr)
       laws_ += fmt::format("{}`{}` ({})", laws_.empty() ? "" : ", ", material.name, material.library.file);
   if (laws_.empty()) return;
   watch_ = std::make_unique<Watch>(limit_s, [this](double seconds) {
     tell_(fmt::format(
-        "the run has not gone on for {:.3g} s, last seen at step {}: a law of a library may loop without end, {}\n"
+        "no step was made for {:.3g} s, the last one was step {}: a law of a library may loop without end, {}\n"
         "  Ctrl-C twice, a second apart, ends it. What was written stays, as do the checkpoints.",
         seconds, step_.load(), laws_));
   });
 }
 
-void LibraryWatch::progress(const Progress& now)
+void LibraryWatch::hear(std::int64_t step)
 {
-  step_ = now.step;
+  step_ = step;
   if (watch_ != nullptr) watch_->hear();
 }
 

@@ -1,8 +1,8 @@
-// Whether a law of a library returns while a run goes on.
+// Whether a law of a library returns while steps are made.
 #pragma once
 
 #include "parallel/watch.hpp"
-#include "simulation/model.hpp"
+#include "simulation/case.hpp"
 #include "simulation/observer.hpp"
 
 #include <atomic>
@@ -12,15 +12,17 @@
 
 namespace terp {
 
-/// Tells where a run with soil of a library does not go on: a law may loop without end, and nothing else would say so.
+/// Tells where the steps of soil of a library do not go on: a law may loop without end, and nothing else would say so.
 class LibraryWatch : public Observer {
  public:
   static constexpr double usual_limit_s = 60.0;
 
-  /// tell: called in another thread, where nothing was heard for limit_s, or 20 times the longest pause before. A model
+  /// tell: called in another thread, where nothing was heard for limit_s, or 20 times the longest pause before. A case
   /// without such soil is not watched.
-  LibraryWatch(const Model& model, std::function<void(const std::string&)> tell, double limit_s = usual_limit_s);
-  void progress(const Progress& now) override;
+  LibraryWatch(const Case& c, std::function<void(const std::string&)> tell, double limit_s = usual_limit_s);
+  /// Steps were made; step: of the last one.
+  void hear(std::int64_t step);
+  void progress(const Progress& now) override { hear(now.step); }
 
  private:
   std::string laws_;  ///< in words

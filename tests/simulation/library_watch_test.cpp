@@ -13,7 +13,7 @@ std::vector<std::string> told_in_a_pause(const MaterialCase& material)
   std::mutex mutex;
   std::vector<std::string> told;
   LibraryWatch watch(
-      s.model,
+      s.model.description,
       [&](const std::string& text) {
         const std::lock_guard lock(mutex);
         told.push_back(text);
@@ -32,7 +32,7 @@ TEST(LibraryWatch, NamesTheLawsOfARunThatDoesNotGoOn)
   const std::vector<std::string> told = told_in_a_pause(wrong_umat(elastic_law));
   ASSERT_GE(told.size(), 1U);
   EXPECT_THAT(
-      told[0], AllOf(HasSubstr("the run has not gone on for "), HasSubstr(" s, last seen at step 17: a law of a "),
+      told[0], AllOf(HasSubstr("no step was made for "), HasSubstr(" s, the last one was step 17: a law of a "),
                    HasSubstr("(wrong_umat.so)"), HasSubstr("Ctrl-C twice")));
 }
 
