@@ -31,9 +31,8 @@ TEST(LibraryWatch, NamesTheLawsOfARunThatDoesNotGoOn)
 {
   const std::vector<std::string> told = told_in_a_pause(wrong_umat(elastic_law));
   ASSERT_GE(told.size(), 1U);
-  EXPECT_THAT(
-      told[0], AllOf(HasSubstr("no step was made for "), HasSubstr(" s, the last one was step 17: a law of a "),
-                   HasSubstr("(wrong_umat.so)"), HasSubstr("Ctrl-C twice")));
+  EXPECT_THAT(told[0], AllOf(HasSubstr("no step was made for "), HasSubstr(" s, the last one was step 17: a law of a "),
+                           HasSubstr("(wrong_umat.so)"), HasSubstr("Ctrl-C twice")));
 }
 
 TEST(LibraryWatch, IsSilentWithoutALibrary)
