@@ -346,6 +346,36 @@ void find_deep_lines(const Model& model, const State& state, std::vector<Problem
   }
 }
 
+/// A reference line with the head of the phreatic line below one with the head of a layer: water under pressure lies
+/// deeper, so the heads of the two look swapped.
+void find_swapped_heads(const Model& model, std::vector<Problem>& warnings)
+{
+  const WaterCase& water = model.description.water;
+  for (std::size_t k = 0; k <= water.situations.size(); ++k) {
+    const auto& lines = situation_of(water, k).reference_lines;
+    const auto& first = water.start.reference_lines;  // a situation has those of the start that it does not give itself
+    const auto same = [](const ReferenceLine& a, const ReferenceLine& b) {
+      return a.places == b.places && a.head == b.head && a.head_bottom == b.head_bottom;
+    };
+    if (k > 0 && std::ranges::equal(lines, first, same)) continue;
+    for (std::size_t upper = 0; upper < lines.size(); ++upper)
+      for (std::size_t lower = 0; lower < lines.size(); ++lower) {
+        const ReferenceLine &above = lines[upper], &below = lines[lower];
+        const Real x = below.places.front()[0];  // they do not cross
+        const bool is_phreatic = below.head == phreatic_head && below.head_bottom == phreatic_head;
+        const bool is_under = elevation_at(above.places, x) > elevation_at(below.places, x);
+        if (!is_phreatic || !is_under || above.head == phreatic_head || above.head_bottom == phreatic_head) continue;
+        warnings.push_back({fmt::format("{}.reference_lines[{}]", path_of(k), lower),
+            fmt::format("the heads of the reference lines {} and {}{} look swapped", upper, lower,
+                in_situation(situation_of(water, k))),
+            fmt::format("The lower line has the head of the phreatic line, the upper one the head `{}`. Between them "
+                        "the head runs\nlinearly, and below the lower one it is that of the phreatic line.",
+                above.head_bottom),
+            "water.reference_lines", false, {"water"}});
+      }
+  }
+}
+
 /// Whether a stage or a strength asks for the situation of a name.
 bool is_asked_for(const Case& whole, const std::string& name)
 {
@@ -394,6 +424,7 @@ void find_odd_water(const Model& model, const State& state, std::vector<Problem>
   find_drowned_loads(model, warnings);
   find_low_heads(model, state, warnings);
   find_deep_lines(model, state, warnings);
+  find_swapped_heads(model, warnings);
   std::vector<Index> nodes;
   for (const Index cell : state.points.occupied())
     nodes.insert(nodes.end(), model.mesh->cells[cell].begin(), model.mesh->cells[cell].end());

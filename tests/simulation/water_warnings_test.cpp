@@ -99,6 +99,22 @@ TEST(WaterWarnings, ALoadUnderFreeWaterIsTold)
   EXPECT_THAT(warnings_of(c), IsEmpty());
 }
 
+TEST(WaterWarnings, HeadsThatLookSwappedAreTold)
+{
+  Case c = wet({{0.0, 0.8}});
+  c.water.start.head_lines = {{"aquifer", {{0.0, 0.9}}}};
+  const ReferenceLine phreatic{.places = {{0.0, 0.6}}, .head = "phreatic", .head_bottom = "phreatic"};
+  const ReferenceLine aquifer{.places = {{0.0, 0.2}}, .head = "aquifer", .head_bottom = "aquifer"};
+  c.water.start.reference_lines = {phreatic, aquifer};
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+  std::swap(c.water.start.reference_lines[0].places, c.water.start.reference_lines[1].places);
+  EXPECT_THAT(
+      warnings_of(c), ElementsAre(told("water.reference_lines[0]",
+                          "the heads of the reference lines 1 and 0 look swapped", HasSubstr("the head `aquifer`"))));
+  c.water.start.reference_lines[0].head_bottom = "aquifer";
+  EXPECT_THAT(warnings_of(c), IsEmpty()) << "the aquifer again below it";
+}
+
 TEST(WaterWarnings, AReferenceLineBelowTheSoilIsTold)
 {
   Case c = wet({{0.0, 0.8}});
