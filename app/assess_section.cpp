@@ -284,9 +284,11 @@ class Assessment {
     note_time();  // before the files: a kill leaves some of either case
     write_case_folder(section_.folder, folder);
     record_.notes.clear();
-    for (const std::string& note : folder.notes) {
-      fmt::print("warning: {}\n", note);
-      record_.notes.push_back(printable(note));
+    record_.notes_nl.clear();
+    for (const Sentence& note : folder.notes) {
+      fmt::print("warning: {}\n", note.en);
+      record_.notes.push_back(printable(note.en));
+      record_.notes_nl.push_back(printable(note.nl));
     }
     record_.has_report = true;
     record_.files = std::move(record_.files_next);

@@ -43,7 +43,7 @@ void write_folder(const ImportCommand& command, const CaseFolder& folder)
 {
   write_case_folder(command.output, folder);
   const std::string case_path = command.output + "/case.toml";
-  for (const std::string& note : folder.notes) fmt::print(stderr, "warning: {}\n", printable(note));
+  for (const Sentence& note : folder.notes) fmt::print(stderr, "warning: {}\n", printable(note.en));
   fmt::print("case in {}; what was assumed, moved and left out: {}/report.md\nNext: terp check {}\n", case_path,
       command.output, case_path);
 }

@@ -13,6 +13,7 @@
 #include "dstability/section_part.hpp"
 #include "dstability/soil_text.hpp"
 #include "dstability/stage_text.hpp"
+#include "dstability/told_texts.hpp"
 #include "dstability/water_text.hpp"
 #include "input/printable.hpp"
 #include "points/body_outline.hpp"
@@ -56,7 +57,7 @@ class FolderMaker {
       pits_.push_back({fmt::format("excavation {}", pits_.size() + 1), pit});
     const BoundingBox box = box_around(drawn_);
     river_ = moved != nullptr ? moved->river : find_river(section_, {box.low[0], box.high[0]});
-    if (moved != nullptr) assumed_.push_back(moved->sentence), notes_.push_back(moved->sentence.en);
+    if (moved != nullptr) assumed_.push_back(moved->sentence), notes_.push_back(moved->sentence);
     take_part();
     layout_ = layout_of(drawn_, pits_, wishes_for(options.cell));
     cleaning_ = cleaning_for(layout_.cell);
@@ -133,18 +134,14 @@ class FolderMaker {
     WaterText start = is_staged_ ? water_text(first_, layout_, "water_start", false) : WaterText{};
     WaterText now = water_text(section_, layout_, "water", !start.lines.empty());
     if (now.lines.empty() && start.lines.empty()) {
-      assumed_.push_back({"The stage has no water: the case has none, and all soil is dry.",
-          "De fase heeft geen water: de invoer ook niet, en alle grond is droog."});
+      assumed_.push_back(filled<told::all_dry>());
       return;
     }
     const bool has_start = is_staged_, is_dry = now.lines.empty();
     for (auto& [water, stage] : {std::pair{&start, &first_.stage()}, {&now, &stage_}})
       if (is_staged_ && water->lines.empty()) {
         *water = water_below(layout_);
-        assumed_.push_back(
-            {fmt::format("Stage {} has no water: in the case it stands below the section.", in_quotes(stage->label)),
-                fmt::format(
-                    "Fase {} heeft geen water: in de invoer staat het onder de doorsnede.", in_quotes(stage->label))});
+        assumed_.push_back(filled<told::water_beneath>(in_quotes(stage->label)));
       }
     situation_ = has_start ? key_of_name(stage_.label) + "_water" : "";
     if (situation_ == raised_water) situation_ += "_2";
@@ -334,11 +331,10 @@ class FolderMaker {
   void make_flood()
   {
     if (!river_.doubt.empty()) doubts_.push_back(river_.doubt);
-    const std::string none = river_level_ ? "" : no_flood_because(section_, river_, river_end(), layout_.cell);
-    if (!none.empty()) {
-      const std::string no_verdict = none + ": the case has no [flood], and no verdict on flooding.";
-      assumed_.push_back(
-          {no_verdict, "Geen rivier aan het einde van de doorsnede, en geen oordeel over overstroming."});
+    const Sentence no_verdict =
+        river_level_ ? Sentence{} : no_flood_because(section_, river_, river_end(), layout_.cell);
+    if (!no_verdict.empty()) {
+      assumed_.push_back(no_verdict);
       if (options_.river) notes_.push_back(no_verdict);
       if (water_stands_at(section_, river_end())) doubts_.push_back(no_verdict);  // finer cells would have one
       return;
@@ -351,7 +347,7 @@ class FolderMaker {
     if (level >= layout_.crest[1]) {
       assumed_.push_back(river_above_crest(level, layout_.crest[1]));
       lines.back().comment = assumed_.back().en;
-      notes_.push_back(assumed_.back().en);
+      notes_.push_back(assumed_.back());
     }
     text_.after.push_back({"[flood]", "Does the ground hold the river back? (docs/flood.md)", lines});
   }
@@ -380,22 +376,23 @@ class FolderMaker {
     if (const auto before = earlier_ground(
             project_, options_.scenario, options_.stage, {layout_.low[0], layout_.high[0]}, 0.25 * layout_.cell)) {
       assumed_.insert(assumed_.begin(), before->sentence);
-      if (before->is_other) notes_.push_back(before->sentence.en);
+      if (before->is_other) notes_.push_back(before->sentence);
     }
   }
 
   void find_doubts()
   {
-    const auto add = [&](std::vector<std::string> more) { std::ranges::move(more, std::back_inserter(doubts_)); };
+    const auto add = [&](std::vector<Sentence> more) { std::ranges::move(more, std::back_inserter(doubts_)); };
     std::vector<LayerPiece> shansep;
     for (const Piece& piece : pieces_)
       if (is_shansep(project_.soils[piece.soil], piece.zone)) shansep.push_back(layer_piece(piece));
     add(doubts_of_reading(project_, options_.scenario, options_.stage));
     add(doubts_of_water(scenario(), options_.stage, !shansep.empty()));
+    add(doubts_of_datum(section_, !shansep.empty(), layout_.height));
     add(doubts_of_numbers(section_));
     add(section_.state_doubts());
     add(doubts_of_preload(section_, shansep, layout_.cell));
-    if (river_.doubt.empty()) add(doubts_of_embankment(section_));
+    if (river_.doubt.empty()) add(doubts_of_embankment(section_, river_.side, layout_));
     add(doubts_of_outlines(clean_, drawn_, base_fill(layout_, clean_.regions), layout_.cell));
     add(left_out_);
   }
@@ -447,12 +444,12 @@ class FolderMaker {
   {
     std::vector<std::string> geometry = describe(clean_, drawn_, cleaning_);
     geometry.insert(geometry.end(), geometry_.begin(), geometry_.end());
-    std::vector<std::string> left = left_out_;
+    std::vector<std::string> left = in_english(left_out_);
     for (const StixRemark& remark : project_.remarks) left.push_back(fmt::format("{}: {}", remark.where, remark.what));
     return text_of(FolderReport{.title = text_.title,
         .head = text_.head,
         .weights = weights_,
-        .sections = {{"In doubt", doubts_}, {"Geometry: what moved", geometry}, {"Water", water_notes_},
+        .sections = {{"In doubt", in_english(doubts_)}, {"Geometry: what moved", geometry}, {"Water", water_notes_},
             {"Trigger: what makes the section fail", trigger_notes_},
             {"Stored slices beside what the file gives", slices_in_words(project_, options_.scenario, options_.stage)},
             {"Assumed", in_english(assumed_)}, {"Left out, or not understood", left}}});
@@ -480,9 +477,9 @@ class FolderMaker {
   std::map<std::string, SoilSum> weights_;
   SectionText text_;
   std::vector<std::pair<std::string, std::string>> files_;
-  std::vector<std::string> doubts_;  ///< what speaks against the case
-  std::vector<std::string> notes_, geometry_, water_notes_, left_out_, stage_sets_, trigger_notes_;
-  std::vector<Sentence> assumed_;
+  std::vector<Sentence> doubts_;  ///< what speaks against the case
+  std::vector<Sentence> notes_, assumed_, left_out_;
+  std::vector<std::string> geometry_, water_notes_, stage_sets_, trigger_notes_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Not for: where the values come from (case_folder.hpp, drawing_folder.hpp).
 #pragma once
 
+#include "dstability/sentence.hpp"
 #include "points/polygon.hpp"
 
 #include <string>
@@ -69,7 +70,7 @@ std::string key_of_name(const std::string& name);
 /// A folder that is to be written.
 struct CaseFolder {
   std::vector<std::pair<std::string, std::string>> files;  ///< name, contents; case.toml first
-  std::vector<std::string> notes;                          ///< what is worth a line on the terminal
+  std::vector<Sentence> notes;                             ///< what is worth a line on the terminal
 };
 
 }  // namespace terp

@@ -2,6 +2,7 @@
 
 #include "dstability/preload.hpp"
 #include "dstability/section.hpp"
+#include "dstability/told_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -58,23 +59,17 @@ Change change_since(
   return change;
 }
 
-std::string in_words(const Change& change, Real column, const char* const (&words)[4])
+Sentence in_words(const Change& change, Real column)
 {
-  std::string text;
-  for (const auto& [strip, what] : {std::pair{&change.added, words[1]}, {&change.removed, words[2]}})
-    if (strip->counts(column))
-      text += fmt::format("{}{:.1f} m2 {} (x = {:.1f} {} {:.1f} m)", text.empty() ? "" : ", ", strip->area, what,
-          strip->left, words[3], strip->right);
-  return fmt::format("{} {}: {}", words[0], change.labels, text);
-}
-
-Sentence layers_or_loads_changed()
-{
-  return {
-      "Layers or loads change between the stages of the file: the run has those of the analysed stage from the "
-      "start. Yield stresses follow the ground, water and loads of each stage.",
-      "Lagen of belastingen veranderen tussen de fasen van het bestand: de berekening heeft vanaf het begin die van de "
-      "beschouwde fase. Grensspanningen volgen uit maaiveld, water en belasting van elke fase."};
+  Sentence text;
+  const auto add = [&](const Strip& strip, const Sentence& one) {
+    if (!strip.counts(column)) return;
+    const char* const between = text.empty() ? "" : ", ";
+    text = {text.en + between + one.en, text.nl + between + one.nl};
+  };
+  add(change.added, filled<told::was_added>(change.added.area, change.added.left, change.added.right));
+  add(change.removed, filled<told::was_removed>(change.removed.area, change.removed.left, change.removed.right));
+  return filled<told::since>(change.labels, text);
 }
 
 }  // namespace
@@ -95,22 +90,13 @@ std::optional<EarlierGround> earlier_ground(
     else
       changes.push_back(std::move(change));
   }
-  if (changes.empty()) return EarlierGround{layers_or_loads_changed(), false};
-  std::string en, nl;
+  if (changes.empty()) return EarlierGround{filled<told::changed_layers>(), false};
+  Sentence all;
   for (const Change& change : changes) {
-    en += " " + in_words(change, column, {"Since", "were added", "were taken away", "to"}) + ".";
-    nl += " " + in_words(change, column, {"Sinds", "opgehoogd", "ontgraven", "tot"}) + ".";
+    const Sentence one = in_words(change, column);
+    all = {all.en + one.en, all.nl + one.nl};
   }
-  return EarlierGround{
-      {"Earlier stages of the file have other ground." + en +
-              " The run has the ground of the analysed stage from its start: settlement, stress and slides of the "
-              "building are not in it. Yield stresses, and so undrained strengths, follow the ground, water and loads "
-              "of each stage.",
-          "Eerdere fasen van het bestand hebben ander maaiveld." + nl +
-              " De berekening heeft vanaf het begin het maaiveld van de beschouwde fase: zetting, spanning en "
-              "afschuivingen van de aanleg zitten er niet in. Grensspanningen, en dus ongedraineerde sterktes, volgen "
-              "uit maaiveld, water en belasting van elke fase."},
-      true};
+  return EarlierGround{filled<told::changed_ground>(all), true};
 }
 
 }  // namespace terp

@@ -20,48 +20,60 @@ struct ExpectedKeys {
   std::string_view place;  ///< kind of the member and path in it: "states, StatePoints[].Stress"; *: how it ends. In
                            ///< both models a stage is at "stages"
   int models;
-  std::string_view keys;     ///< with a space between them; a|b: one of both
-  std::string_view assumed;  ///< what is taken where one is missing
-  bool decides = true;       ///< stresses, strengths or ground may be others; else names, colours, stored results
+  std::string_view keys;  ///< with a space between them; a|b: one of both
+  SentenceForm assumed;   ///< what is taken where one is missing; in English alone where nothing is in doubt
+  bool decides = true;    ///< stresses, strengths or ground may be others; else names, colours, stored results
 };
 
 constexpr bool in_words_only = false;
-constexpr std::string_view no_such_part = "the stage counts as one without them";
-constexpr std::string_view no_design = "its design value and its mean count as not given, or as the plain value";
-constexpr std::string_view number_empty = "it counts as empty: a case that needs it is refused";
+constexpr SentenceForm no_such_part{"the stage counts as one without them", "de fase telt als een zonder deze"};
+constexpr SentenceForm no_design{"its design value and its mean count as not given, or as the plain value",
+    "de rekenwaarde en het gemiddelde tellen als niet gegeven, of als de gewone waarde"};
+constexpr SentenceForm number_empty{"it counts as empty: a case that needs it is refused",
+    "hij telt als leeg: invoer die hem nodig heeft, wordt geweigerd"};
+constexpr SentenceForm no_dilatancy{"the soil does not dilate", "de grond dilateert niet"};
+constexpr SentenceForm no_preload{"the soil counts as normally consolidated, or what StateType names is asked for",
+    "de grond telt als normaal geconsolideerd, of wat StateType noemt wordt gevraagd"};
+constexpr SentenceForm crest_from_ground{"crest and river's side follow from the ground and the water",
+    "kruin en rivierzijde volgen uit het maaiveld en het water"};
 
 constexpr std::array table{ExpectedKeys{"projectinfo", both_models, "ContentVersion",
-                               "none: the data model follows from the members", in_words_only},
+                               {"none: the data model follows from the members", ""}, in_words_only},
     ExpectedKeys{"projectinfo", second_model, "ApplicationModified ApplicationCreated",
-        "the program that wrote the file is not known, or the one that made it", in_words_only},
+        {"the program that wrote the file is not known, or the one that made it", ""}, in_words_only},
     ExpectedKeys{"*StochasticParameter", both_models, "IsProbabilistic Mean StandardDeviation", no_design},
-    ExpectedKeys{"geometries", both_models, "Layers", "the stage counts as one without soil"},
-    ExpectedKeys{"geometries, Layers[]", both_models, "Label", "the layer is called by its soil", in_words_only},
-    ExpectedKeys{"soillayers", both_models, "SoilLayers", "no layer has a soil, and the stage cannot be computed"},
-    ExpectedKeys{
-        "soillayers, SoilLayers[]", both_models, "SoilId", "the layer has no soil, and the stage cannot be computed"},
-    ExpectedKeys{"soils", both_models, "Soils", "there are none"},
-    ExpectedKeys{"soils, Soils[]", both_models, "Code Name", "the soil has none", in_words_only},
+    ExpectedKeys{"geometries", both_models, "Layers",
+        {"the stage counts as one without soil", "de fase telt als een zonder grond"}},
+    ExpectedKeys{"geometries, Layers[]", both_models, "Label", {"the layer is called by its soil", ""}, in_words_only},
+    ExpectedKeys{"soillayers", both_models, "SoilLayers",
+        {"no layer has a soil, and the stage cannot be computed",
+            "geen laag heeft grond, en de fase kan niet worden berekend"}},
+    ExpectedKeys{"soillayers, SoilLayers[]", both_models, "SoilId",
+        {"the layer has no soil, and the stage cannot be computed",
+            "de laag heeft geen grond, en de fase kan niet worden berekend"}},
+    ExpectedKeys{"soils", both_models, "Soils", {"there are none", "er zijn er geen"}},
+    ExpectedKeys{"soils, Soils[]", both_models, "Code Name", {"the soil has none", ""}, in_words_only},
     ExpectedKeys{"soils, Soils[]", both_models, "VolumetricWeightAbovePhreaticLevel VolumetricWeightBelowPhreaticLevel",
         number_empty},
     ExpectedKeys{"soils, Soils[]", both_models,
         "ShearStrengthModelTypeAbovePhreaticLevel ShearStrengthModelTypeBelowPhreaticLevel",
-        "the soil has no strength there, and a case that needs it is refused"},
-    ExpectedKeys{"soils, Soils[]", both_models, "IsProbabilistic", "nothing: it was not needed", in_words_only},
+        {"the soil has no strength there, and a case that needs it is refused",
+            "de grond heeft daar geen sterkte, en invoer die haar nodig heeft, wordt geweigerd"}},
+    ExpectedKeys{"soils, Soils[]", both_models, "IsProbabilistic", {"nothing: it was not needed", ""}, in_words_only},
     ExpectedKeys{"soils, Soils[]", first_model, "Cohesion FrictionAngle ShearStrengthRatio StrengthIncreaseExponent",
         number_empty},
-    ExpectedKeys{"soils, Soils[]", first_model, "Dilatancy", "the soil does not dilate"},
+    ExpectedKeys{"soils, Soils[]", first_model, "Dilatancy", no_dilatancy},
     ExpectedKeys{"soils, Soils[]", first_model,
         "CohesionStochasticParameter FrictionAngleStochasticParameter DilatancyStochasticParameter "
         "ShearStrengthRatioStochasticParameter StrengthIncreaseExponentStochasticParameter",
         no_design},
     ExpectedKeys{"soils, Soils[]", second_model,
         "MohrCoulombAdvancedShearStrengthModel MohrCoulombClassicShearStrengthModel SuShearStrengthModel SuTable",
-        "its numbers count as empty: a case that needs them is refused"},
+        {"its numbers count as empty: a case that needs them is refused",
+            "de getallen ervan tellen als leeg: invoer die ze nodig heeft, wordt geweigerd"}},
     ExpectedKeys{
         "soils, Soils[].MohrCoulombAdvancedShearStrengthModel", second_model, "Cohesion FrictionAngle", number_empty},
-    ExpectedKeys{
-        "soils, Soils[].MohrCoulombAdvancedShearStrengthModel", second_model, "Dilatancy", "the soil does not dilate"},
+    ExpectedKeys{"soils, Soils[].MohrCoulombAdvancedShearStrengthModel", second_model, "Dilatancy", no_dilatancy},
     ExpectedKeys{"soils, Soils[].MohrCoulombAdvancedShearStrengthModel", second_model,
         "CohesionStochasticParameter FrictionAngleStochasticParameter DilatancyStochasticParameter", no_design},
     ExpectedKeys{
@@ -73,90 +85,107 @@ constexpr std::array table{ExpectedKeys{"projectinfo", both_models, "ContentVers
     ExpectedKeys{"soils, Soils[].SuShearStrengthModel", second_model,
         "ShearStrengthRatioStochasticParameter StrengthIncreaseExponentStochasticParameter", no_design},
     ExpectedKeys{"soils, Soils[].SuTable", both_models, "SuTablePoints",
-        "the table has no rows: a case that needs it is refused"},
+        {"the table has no rows: a case that needs it is refused",
+            "de tabel heeft geen rijen: invoer die haar nodig heeft, wordt geweigerd"}},
     ExpectedKeys{
         "soils, Soils[].SuTable", both_models, "IsSuTableProbabilistic SuTableVariationCoefficient", no_design},
-    ExpectedKeys{"soilvisualizations", both_models, "SoilVisualizations", "soils have colours of Terp", in_words_only},
+    ExpectedKeys{
+        "soilvisualizations", both_models, "SoilVisualizations", {"soils have colours of Terp", ""}, in_words_only},
     ExpectedKeys{"soilvisualizations, SoilVisualizations[]", both_models, "Color SoilId",
-        "the soil has a colour of Terp", in_words_only},
-    ExpectedKeys{"soilcorrelations", both_models, "SoilCorrelations", "soils are not correlated", in_words_only},
+        {"the soil has a colour of Terp", ""}, in_words_only},
+    ExpectedKeys{"soilcorrelations", both_models, "SoilCorrelations", {"soils are not correlated", ""}, in_words_only},
     ExpectedKeys{"decorations", both_models, "Excavations", no_such_part},
-    ExpectedKeys{"decorations", first_model, "Berms", "nothing: added layers are in the geometry", in_words_only},
-    ExpectedKeys{"decorations", second_model, "Elevations", "nothing: added layers are in the geometry", in_words_only},
-    ExpectedKeys{"decorations, Excavations[]", both_models, "Points", "the excavation takes nothing away"},
-    ExpectedKeys{"waternets", both_models, "PhreaticLineId", "the stage has no water"},
+    ExpectedKeys{"decorations", first_model, "Berms", {"nothing: added layers are in the geometry", ""}, in_words_only},
+    ExpectedKeys{
+        "decorations", second_model, "Elevations", {"nothing: added layers are in the geometry", ""}, in_words_only},
+    ExpectedKeys{"decorations, Excavations[]", both_models, "Points",
+        {"the excavation takes nothing away", "de ontgraving neemt niets weg"}},
+    ExpectedKeys{"waternets", both_models, "PhreaticLineId", {"the stage has no water", "de fase heeft geen water"}},
     ExpectedKeys{"waternets", both_models, "HeadLines ReferenceLines", no_such_part},
-    ExpectedKeys{"waternets, HeadLines[]", both_models, "Points", "the line has no places"},
-    ExpectedKeys{"waternets, HeadLines[]", both_models, "Label", "the line has no name", in_words_only},
-    ExpectedKeys{"waternets, ReferenceLines[]", both_models, "Points", "the line was left out"},
+    ExpectedKeys{
+        "waternets, HeadLines[]", both_models, "Points", {"the line has no places", "de lijn heeft geen punten"}},
+    ExpectedKeys{"waternets, HeadLines[]", both_models, "Label", {"the line has no name", ""}, in_words_only},
+    ExpectedKeys{
+        "waternets, ReferenceLines[]", both_models, "Points", {"the line was left out", "de lijn is weggelaten"}},
     ExpectedKeys{"waternets, ReferenceLines[]", both_models, "TopHeadLineId BottomHeadLineId",
-        "the head of the line's other side; without both the line was left out"},
-    ExpectedKeys{"waternets, ReferenceLines[]", both_models, "Label", "the line has no name", in_words_only},
-    ExpectedKeys{"watermeshes", second_model, "Elements", "the mesh has no triangles"},
-    ExpectedKeys{"watermeshes", second_model, "UnitWeightWater", "the unit weight of the stage's lines, or 9.81 kN/m3"},
-    ExpectedKeys{"waternetcreatorsettings", both_models, "EmbankmentCharacteristics",
-        "crest and river's side follow from the ground and the water"},
+        {"the head of the line's other side; without both the line was left out",
+            "de stijghoogte van de andere zijde van de lijn; zonder beide is de lijn weggelaten"}},
+    ExpectedKeys{"waternets, ReferenceLines[]", both_models, "Label", {"the line has no name", ""}, in_words_only},
+    ExpectedKeys{
+        "watermeshes", second_model, "Elements", {"the mesh has no triangles", "het net heeft geen driehoeken"}},
+    ExpectedKeys{"watermeshes", second_model, "UnitWeightWater",
+        {"the unit weight of the stage's lines, or 9.81 kN/m3",
+            "het volumegewicht van de lijnen van de fase, of 9,81 kN/m3"}},
+    ExpectedKeys{"waternetcreatorsettings", both_models, "EmbankmentCharacteristics", crest_from_ground},
     ExpectedKeys{"waternetcreatorsettings, EmbankmentCharacteristics", both_models,
         "EmbankmentToeWaterSide EmbankmentTopWaterSide EmbankmentTopLandSide ShoulderBaseLandSide "
         "EmbankmentToeLandSide",
-        "this point of the embankment counts as not given"},
+        {"this point of the embankment counts as not given", "dit punt van de dijk telt als niet gegeven"}},
     ExpectedKeys{"states", both_models, "StatePoints StateLines", no_such_part},
-    ExpectedKeys{"states, StatePoints[]", both_models, "LayerId", "the point was left out"},
-    ExpectedKeys{"states, StatePoints[]", both_models, "Stress", "the soil counts as normally consolidated"},
-    ExpectedKeys{"states, StatePoints[]", both_models, "Id Label", "the point has none", in_words_only},
-    ExpectedKeys{"states, StatePoints[].Stress", both_models, "StateType Pop",
-        "the soil counts as normally consolidated, or what StateType names is asked for"},
+    ExpectedKeys{"states, StatePoints[]", both_models, "LayerId", {"the point was left out", "het punt is weggelaten"}},
+    ExpectedKeys{"states, StatePoints[]", both_models, "Stress",
+        {"the soil counts as normally consolidated", "de grond telt als normaal geconsolideerd"}},
+    ExpectedKeys{"states, StatePoints[]", both_models, "Id Label", {"the point has none", ""}, in_words_only},
+    ExpectedKeys{"states, StatePoints[].Stress", both_models, "StateType Pop", no_preload},
     ExpectedKeys{"states, StatePoints[].Stress", both_models, "PopStochasticParameter", no_design},
-    ExpectedKeys{"states, StatePoints[].Stress", both_models, "Ocr YieldStress", "nothing, unless StateType names it",
-        in_words_only},
-    ExpectedKeys{"states, StateLines[]", both_models, "Points Values", "the line was left out"},
+    ExpectedKeys{"states, StatePoints[].Stress", both_models, "Ocr YieldStress",
+        {"nothing, unless StateType names it", ""}, in_words_only},
+    ExpectedKeys{
+        "states, StateLines[]", both_models, "Points Values", {"the line was left out", "de lijn is weggelaten"}},
     ExpectedKeys{"states, StateLines[].Values[]", both_models, "Above Below",
-        "the soil on that side counts as normally consolidated"},
-    ExpectedKeys{"states, StateLines[].Values[]", both_models, "Id Label", "the place has none", in_words_only},
-    ExpectedKeys{"states, StateLines[].Values[].Above", both_models, "StateType Pop",
-        "the soil counts as normally consolidated, or what StateType names is asked for"},
-    ExpectedKeys{"states, StateLines[].Values[].Below", both_models, "StateType Pop",
-        "the soil counts as normally consolidated, or what StateType names is asked for"},
+        {"the soil on that side counts as normally consolidated",
+            "de grond aan die zijde telt als normaal geconsolideerd"}},
+    ExpectedKeys{"states, StateLines[].Values[]", both_models, "Id Label", {"the place has none", ""}, in_words_only},
+    ExpectedKeys{"states, StateLines[].Values[].Above", both_models, "StateType Pop", no_preload},
+    ExpectedKeys{"states, StateLines[].Values[].Below", both_models, "StateType Pop", no_preload},
     ExpectedKeys{"states, StateLines[].Values[].Above", both_models, "PopStochasticParameter", no_design},
     ExpectedKeys{"states, StateLines[].Values[].Below", both_models, "PopStochasticParameter", no_design},
-    ExpectedKeys{"statecorrelations", both_models, "StateCorrelations", "nothing: it was not needed", in_words_only},
+    ExpectedKeys{
+        "statecorrelations", both_models, "StateCorrelations", {"nothing: it was not needed", ""}, in_words_only},
     ExpectedKeys{"loads", both_models, "UniformLoads LineLoads Trees LayerLoads", no_such_part},
-    ExpectedKeys{"loads", both_models, "Earthquake", "there is none"},
-    ExpectedKeys{"loads, Earthquake", both_models, "IsEnabled", "it is switched off"},
-    ExpectedKeys{"loads, UniformLoads[]", both_models, "Spread", "0 degrees: the load does not spread"},
-    ExpectedKeys{"loads, UniformLoads[]", both_models, "Consolidations", "all soil is consolidated under the load"},
-    ExpectedKeys{"loads, UniformLoads[]", both_models, "Label", "the load has no name", in_words_only},
-    ExpectedKeys{"loads, LayerLoads[]", both_models, "Consolidations", "all soil is consolidated under the layer"},
+    ExpectedKeys{"loads", both_models, "Earthquake", {"there is none", "er is er geen"}},
+    ExpectedKeys{"loads, Earthquake", both_models, "IsEnabled", {"it is switched off", "zij staat uit"}},
+    ExpectedKeys{"loads, UniformLoads[]", both_models, "Spread",
+        {"0 degrees: the load does not spread", "0 graden: de belasting spreidt niet"}},
+    ExpectedKeys{"loads, UniformLoads[]", both_models, "Consolidations",
+        {"all soil is consolidated under the load", "alle grond is geconsolideerd onder de belasting"}},
+    ExpectedKeys{"loads, UniformLoads[]", both_models, "Label", {"the load has no name", ""}, in_words_only},
+    ExpectedKeys{"loads, LayerLoads[]", both_models, "Consolidations",
+        {"all soil is consolidated under the layer", "alle grond is geconsolideerd onder de laag"}},
     ExpectedKeys{"reinforcements", both_models, "ForbiddenLines Geotextiles Nails", no_such_part},
     ExpectedKeys{"calculationsettings", both_models, "AnalysisType CalculationType",
-        "method or kind of the calculation are not known", in_words_only},
+        {"method or kind of the calculation are not known", ""}, in_words_only},
     ExpectedKeys{"calculationsettings", both_models, "ModelFactorMean ModelFactorStandardDeviation",
-        "nothing: factors are compared without it", in_words_only},
-    ExpectedKeys{"scenarios", second_model, "Calculations", "the scenario has none", in_words_only},
-    ExpectedKeys{"scenarios", second_model, "Label", "the scenario has no name", in_words_only},
+        {"nothing: factors are compared without it", ""}, in_words_only},
+    ExpectedKeys{"scenarios", second_model, "Calculations", {"the scenario has none", ""}, in_words_only},
+    ExpectedKeys{"scenarios", second_model, "Label", {"the scenario has no name", ""}, in_words_only},
     ExpectedKeys{"scenarios, Calculations[]", second_model, "CalculationSettingsId ResultId Label Id",
-        "the calculation has none", in_words_only},
-    ExpectedKeys{"stages", both_models, "Label", "the stage has no name", in_words_only},
-    ExpectedKeys{"stages", both_models, "StateId", "the stage has no states"},
-    ExpectedKeys{"stages", both_models, "DecorationsId", "the stage has no excavations"},
-    ExpectedKeys{"stages", both_models, "LoadsId", "the stage has no loads"},
-    ExpectedKeys{"stages", both_models, "ReinforcementsId", "the stage has no walls, geotextiles, nails"},
-    ExpectedKeys{"stages", both_models, "WaternetId", "the stage has no lines of water"},
-    ExpectedKeys{"stages", both_models, "WaternetCreatorSettingsId",
-        "crest and river's side follow from the ground and the water"},
-    ExpectedKeys{"stages", both_models, "StateCorrelationsId", "nothing: it was not needed", in_words_only},
+        {"the calculation has none", ""}, in_words_only},
+    ExpectedKeys{"stages", both_models, "Label", {"the stage has no name", ""}, in_words_only},
+    ExpectedKeys{"stages", both_models, "StateId", {"the stage has no states", "de fase heeft geen toestanden"}},
     ExpectedKeys{
-        "stages", first_model, "CalculationSettingsId ResultId", "the stage's calculation has none", in_words_only},
-    ExpectedKeys{"results", both_models, "FactorOfSafety|ReliabilityIndex", "the result has none", in_words_only},
-    ExpectedKeys{"results", both_models, "Points|ReliabilityIndex", "the slip plane is not drawn", in_words_only},
-    ExpectedKeys{"results", both_models, "Slices|ReliabilityIndex", "nothing is compared with it", in_words_only},
-    ExpectedKeys{"results, Points[]", both_models, "X Z", "the place was left out", in_words_only},
+        "stages", both_models, "DecorationsId", {"the stage has no excavations", "de fase heeft geen ontgravingen"}},
+    ExpectedKeys{"stages", both_models, "LoadsId", {"the stage has no loads", "de fase heeft geen belastingen"}},
+    ExpectedKeys{"stages", both_models, "ReinforcementsId",
+        {"the stage has no walls, geotextiles, nails", "de fase heeft geen wanden, geotextielen, nagels"}},
+    ExpectedKeys{
+        "stages", both_models, "WaternetId", {"the stage has no lines of water", "de fase heeft geen waterlijnen"}},
+    ExpectedKeys{"stages", both_models, "WaternetCreatorSettingsId", crest_from_ground},
+    ExpectedKeys{"stages", both_models, "StateCorrelationsId", {"nothing: it was not needed", ""}, in_words_only},
+    ExpectedKeys{"stages", first_model, "CalculationSettingsId ResultId", {"the stage's calculation has none", ""},
+        in_words_only},
+    ExpectedKeys{"results", both_models, "FactorOfSafety|ReliabilityIndex", {"the result has none", ""}, in_words_only},
+    ExpectedKeys{"results", both_models, "Points|ReliabilityIndex", {"the slip plane is not drawn", ""}, in_words_only},
+    ExpectedKeys{"results", both_models, "Slices|ReliabilityIndex", {"nothing is compared with it", ""}, in_words_only},
+    ExpectedKeys{"results, Points[]", both_models, "X Z", {"the place was left out", ""}, in_words_only},
     ExpectedKeys{"results, Slices[]", both_models,
         "TotalStress LoadStress TotalPorePressure PiezometricPorePressure EffectiveStress NormalStress YieldStress Pop "
         "SuOutput CohesionInput PhiInput DilatancyInput ShearStress|OutputShearStress",
-        "the slices are not compared in it", in_words_only},
+        {"the slices are not compared in it", ""}, in_words_only},
     ExpectedKeys{"results, Slices[]", both_models, "BottomLeft BottomRight TopLeft TopRight",
-        "the slice has no such corner; without a foot it was left out", in_words_only}};
+        {"the slice has no such corner; without a foot it was left out", ""}, in_words_only}};
+
+static_assert(std::ranges::none_of(table, [](const ExpectedKeys& row) { return row.decides && *row.assumed.nl == 0; }));
 
 /// Members by kind that are in all files, and what their absence means; without soils and stages a file is refused.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> whole_members{
@@ -215,12 +244,12 @@ class MissingKeys {
 
   void tell(StixNotes& notes) const
   {
-    for (const auto& [key, missing] : missing_)
-      notes.remark({missing.first,
-          fmt::format("This key is missing{}{}, though files of this kind have it. Taken was: {}.",
-              missing.n > 1 ? fmt::format(" ({} times)", missing.n) : "", in_words(missing.stages),
-              missing.row->assumed),
-          !missing.row->decides, missing.stages});
+    for (const auto& [key, missing] : missing_) {
+      const Sentence assumed{missing.row->assumed.en, missing.row->assumed.nl};
+      const Sentence times = missing.n > 1 ? filled<told::times>(missing.n) : Sentence{};
+      const Sentence what = filled<told::missing_key>(times, in_words(missing.stages), assumed);
+      notes.remark({missing.first, what.en, !missing.row->decides, missing.stages, what.nl});
+    }
   }
 
  private:
@@ -254,11 +283,14 @@ class MissingKeys {
       if (std::ranges::find(missing.stages, stage) == missing.stages.end()) missing.stages.push_back(stage);
   }
 
-  static std::string in_words(const StagesOf& stages)
+  static Sentence in_words(const StagesOf& stages)
   {
-    std::string text;
-    for (const auto& [scenario, stage] : stages)
-      text += fmt::format("{}scenario {}, stage {}", text.empty() ? " in " : "; ", scenario + 1, stage + 1);
+    Sentence text;
+    for (const auto& [scenario, stage] : stages) {
+      const char* const between = text.empty() ? " in " : "; ";
+      const Sentence one = filled<told::stage_number>(scenario + 1, stage + 1);
+      text = {text.en + between + one.en, text.nl + between + one.nl};
+    }
     return text;
   }
 

@@ -1,12 +1,14 @@
 #include "dstability/import_doubts.hpp"
 
-#include "dstability/section_layout.hpp"
+#include "base/interpolate.hpp"
+#include "dstability/told_texts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace terp {
@@ -15,7 +17,70 @@ namespace {
 constexpr Real small = 0.1;        // of a cell: a smaller gap or overlap changes nothing
 constexpr Real beyond_end = 0.01;  // [m] beyond an end: coordinates of drawings are in cm
 constexpr Real no_pop = 1.0;       // [Pa]
+constexpr Real touches = 0.05;     // [m] between a state line and a layer: the same
+constexpr Real inside = 1e-6;      // [m] from an end
+constexpr Real far_below = 2.0;    // heights of the dike between the ground and a phreatic line that is hardly meant
 constexpr std::size_t columns = 112;
+
+BoundingBox box_of(const StixStage& stage)
+{
+  std::vector<DrawnRegion> drawn;
+  for (const StixLayer& layer : stage.layers) drawn.push_back({layer.label, layer.outline});
+  return box_around(drawn);
+}
+
+/// A state line that does not touch a layer, where it is nearest to it.
+struct FarLine {
+  Real x, distance;  ///< upright [m]
+  bool is_below;
+  Real pop = 0.0;  ///< that the layer has of it there [Pa]
+};
+
+/// Which layers of each stage have a state of their own: a point, or a line that runs through them or along them.
+class StatesOfLayers {
+ public:
+  explicit StatesOfLayers(const StixSection& section) : stages_(section.history()), has_one_(stages_.size())
+  {
+    constexpr int n = 500;
+    for (std::size_t k = 0; k < stages_.size(); ++k) {
+      for (const StixStatePoint& point : stages_[k]->state_points) {
+        const auto layer = std::ranges::find(stages_[k]->layers, point.layer, &StixLayer::id);
+        has_one_[k].insert(static_cast<std::size_t>(layer - stages_[k]->layers.begin()));
+      }
+      if (stages_[k]->state_lines.empty()) continue;
+      const BoundingBox box = box_of(*stages_[k]);
+      for (int i = 0; i <= n; ++i) {
+        const Real x = std::lerp(box.low[0] + inside, box.high[0] - inside, static_cast<Real>(i) / n);
+        for (const SoilBand& band : soil_bands(*stages_[k], x))
+          if (const auto line = nearest_line(k, x, band); line && line->distance <= touches)
+            has_one_[k].insert(band.layer);
+      }
+    }
+  }
+
+  bool has_one(std::size_t stage, std::size_t layer) const { return has_one_[stage].contains(layer); }
+
+  std::optional<SoilBand> band(std::size_t stage, Vec<2> place) const
+  {
+    const std::vector<SoilBand> bands = soil_bands(*stages_[stage], place[0]);
+    const SoilBand* const found = band_at(bands, place[1]);
+    return found == nullptr ? std::nullopt : std::optional(*found);
+  }
+
+  std::optional<FarLine> nearest_line(std::size_t stage, Real x, const SoilBand& band) const
+  {
+    std::optional<FarLine> nearest;
+    for (const StixStateLine& line : stages_[stage]->state_lines) {
+      const Real z = interpolate(line.line, x), distance = std::max({band.bottom - z, z - band.top, 0.0});
+      if (!nearest || distance < nearest->distance) nearest = FarLine{x, distance, z < band.bottom};
+    }
+    return nearest;
+  }
+
+ private:
+  const std::vector<const StixStage*>& stages_;
+  std::vector<std::set<std::size_t>> has_one_;  ///< layers by stage
+};
 
 std::string names_of(const std::vector<int>& numbers, const std::vector<DrawnRegion>& drawn)
 {
@@ -88,11 +153,11 @@ std::map<int, EmptyPlace> empty_places(const std::vector<CleanRegion>& regions)
 }
 
 /// One text to a line, in lines of at most 120 columns.
-std::string list_of_sentences(const std::vector<std::string>& sentences)
+std::string list_of_sentences(const std::vector<Sentence>& sentences, std::string Sentence::*language)
 {
   std::string text = "[";
-  for (const std::string& sentence : sentences) {
-    std::string rest = in_quotes(sentence);
+  for (const Sentence& sentence : sentences) {
+    std::string rest = in_quotes(sentence.*language);
     rest = "\"\"\"" + rest.substr(1, rest.size() - 2) + "\"\"\"";
     text += "\n  ";
     while (rest.size() > columns) {
@@ -108,125 +173,173 @@ std::string list_of_sentences(const std::vector<std::string>& sentences)
 
 }  // namespace
 
-std::vector<std::string> doubts_of_reading(const StixProject& project, std::size_t scenario, std::size_t stage)
+std::vector<Sentence> doubts_of_reading(const StixProject& project, std::size_t scenario, std::size_t stage)
 {
-  std::vector<std::string> doubts;
-  std::set<std::string> of_history;
-  for (std::size_t k = 0; k <= stage; ++k) of_history.insert(fmt::format("scenario {}, stage {}", scenario + 1, k + 1));
+  std::vector<Sentence> doubts;
+  std::map<std::string, std::string> of_history;  // English -> Dutch
+  for (std::size_t k = 0; k <= stage; ++k) {
+    const Sentence name = filled<told::stage_number>(scenario + 1, k + 1);
+    of_history[name.en] = name.nl;
+  }
   for (const StixRemark& remark : project.remarks) {
     const bool is_of_stage = remark.where.starts_with("scenario "), is_of_result = remark.where.starts_with("results/");
     const bool is_of_others = !remark.stages.empty() && std::ranges::none_of(remark.stages, [&](const auto& of) {
       return of.first == scenario && of.second <= stage;
     });
-    if (is_of_others || remark.is_of_format || is_of_result || (is_of_stage && !of_history.contains(remark.where)))
-      continue;
-    doubts.push_back(fmt::format("{}: {}", remark.where, remark.what));
+    const auto named = of_history.find(remark.where);
+    if (is_of_others || remark.is_of_format || is_of_result || (is_of_stage && named == of_history.end())) continue;
+    const std::string& where_nl = named == of_history.end() ? remark.where : named->second;
+    doubts.push_back({remark.where + ": " + remark.what, where_nl + ": " + remark.what_nl});
   }
   return doubts;
 }
 
-std::vector<std::string> doubts_of_water(const StixScenario& scenario, std::size_t stage, bool has_shansep)
+std::vector<Sentence> doubts_of_water(const StixScenario& scenario, std::size_t stage, bool has_shansep)
 {
-  std::vector<std::string> doubts;
+  std::vector<Sentence> doubts;
   for (std::size_t k = has_shansep ? 0 : stage; k <= stage; ++k)
     if (const StixStage& of = scenario.stages[k]; !of.water.is_mesh && !of.water.phreatic)
-      doubts.push_back(fmt::format("Stage `{}` has no phreatic line: all of its soil counts as dry{}.", of.label,
-          k < stage ? ", and yield stresses are at least what it carries then" : ""));
+      doubts.push_back(
+          k < stage ? filled<told::no_phreatic_line_before>(of.label) : filled<told::no_phreatic_line>(of.label));
   return doubts;
 }
 
-std::vector<std::string> doubts_of_embankment(const StixSection& section)
+std::vector<Sentence> doubts_of_datum(const StixSection& section, bool has_shansep, Real height)
+{
+  constexpr int n = 200;
+  std::vector<Sentence> doubts;
+  const std::vector<const StixStage*>& stages = section.history();
+  for (std::size_t k = has_shansep ? 0 : stages.size() - 1; k < stages.size(); ++k) {
+    const StixStage& stage = *stages[k];
+    if (stage.water.is_mesh || !stage.water.phreatic) continue;
+    const BoundingBox box = box_of(stage);
+    Real highest = -1e30, least_depth = 1e30;
+    for (int i = 0; i <= n; ++i) {
+      const Real x = std::lerp(box.low[0] + inside, box.high[0] - inside, static_cast<Real>(i) / n);
+      const StixStageColumn column(section.project(), stage, x);
+      highest = std::max(highest, column.water().phreatic());
+      if (std::isfinite(column.ground()))
+        least_depth = std::min(least_depth, column.ground() - column.water().phreatic());
+    }
+    if (highest < box.low[1])
+      doubts.push_back(filled<told::water_below_all>(stage.label, highest, box.low[1]));
+    else if (least_depth > far_below * height)
+      doubts.push_back(filled<told::deep_water>(stage.label, least_depth, height));
+  }
+  return doubts;
+}
+
+std::vector<Sentence> doubts_of_embankment(
+    const StixSection& section, const std::string& river, const SectionLayout& layout)
 {
   const StixEmbankment& at = section.stage().embankment;
-  const std::pair<const char*, Real> named[] = {{"toe at the water side", at.toe_water},
-      {"top at the water side", at.top_water}, {"top at the land side", at.top_land},
-      {"base of the shoulder at the land side", at.shoulder_land}, {"toe at the land side", at.toe_land}};
-  std::vector<std::string> doubts;
-  std::vector<std::pair<const char*, Real>> given;
-  for (const auto& [name, x] : named)
-    if (std::isfinite(x)) given.emplace_back(name, x);
-  Real left = 1e30, right = -1e30;
-  for (const StixLayer& layer : section.stage().layers)
-    for (const Vec<2>& x : layer.outline) left = std::min(left, x[0]), right = std::max(right, x[0]);
-  for (const auto& [name, x] : given)
-    if (x < left - beyond_end || x > right + beyond_end)
-      doubts.push_back(
-          fmt::format("The file has the {} of its embankment at x = {:.2f} m, where there is no ground.", name, x));
-  const auto goes_back = [](Real sign) {
-    return [sign](const auto& one, const auto& next) { return sign * (next.second - one.second) < 0.0; };
+  struct Point {
+    Sentence name;
+    Real x;
+    Real side;   // 1: at the land's side of the crest, -1: at the water's
+    Real slack;  // [m] by which it may lie beyond the highest ground
   };
-  const Real sign = given.size() > 1 && given.back().second < given.front().second ? -1.0 : 1.0;
+  const BoundingBox box = box_of(section.stage());
+  std::vector<Sentence> doubts;
+  std::vector<Point> given;
+  for (const Point& point : {Point{filled<told::toe_water>(), at.toe_water, -1.0, 0.0},
+           {filled<told::top_water>(), at.top_water, -1.0, layout.height},
+           {filled<told::top_land>(), at.top_land, 1.0, layout.height},
+           {filled<told::shoulder_land>(), at.shoulder_land, 1.0, 0.0},
+           {filled<told::toe_land>(), at.toe_land, 1.0, 0.0}})
+    if (std::isfinite(point.x)) given.push_back(point);
+  for (const Point& point : given)
+    if (point.x < box.low[0] - beyond_end || point.x > box.high[0] + beyond_end)
+      doubts.push_back(filled<told::point_without_ground>(point.name, point.x));
+  const auto goes_back = [](Real sign) {
+    return [sign](const Point& one, const Point& next) { return sign * (next.x - one.x) < 0.0; };
+  };
+  const Real sign = given.size() > 1 && given.back().x < given.front().x ? -1.0 : 1.0;
   if (const auto wrong = std::ranges::adjacent_find(given, goes_back(sign)); wrong != given.end())
-    doubts.push_back(fmt::format(
-        "The points of the embankment of the file are in no order: the {} is at x = {:.2f} m, the {} at x = {:.2f} m.",
-        wrong->first, wrong->second, std::next(wrong)->first, std::next(wrong)->second));
+    doubts.push_back(
+        filled<told::points_in_no_order>(wrong->name, wrong->x, std::next(wrong)->name, std::next(wrong)->x));
+  if (!doubts.empty() || river.empty()) return doubts;
+  const Real to_land = river == "left" ? 1.0 : -1.0, crest = layout.crest[0];
+  for (const Point& point : given)
+    if (to_land * point.side * (point.x - crest) < -point.slack)
+      doubts.push_back(filled<told::point_on_other_side>(
+          point.name, point.x, crest, river == "left" ? filled<told::left_end>() : filled<told::right_end>()));
   return doubts;
 }
 
-std::vector<std::string> doubts_of_numbers(const StixSection& section)
+std::vector<Sentence> doubts_of_numbers(const StixSection& section)
 {
   constexpr Vec<2> of_water{9.5e3, 10.5e3}, of_soil{8e3, 25e3};  // [N/m^3]
   constexpr Real largest_load = 200e3;                           // [Pa]; a lorry is 10 to 20 kPa
   const StixStage& stage = section.stage();
-  std::vector<std::string> doubts;
-  const auto look = [&](const std::string& what, Real weight, Vec<2> usual) {
+  std::vector<Sentence> doubts;
+  const auto look = [&](const Sentence& what, Real weight, Vec<2> usual) {
     if (weight < usual[0] || weight > usual[1])
-      doubts.push_back(fmt::format("{} weighs {:g} kN/m3: {:g} to {:g} kN/m3 are usual. Is it in another unit?", what,
-          weight / 1e3, usual[0] / 1e3, usual[1] / 1e3));
+      doubts.push_back(filled<told::unusual_weight>(what, weight / 1e3, usual[0] / 1e3, usual[1] / 1e3));
   };
-  if (stage.water.is_mesh || stage.water.phreatic) look("The water of the stage", stage.water.unit_weight, of_water);
+  if (stage.water.is_mesh || stage.water.phreatic)
+    look(filled<told::water_of_stage>(), stage.water.unit_weight, of_water);
   std::set<std::size_t> soils;
   for (const StixLayer& layer : stage.layers)
     if (layer.soil && soils.insert(*layer.soil).second) {
       const StixSoil& soil = section.project().soils[*layer.soil];
-      look(fmt::format("The soil `{}` above the phreatic line", soil.name), soil.weight_above, of_soil);
-      look(fmt::format("The soil `{}` below the phreatic line", soil.name), soil.weight_below, of_soil);
+      look(filled<told::soil_above>(soil.name), soil.weight_above, of_soil);
+      look(filled<told::soil_below>(soil.name), soil.weight_below, of_soil);
     }
   for (const StixUniformLoad& load : stage.loads)
     if (std::abs(load.magnitude) > largest_load)
-      doubts.push_back(fmt::format("The load `{}` is {:g} kPa, as much as {:.0f} m of soil. Is it in another unit?",
-          load.label, load.magnitude / 1e3, load.magnitude / 18e3));
+      doubts.push_back(filled<told::large_load>(load.label, load.magnitude / 1e3, load.magnitude / 18e3));
   return doubts;
 }
 
-std::vector<std::string> doubts_of_preload(const StixSection& section, const std::vector<LayerPiece>& pieces, Real cell)
+std::vector<Sentence> doubts_of_preload(const StixSection& section, const std::vector<LayerPiece>& pieces, Real cell)
 {
-  std::map<std::size_t, Real> largest;  // POP by layer, of any stage and place [Pa]
+  const StatesOfLayers states(section);
+  struct Preload {
+    Real largest = 0.0;  ///< POP of any stage and place [Pa]
+    bool has_state = false;
+    std::optional<FarLine> line = {};
+  };
+  std::map<std::size_t, Preload> by_layer;
   for (const LayerPiece& piece : pieces)
     for (const auto& [x, z] : places_in(*piece.region, 2.0 * cell)) {
       const StixColumn column = section.column(x);
       if (const auto place = column.at(z); !place || place->layer != piece.layer) continue;
-      Real& most = largest.try_emplace(piece.layer, 0.0).first->second;
-      for (const Real pop : column.pops(z)) most = std::max(most, pop);
+      Preload& preload = by_layer[piece.layer];
+      const std::vector<Real> pops = column.pops(z);
+      for (std::size_t k = 0; k < pops.size(); ++k) {
+        preload.largest = std::max(preload.largest, pops[k]);
+        const std::optional<SoilBand> band = states.band(k, {x, z});
+        if (!band) continue;
+        preload.has_state = preload.has_state || states.has_one(k, band->layer);
+        const auto line = states.nearest_line(k, x, *band);
+        if (!line || (preload.line && preload.line->distance <= line->distance)) continue;
+        preload.line = line;
+        preload.line->pop = pops[k];
+      }
     }
-  std::vector<std::string> doubts;
-  for (const auto& [layer, most] : largest) {
-    if (most > no_pop) continue;
-    const StixLayer& of = section.stage().layers[layer];
-    doubts.push_back(
-        fmt::format("The layer `{}` has SHANSEP strength, but no state point or state line of any stage gives it a POP "
-                    "above zero: it "
-                    "counts as normally consolidated, the weakest that it can be.",
-            name_of_layer(section.project(), of)));
+  std::vector<Sentence> doubts;
+  for (const auto& [layer, preload] : by_layer) {
+    const std::string name = name_of_layer(section.project(), section.stage().layers[layer]);
+    if (!(preload.largest > no_pop))
+      doubts.push_back(filled<told::no_pop>(name));
+    else if (!preload.has_state && preload.line)
+      doubts.push_back(filled<told::pop_of_a_far_line>(name, preload.line->pop / 1e3, preload.line->distance,
+          preload.line->is_below ? filled<told::below_it>() : filled<told::above_it>(), preload.line->x));
   }
   return doubts;
 }
 
-std::vector<std::string> doubts_of_outlines(
+std::vector<Sentence> doubts_of_outlines(
     const CleanSection& clean, const std::vector<DrawnRegion>& drawn, const std::vector<CleanRegion>& fills, Real cell)
 {
-  std::vector<std::string> doubts;
+  std::vector<Sentence> doubts;
   for (const auto& [above, empty] : empty_places(clean.regions))
     if (empty.area > small * cell * cell)
-      doubts.push_back(fmt::format(
-          "Below the layer `{}` no layer covers {:.3g} m2, up to {:.2f} m high, between x = {:.2f} and {:.2f} m: it is "
-          "empty. Is a layer missing?",
-          drawn[above].name, empty.area, empty.height, empty.left, empty.right));
+      doubts.push_back(filled<told::empty_below>(drawn[above].name, empty.area, empty.height, empty.left, empty.right));
   for (const DrawingFault& both : clean.overlaps)
     if (both.area > small * cell * cell)
-      doubts.push_back(fmt::format(
-          "The layers {} overlap by {:.3g} m2 at {:.2f}, {:.2f} m: the one with the smaller outline counts.",
-          names_of(both.drawn, drawn), both.area, both.x[0], both.x[1]));
+      doubts.push_back(filled<told::layers_overlap>(names_of(both.drawn, drawn), both.area, both.x[0], both.x[1]));
   std::map<int, std::pair<Real, Real>> below;  // area and thickness by drawn region [m^2, m]
   for (const CleanRegion& fill : fills) {
     auto& [area, thickness] = below[fill.drawn];
@@ -235,27 +348,23 @@ std::vector<std::string> doubts_of_outlines(
     thickness = std::max(thickness, high[1] - low[1]);
   }
   for (const auto& [k, fill] : below)
-    if (fill.second > cell)
-      doubts.push_back(fmt::format(
-          "Below the layer `{}` the file has no soil, down to {:.2f} m under it: {:.1f} m2 were filled with "
-          "that layer. Is a layer missing?",
-          drawn[k].name, fill.second, fill.first));
+    if (fill.second > cell) doubts.push_back(filled<told::filled_below>(drawn[k].name, fill.second, fill.first));
   return doubts;
 }
 
-CaseTableText doubts_table(const std::vector<std::string>& doubts, const std::vector<Sentence>& assumed)
+CaseTableText doubts_table(const std::vector<Sentence>& doubts, const std::vector<Sentence>& assumed)
 {
-  std::vector<std::string> dutch;
-  for (const Sentence& sentence : assumed) dutch.push_back(sentence.nl);
-  const std::vector<std::string> english = in_english(assumed);
   CaseTableText table{"[reference]",
       doubts.empty()
           ? ""
           : "What speaks against this case. Every command that reads it says so; take out what you have looked "
             "at.",
       {}};
-  for (const auto& [key, texts] : {std::pair{"doubts", &doubts}, {"assumed", &english}, {"assumed_nl", &dutch}})
-    if (!texts->empty()) table.lines.push_back({key, list_of_sentences(*texts), ""});
+  for (const auto& [key, sentences] : {std::pair{"doubts", &doubts}, {"assumed", &assumed}}) {
+    if (sentences->empty()) continue;
+    table.lines.push_back({key, list_of_sentences(*sentences, &Sentence::en), ""});
+    table.lines.push_back({fmt::format("{}_nl", key), list_of_sentences(*sentences, &Sentence::nl), ""});
+  }
   return table;
 }
 

@@ -211,8 +211,7 @@ StixLine JsonCursor::line_to_the_right(const char* key)
 {
   StixLine places = line(key, 0);
   if (!places.empty() && places.back()[0] < places.front()[0]) std::ranges::reverse(places);
-  if (!std::ranges::is_sorted(places, {}, [](const Vec<2>& p) { return p[0]; }))
-    remark("This line runs back; where it has several elevations at one x, that of the first part holds.");
+  if (!std::ranges::is_sorted(places, {}, [](const Vec<2>& p) { return p[0]; })) remark(filled<told::runs_back>());
   return places;
 }
 

@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "dstability/json_tree.hpp"
 #include "dstability/project.hpp"
+#include "dstability/told_texts.hpp"
 
 #include <initializer_list>
 #include <map>
@@ -22,7 +23,10 @@ class StixNotes {
 
   /// where: member and path of the value. Throws InputError as soon as there are ten.
   void fault(const std::string& where, const std::string& what, const std::string& detail);
-  void remark(const std::string& where, const std::string& what) { remarks_.push_back({where, what}); }
+  void remark(const std::string& where, const Sentence& what)
+  {
+    remarks_.push_back({where, what.en, false, {}, what.nl});
+  }
   void remark(StixRemark of) { remarks_.push_back(std::move(of)); }
   /// Of a member, key or version that the reader does not know.
   void remark_on_format(const std::string& where, const std::string& what) { remarks_.push_back({where, what, true}); }
@@ -70,7 +74,7 @@ class JsonCursor {
   /// Tells of all keys that nobody asked for.
   void tell_unknown() const;
   void fault(const char* key, const std::string& what, const std::string& detail) const;
-  void remark(const std::string& what) const { notes_->remark(where_, what); }
+  void remark(const Sentence& what) const { notes_->remark(where_, what); }
   void remark_on_format(const std::string& what) const { notes_->remark_on_format(where_, what); }
 
  private:

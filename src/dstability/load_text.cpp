@@ -1,6 +1,7 @@
 #include "dstability/load_text.hpp"
 
 #include "dstability/soil_text.hpp"
+#include "dstability/told_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -13,19 +14,9 @@ namespace {
 std::vector<Sentence> remarks_on(const StixUniformLoad& load, const std::string& label)
 {
   std::vector<Sentence> remarks;
-  if (load.spread != 0.0)
-    remarks.push_back({fmt::format("Load {}: its spread of {:g} degrees is not set; the run computes how it spreads.",
-                           label, load.spread),
-        fmt::format("Belasting {}: de spreiding van {:g} graden is niet opgelegd; de berekening bepaalt haar.", label,
-            load.spread)});
+  if (load.spread != 0.0) remarks.push_back(filled<told::load_spread>(label, load.spread));
   if (std::ranges::any_of(load.consolidation, [](const auto& entry) { return entry.second > 0.0; }))
-    remarks.push_back(
-        {fmt::format("Load {}: undrained soil does not gain strength from it, whatever its degree of consolidation; "
-                     "drained soil does at once, as at 100 %.",
-             label),
-            fmt::format("Belasting {}: ongedraineerde grond wordt er niet sterker door, wat de consolidatiegraad ook "
-                        "is; gedraineerde grond meteen, als bij 100 %.",
-                label)});
+    remarks.push_back(filled<told::load_consolidation>(label));
   return remarks;
 }
 
@@ -55,7 +46,7 @@ LoadTexts load_texts(const StixStage& stage, const StixStage* first, const Secti
     std::string label = wanted;
     for (int k = 2; !labels.insert(label).second; ++k) label = fmt::format("{}_{}", wanted, k);
     if (!(ends[1] > ends[0]) || !(load.magnitude > 0.0)) {
-      texts.left_out.push_back(fmt::format("Load {}: it has no width or no size in the section.", label));
+      texts.left_out.push_back(filled<told::load_of_no_size>(label));
       continue;
     }
     const auto is_same = [&](const StixUniformLoad& other) {
@@ -66,8 +57,7 @@ LoadTexts load_texts(const StixStage& stage, const StixStage* first, const Secti
     if (!always) texts.sets.push_back(fmt::format("\"load.{}.pressure\" = {:g}", label, load.magnitude));
     std::ranges::move(remarks_on(load, label), std::back_inserter(texts.assumed));
   }
-  if (std::ranges::any_of(stage.layer_loads, has_excess))
-    texts.left_out.push_back("Layers that count as loads without full consolidation: their excess pore pressure.");
+  if (std::ranges::any_of(stage.layer_loads, has_excess)) texts.left_out.push_back(filled<told::layers_as_loads>());
   return texts;
 }
 

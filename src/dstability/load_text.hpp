@@ -13,7 +13,7 @@ struct LoadTexts {
   std::vector<CaseTableText> tables;  ///< [[load]]
   std::vector<std::string> sets;      ///< of the analysed stage: those that the first one does not have
   std::vector<Sentence> assumed;      ///< for the report
-  std::vector<std::string> left_out;  ///< the same
+  std::vector<Sentence> left_out;     ///< the same
 };
 
 /// first: the first stage of the case; null: the stage is the only one.

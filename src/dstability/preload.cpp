@@ -1,6 +1,7 @@
 #include "dstability/preload.hpp"
 
 #include "dstability/section_layout.hpp"
+#include "dstability/told_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -212,9 +213,7 @@ YieldGrid yield_grid(const StixSection& now, const std::vector<LayerPiece>& piec
 
 Sentence sentence_on(const YieldGrid& grid, const std::string& soil)
 {
-  const Real most = grid.deviation / 1e3;  // [kPa]
-  return {fmt::format("{}: its grid of yield stresses gives those of the file within {:.1f} kPa.", soil, most),
-      fmt::format("{}: het raster van grensspanningen geeft die van het bestand binnen {:.1f} kPa.", soil, most)};
+  return filled<told::yield_grid>(soil, grid.deviation / 1e3);
 }
 
 }  // namespace terp

@@ -215,6 +215,7 @@ struct StixRemark {
   std::string what = {};                                         ///< one sentence
   bool is_of_format = false;                                     ///< a member, key or version that Terp does not know
   std::vector<std::pair<std::size_t, std::size_t>> stages = {};  ///< scenario and stage, from 0; none: the whole file
+  std::string what_nl = {};                                      ///< in Dutch; empty of the format
 };
 
 struct StixProject {

@@ -53,7 +53,7 @@ StixPreload read_preload(JsonCursor from)
   StixPreload preload;
   const std::string kind = from.text("StateType");
   if (kind.empty()) {
-    from.remark("There is no StateType here. The soil counts as normally consolidated.");
+    from.remark(filled<told::no_state_type>());
     preload.pop.value = 0.0;
     return preload;
   }
@@ -90,8 +90,7 @@ void read_state_line(JsonCursor& from, std::vector<StixStateLine>& lines)
   }
   std::ranges::stable_sort(state.values, {}, &StixStateLine::Value::x);
   end_entry(from);
-  if (state.line.empty() || state.values.empty())
-    return from.remark("This state line has no places or no values. Left out.");
+  if (state.line.empty() || state.values.empty()) return from.remark(filled<told::empty_state_line>());
   lines.push_back(std::move(state));
 }
 
@@ -119,8 +118,8 @@ void read_reference_line(StixWater& water, JsonCursor& from)
     line.bottom_head = bottom ? *bottom : *top;
     water.reference_lines.push_back(std::move(line));
   } else if (line.line.empty() || (!from.has("TopHeadLineId") && !from.has("BottomHeadLineId")))
-    from.remark(fmt::format(
-        "The reference line `{}` has no {}. Left out.", line.label, line.line.empty() ? "places" : "head line"));
+    from.remark(line.line.empty() ? filled<told::no_reference_places>(line.label)
+                                  : filled<told::no_reference_head>(line.label));
   end_entry(from);
 }
 
@@ -182,7 +181,7 @@ void read_decorations(JsonCursor& file, StixParts& parts)
   for (JsonCursor& entry : file.list("Excavations")) {
     StixLine line = entry.line("Points", 0);
     if (line.size() < 2)
-      entry.remark("This excavation has no line. It takes nothing away.");
+      entry.remark(filled<told::no_excavation_line>());
     else
       decorations.excavations.push_back(std::move(line));
     end_entry(entry);
@@ -285,7 +284,7 @@ void read_loads(JsonCursor& file, StixParts& parts)
         .spread = entry.number("Spread"),
         .consolidation = {}};
     if (std::isnan(load.spread)) {
-      if (entry.has("Spread")) entry.remark(fmt::format("The load `{}` has no Spread. Taken was: 0.", load.label));
+      if (entry.has("Spread")) entry.remark(filled<told::no_spread>(load.label));
       load.spread = 0.0;
     }
     if (!(load.spread >= 0.0 && load.spread < 90.0))

@@ -63,8 +63,7 @@ void read_settings(JsonCursor& file, StixParts& parts)
   StixCalculation settings{.method = file.text("AnalysisType"), .kind_word = file.text("CalculationType")};
   const auto found = std::ranges::find(kinds, settings.kind_word, [](const auto& k) { return k.first; });
   settings.kind = found == kinds.end() ? StixCalculationKind::unknown : found->second;
-  if (found == kinds.end())
-    file.remark(fmt::format("The CalculationType `{}` is not known to Terp.", settings.kind_word));
+  if (found == kinds.end()) file.remark(filled<told::unknown_calculation>(settings.kind_word));
   settings.model_factor = file.number("ModelFactorMean");
   settings.model_factor_deviation = file.number("ModelFactorStandardDeviation");
   const Real least = pa_per_kpa * file.number("MinimumEffectiveStress");
@@ -91,7 +90,7 @@ void read_result(JsonCursor& file, const std::string& name, StixParts& parts)
     else
       ++n_without_foot;
   }
-  if (n_without_foot > 0) file.remark(fmt::format("{} slices have no foot. Left out.", n_without_foot));
+  if (n_without_foot > 0) file.remark(filled<told::no_foot>(n_without_foot));
   const std::string id = result.id;
   parts.results.add(id, file, std::move(result));
 }

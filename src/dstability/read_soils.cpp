@@ -82,11 +82,7 @@ StixSoil read_soil(JsonCursor& from)
   from.pass_over({"Notes", "MohrCoulombClassicShearStrengthModel"});
   from.tell_unknown();
   for (const auto* word : {&soil.above_word, &soil.below_word})
-    if (model_of(*word) == StixStrengthModel::unknown)
-      from.remark(
-          fmt::format("The strength model `{}` of the soil `{}` is not known to Terp: no strength follows from "
-                      "it.",
-              *word, soil.name));
+    if (model_of(*word) == StixStrengthModel::unknown) from.remark(filled<told::unknown_model>(*word, soil.name));
   return soil;
 }
 

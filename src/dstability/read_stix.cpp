@@ -140,7 +140,7 @@ const T* part_of(JsonCursor& from, const char* key, const StixById<T>& things, N
   if (id.empty()) return nullptr;
   const T* const thing = things.find(id);
   if (thing == nullptr && need == Need::may_be_missing)
-    from.remark(fmt::format("{} names what is not in the file (id {}).", key, id));
+    from.remark(filled<told::leads_nowhere>(key, id));
   else if (thing == nullptr)
     from.fault(key, "names what is not in the file",
         fmt::format("Got the id {}. The file is not complete: save it anew in D-Stability.", id));
@@ -225,7 +225,7 @@ void remark_on_results(StixSource& source)
       if (calculation.result) named.insert(calculation.result->name);
   for (const Member& member : source.members)
     if (member.kind == "results" && !named.contains(result_name(member)))
-      source.notes.remark(member.name, "No calculation names this result. It was not used.");
+      source.notes.remark(member.name, filled<told::result_of_none>());
 }
 
 /// Settings and result that a calculation names, or, of data model 1, a stage.
@@ -347,47 +347,39 @@ void read_scenarios(StixSource& source)
 
 // ---- what is kept for the reader of the results, not for the run ----
 
-std::string list_of(const std::vector<StixDrawnLine>& lines)
+Sentence list_of(const std::vector<StixDrawnLine>& lines)
 {
-  std::string text;
-  for (const StixDrawnLine& line : lines)
-    text += fmt::format("{}`{}`{}", text.empty() ? "" : ", ", line.label,
-        std::isnan(line.start[0]) ? "" : fmt::format(" at x = {:.2f} m", line.start[0]));
-  return text;
+  Sentence list;
+  for (const StixDrawnLine& line : lines) {
+    const std::string name = '`' + line.label + '`';
+    const Sentence one =
+        std::isnan(line.start[0]) ? Sentence{name, name} : filled<told::drawn_line>(line.label, line.start[0]);
+    const char* const between = list.empty() ? "" : ", ";
+    list.en += between + one.en;
+    list.nl += between + one.nl;
+  }
+  return list;
 }
 
 void remark_on_stage(StixNotes& notes, const std::string& where, const StixStage& stage)
 {
-  const auto left_out = [&](const std::vector<StixDrawnLine>& lines, const char* what) {
-    if (!lines.empty()) notes.remark(where, fmt::format("{}: {}. {}", what, list_of(lines), "Left out."));
-  };
-  left_out(stage.forbidden_lines, "Forbidden lines, which no slip plane of D-Stability crosses, often sheet piles");
-  left_out(stage.geotextiles, "Geotextiles");
-  left_out(stage.nails, "Nails");
-  if (stage.line_loads > 0) notes.remark(where, fmt::format("Line loads: {}. Left out.", stage.line_loads));
-  if (stage.trees > 0) notes.remark(where, fmt::format("Trees: {}. Their wind load is left out.", stage.trees));
-  if (stage.has_earthquake) notes.remark(where, "An earthquake is switched on. Left out.");
+  const auto tell = [&](const Sentence& what) { notes.remark(where, what); };
+  if (!stage.forbidden_lines.empty()) tell(filled<told::forbidden_lines>(list_of(stage.forbidden_lines)));
+  if (!stage.geotextiles.empty()) tell(filled<told::geotextiles>(list_of(stage.geotextiles)));
+  if (!stage.nails.empty()) tell(filled<told::nails>(list_of(stage.nails)));
+  if (stage.line_loads > 0) tell(filled<told::line_loads>(stage.line_loads));
+  if (stage.trees > 0) tell(filled<told::trees>(stage.trees));
+  if (stage.has_earthquake) tell(filled<told::earthquake>());
   for (const StixLayerLoad& load : stage.layer_loads)
     if (std::ranges::any_of(load.consolidation, [](const auto& d) { return d.second < 100.0; }))
-      notes.remark(
-          where, fmt::format("The layer with the id {} is a load with less than 100 % consolidation. Its excess "
-                             "pore pressure is left out.",
-                     load.layer));
+      tell(filled<told::layer_load>(load.layer));
   for (const StixLayer& layer : stage.layers)
-    if (!layer.soil)
-      notes.remark(where,
-          fmt::format("The layer `{}` (id {}) has no soil. This stage cannot be computed.", layer.label, layer.id));
+    if (!layer.soil) tell(filled<told::layer_without_soil>(layer.label, layer.id));
   for (const StixStatePoint& point : stage.state_points)
     if (std::ranges::find(stage.layers, point.layer, &StixLayer::id) == stage.layers.end())
-      notes.remark(
-          where, fmt::format("The state point `{}` is of a layer that this stage does not have (id `{}`). Left "
-                             "out.",
-                     point.label, point.layer));
-  for (const std::string& layer : layers_with_two_states(stage))
-    notes.remark(where,
-        fmt::format(
-            "The layer with the id {} has two state points. This stage and later ones cannot be computed.", layer));
-  if (stage.layers.empty()) notes.remark(where, "This stage has no soil layers and cannot be computed.");
+      tell(filled<told::state_of_no_layer>(point.label, point.layer));
+  for (const std::string& layer : layers_with_two_states(stage)) tell(filled<told::two_states>(layer));
+  if (stage.layers.empty()) tell(filled<told::no_layers>());
 }
 
 void remark_on_stages(StixSource& source)

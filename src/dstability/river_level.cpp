@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "dstability/section_layout.hpp"
+#include "dstability/told_texts.hpp"
 #include "dstability/trigger.hpp"
 
 #include <fmt/format.h>
@@ -53,19 +54,8 @@ void check_level(const StixStage& stage, Real level)
 
 Sentence rule_of(const RiverInStage& river, Real level)
 {
-  const bool falls = level < river.level;
-  return {
-      fmt::format(
-          "The river stands at {:.2f} m instead of the {:.2f} m of the file (--river). The heads in the ground move "
-          "in proportion to their height over the phreatic line at the land's end ({:.2f} m), as in a steady "
-          "state.{} Undrained strengths are those of this water.",
-          level, river.level, river.inland,
-          falls ? " After a fast fall the pressures in the outer slope would be higher." : ""),
-      fmt::format("De rivier staat op {:.2f} m in plaats van {:.2f} m in het bestand (--river). De stijghoogten in de "
-                  "grond bewegen mee, naar rato van hun hoogte boven de freatische lijn aan de landzijde ({:.2f} m), "
-                  "als in een stationaire toestand.{} Ongedraineerde sterktes horen bij dit water.",
-          level, river.level, river.inland,
-          falls ? " Na een snelle val zouden de waterspanningen in het buitentalud hoger zijn." : "")};
+  return filled<told::river_moved>(
+      level, river.level, river.inland, level < river.level ? filled<told::after_fall>() : Sentence{});
 }
 
 /// They stay to be drawn, without a factor or slices that could be taken for those of this water.
@@ -99,9 +89,7 @@ RiverLevel with_river_level(
   const RiverInStage river = river_in(section, moved.river, ends);
   if (std::abs(level - river.level) < same) {
     moved.stage = stage;
-    moved.sentence = {
-        fmt::format("The river stands at {:.2f} m in the file already: --river changes nothing.", river.level),
-        fmt::format("De rivier staat in het bestand al op {:.2f} m: --river verandert niets.", river.level)};
+    moved.sentence = filled<told::river_there_already>(river.level);
     return moved;
   }
   StixStage changed = with_river_at(section, river, level);

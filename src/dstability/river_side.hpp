@@ -12,7 +12,7 @@ namespace terp {
 struct StixRiver {
   std::string side = {};    ///< "left", "right"; empty: it cannot be told
   std::string origin = {};  ///< how the side is known, in words
-  std::string doubt = {};   ///< what speaks against it, a sentence; empty: nothing
+  Sentence doubt = {};      ///< what speaks against it, a sentence; empty: nothing
 };
 
 /// Whether water stands on the ground at x.
@@ -21,8 +21,9 @@ bool water_stands_at(const StixSection& section, Real x);
 /// Between two ends [m].
 StixRiver find_river(const StixSection& section, Vec<2> ends);
 
-/// Why there is no river to hold back at an end [m] of a section with cells of that size [m]; empty: there is one.
-std::string no_flood_because(const StixSection& section, const StixRiver& river, Real end, Real cell);
+/// That a case has no [flood], and why: no river to hold back at an end [m] of a section with cells of that size [m].
+/// Empty: there is one.
+Sentence no_flood_because(const StixSection& section, const StixRiver& river, Real end, Real cell);
 
 /// What a river above the crest [m] means for the verdict.
 Sentence river_above_crest(Real level, Real crest);

@@ -4,6 +4,7 @@
 
 #include "base/errors.hpp"
 #include "base/interpolate.hpp"
+#include "dstability/told_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -58,23 +59,21 @@ bool is_in_its_layer(const StixStage& stage, const StixStatePoint& point)
 }
 
 /// Of a state that is below what the soil carries [Pa], which counts as none; empty: it is not.
-std::string doubt_of(const StixPreload& preload, Real effective_stress)
+Sentence doubt_of(const StixPreload& preload, Real effective_stress)
 {
-  if (preload.kind == StixPreload::Kind::ocr && preload.ocr < 1.0)
-    return fmt::format("its OCR is {:g}, below 1: it counts as 1, normally consolidated", preload.ocr);
+  if (preload.kind == StixPreload::Kind::ocr && preload.ocr < 1.0) return filled<told::ocr_below_one>(preload.ocr);
   if (preload.kind == StixPreload::Kind::yield_stress && preload.yield_stress < effective_stress)
-    return fmt::format(
-        "its yield stress of {:.1f} kPa is below the effective stress there, {:.1f} kPa: the soil counts "
-        "as normally consolidated",
-        preload.yield_stress / 1e3, effective_stress / 1e3);
-  return "";
+    return filled<told::yield_below_stress>(preload.yield_stress / 1e3, effective_stress / 1e3);
+  return {};
 }
 
 /// Of the layer with an id; the id alone where the stage has no such layer.
-std::string name_of_layer(const StixProject& project, const StixStage& stage, const std::string& id)
+Sentence name_of_layer(const StixProject& project, const StixStage& stage, const std::string& id)
 {
   const auto found = std::ranges::find(stage.layers, id, &StixLayer::id);
-  return found == stage.layers.end() ? "with the id " + id : '`' + name_of_layer(project, *found) + '`';
+  if (found == stage.layers.end()) return filled<told::layer_of_id>(id);
+  const std::string name = '`' + name_of_layer(project, *found) + '`';
+  return {name, name};
 }
 
 }  // namespace
@@ -179,17 +178,17 @@ void StixSection::check(std::size_t scenario) const
 void StixSection::set_preloads()
 {
   std::vector<Problem> problems;
-  const auto pop_at = [&](const StixStage& stage, const StixPreload& preload, Vec<2> place, const std::string& state) {
+  const auto pop_at = [&](const StixStage& stage, const StixPreload& preload, Vec<2> place, const Sentence& state) {
     const Real stress =
         needs_stress(preload) ? StixStageColumn(*project_, stage, place[0]).effective_stress(place[1]) : 0.0;
     const Real pop = pop_of(preload, stress, basis_);
-    const auto add_doubt = [&](const std::string& doubt) {
-      if (!doubt.empty()) state_doubts_.push_back(fmt::format("Stage `{}`, {}: {}.", stage.label, state, doubt));
+    const auto add_doubt = [&](const Sentence& doubt) {
+      if (!doubt.empty()) state_doubts_.push_back(filled<told::of_state>(stage.label, state, doubt));
     };
     add_doubt(doubt_of(preload, stress));
-    if (pop > most_pop) add_doubt(fmt::format("its POP is {:.0f} kPa; soft soil has tens of kPa", pop / 1e3));
+    if (pop > most_pop) add_doubt(filled<told::large_pop>(pop / 1e3));
     if (!(pop >= 0.0 && std::isfinite(pop)))
-      problems.push_back({fmt::format("{}, stage `{}`, {}", project_->path, stage.label, state),
+      problems.push_back({fmt::format("{}, stage `{}`, {}", project_->path, stage.label, state.en),
           std::isnan(pop) ? "its POP has no value" : fmt::format("its POP is {:g} kPa", pop / 1e3),
           "It is at least zero. Design values need a mean and a standard deviation.", ""});
     return pop;
@@ -197,21 +196,18 @@ void StixSection::set_preloads()
   for (const StixStage* stage : stages_) {
     auto& points = point_pops_.emplace_back();
     for (const StixStatePoint& point : stage->state_points) {
-      const std::string state =
-          fmt::format("state `{}` of the layer {}", point.label, name_of_layer(*project_, *stage, point.layer));
+      const Sentence state = filled<told::state_of_layer>(point.label, name_of_layer(*project_, *stage, point.layer));
       points.push_back(pop_at(*stage, point.preload, point.place, state));
       if (!is_in_its_layer(*stage, point))
         state_doubts_.push_back(
-            fmt::format("Stage `{}`, {}: it lies at {:.2f}, {:.2f} m, outside of that layer. Its POP holds there all "
-                        "the same.",
-                stage->label, state, point.place[0], point.place[1]));
+            filled<told::of_state>(stage->label, state, filled<told::state_outside>(point.place[0], point.place[1])));
     }
     auto& lines = line_pops_.emplace_back();
     for (const StixStateLine& line : stage->state_lines) {
       LinePops& pops = lines.emplace_back();
       for (const StixStateLine::Value& value : line.values) {
         const Vec<2> place{value.x, interpolate(line.line, value.x)};
-        const std::string name = fmt::format("state `{}`", value.label);
+        const Sentence name = filled<told::state_of_line>(value.label);
         pops.above.push_back({value.x, pop_at(*stage, value.above, place, name)});
         pops.below.push_back({value.x, pop_at(*stage, value.below, place, name)});
       }

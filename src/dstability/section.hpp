@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dstability/ground_column.hpp"
+#include "dstability/sentence.hpp"
 #include "dstability/soil_strength.hpp"
 #include "dstability/water_column.hpp"
 
@@ -46,9 +47,10 @@ class StixSection {
 
   const StixProject& project() const { return *project_; }
   const StixStage& stage() const { return *stages_.back(); }
+  const std::vector<const StixStage*>& history() const { return stages_; }  ///< the stages up to this one, it included
   StixBasis basis() const { return basis_; }
   /// What speaks against states of the history, sentences: those that say less than what the soil carries anyhow.
-  const std::vector<std::string>& state_doubts() const { return state_doubts_; }
+  const std::vector<Sentence>& state_doubts() const { return state_doubts_; }
 
   /// All that depends on x alone: one per x, for many z. The section must outlive it.
   StixColumn column(Real x) const;
@@ -68,7 +70,7 @@ class StixSection {
     std::vector<Vec<2>> above, below;  ///< POP over x [m, Pa]
   };
   std::vector<std::vector<LinePops>> line_pops_;  ///< of each state line of each stage
-  std::vector<std::string> state_doubts_;
+  std::vector<Sentence> state_doubts_;
 };
 
 /// One stage along a vertical line, without its history.

@@ -5,6 +5,7 @@
 #include "dstability/soil_text.hpp"
 
 #include "base/errors.hpp"
+#include "dstability/told_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -168,20 +169,11 @@ CaseFriction reduced_friction(const SoilUse& use, SoilText& text, StixBasis basi
   const StixFriction& f = use.soil->advanced;
   const Real cohesion = value_of(f.cohesion, basis), friction = value_of(f.friction, basis),
              given = value_of(f.dilatancy, basis), dilatancy = std::isnan(given) ? 0.0 : given;
-  if (std::isnan(given))
-    text.assumed.push_back({fmt::format("{}: its dilatancy is empty in the file; taken was 0.", use.name),
-        fmt::format("{}: de dilatantie is leeg in het bestand; genomen is 0.", use.name)});
+  if (std::isnan(given)) text.assumed.push_back(filled<told::no_dilatancy>(use.name));
   if (dilatancy >= friction) return {cohesion, friction, friction};
   const DavisStrength on_planes = davis_reduced(cohesion, friction, dilatancy);
-  const auto filled = [&](const char* words) {
-    return fmt::format(fmt::runtime(words), use.name, friction, cohesion / 1e3, on_planes.friction,
-        on_planes.cohesion / 1e3, dilatancy);
-  };
-  text.assumed.push_back({filled("{}: phi' = {:g} degrees and c' = {:g} kPa of the file were reduced to {:.2f} and "
-                                 "{:.2f}, as D-Stability reduces them on slip planes of soil that dilates by {:g} "
-                                 "degrees."),
-      filled("{}: phi' = {:g} graden en c' = {:g} kPa van het bestand zijn verlaagd tot {:.2f} en {:.2f}, zoals "
-             "D-Stability doet op glijvlakken in grond met {:g} graden dilatantie.")});
+  text.assumed.push_back(filled<told::reduced_friction>(
+      use.name, friction, cohesion / 1e3, on_planes.friction, on_planes.cohesion / 1e3, dilatancy));
   return {on_planes.cohesion, on_planes.friction, std::min(dilatancy, on_planes.friction)};
 }
 
@@ -191,21 +183,9 @@ CaseFriction friction_of_table(const SoilUse& use, SoilText& text, StixBasis bas
   const Real up_to = std::max(use.largest_stress, 10e3);
   const Vec<2> line = line_through(use.soil->sigma_tau_table, up_to, basis);
   const Real friction = degrees * std::atan(line[1]);
-  text.assumed.push_back(
-      {fmt::format("{}: its SigmaTauTable was replaced by the straight line nearest to it from 0 to {:.0f} kPa: {:.2f} "
-                   "kPa + {:.3f} sigma'_n.",
-           use.soil->name, up_to / 1e3, line[0] / 1e3, line[1]),
-          fmt::format("{}: de SigmaTauTable is vervangen door de rechte lijn die er van 0 tot {:.0f} kPa het dichtst "
-                      "bij ligt: {:.2f} kPa + {:.3f} sigma'_n.",
-              use.soil->name, up_to / 1e3, line[0] / 1e3, line[1])});
+  text.assumed.push_back(filled<told::line_of_table>(use.soil->name, up_to / 1e3, line[0] / 1e3, line[1]));
   if (friction > largest_friction)
-    text.assumed.push_back(
-        {fmt::format("{}: the friction angle of its line is {:.1f} degrees; taken was {:g}, the most that the law "
-                     "takes. The soil is weaker than in the file.",
-             use.name, friction, largest_friction),
-            fmt::format("{}: de hoek van inwendige wrijving van die lijn is {:.1f} graden; genomen is {:g}, het "
-                        "hoogste dat het grondmodel kent. De grond is zwakker dan in het bestand.",
-                use.name, friction, largest_friction)});
+    text.assumed.push_back(filled<told::steep_line>(use.name, friction, largest_friction));
   return {line[0], std::min(friction, largest_friction), 0.0};
 }
 
@@ -223,13 +203,8 @@ void add_drained(const SoilUse& use, StixStrengthModel model, StixBasis basis, c
     add_friction(
         text, {1e3 * kind.least_strength, 0.0, 0.0}, fmt::format("none in the file: least_su of {}", kind.kind));
     text.material.lines.push_back({"drainage", "\"drained\"", ""});
-    text.assumed.push_back(
-        {fmt::format("{}: the file has c' = 0 and phi' = 0 {} the phreatic line; taken was c' = {:g} "
-                     "kPa, so that the soil does not flow like water.",
-             soil.name, use.above ? "above" : "below", kind.least_strength),
-            fmt::format("{}: het bestand heeft c' = 0 en phi' = 0 {} de freatische lijn; genomen is c' = {:g} kPa, "
-                        "zodat de grond niet als water wegvloeit.",
-                soil.name, use.above ? "boven" : "onder", kind.least_strength)});
+    text.assumed.push_back(filled<told::no_strength>(
+        soil.name, use.above ? filled<told::above_it>() : filled<told::below_it>(), kind.least_strength));
     return;
   }
   if (model == StixStrengthModel::advanced) {
@@ -270,10 +245,7 @@ void add_undrained(const SoilUse& use, StixStrengthModel model, StixBasis basis,
         fmt::format(
             "SuTable of the file over sigma'_v; at least {:g} kPa: default of {}", kind.least_strength, kind.kind)});
   }
-  text.assumed.push_back({fmt::format("{}: s_u is at least {:g} kPa; in D-Stability it is zero where sigma'_v is zero.",
-                              use.name, kind.least_strength),
-      fmt::format("{}: s_u is ten minste {:g} kPa; in D-Stability is zij nul waar sigma'_v nul is.", use.name,
-          kind.least_strength)});
+  text.assumed.push_back(filled<told::least_su>(use.name, kind.least_strength));
 }
 
 }  // namespace
@@ -320,8 +292,7 @@ SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKi
   const bool has_colour =
       soil.colour.size() == 9 && soil.colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (has_colour) lines.push_back({"color", in_quotes('#' + soil.colour.substr(3)), "of the file"});
-  text.assumed.push_back({fmt::format("{}: stiffness, Poisson's ratio and K0 are defaults of {}.", use.name, kind.kind),
-      fmt::format("{}: stijfheid, dwarscontractie en K0 zijn standaardwaarden van de soort {}.", use.name, kind.kind)});
+  text.assumed.push_back(filled<told::stiffness>(use.name, kind.kind));
   return text;
 }
 

@@ -102,8 +102,8 @@ bool read_texts(const Entry& entry, Findings& findings)
   if (std::ranges::any_of(entry.node.items,
           [](const Node& item) { return item.text.find_first_not_of(" \t\r\n") == std::string::npos; }))
     return refuse(entry, entry.path, fmt::format("a text of `{}` is empty", name),
-        fmt::format(
-            "Write what {}, or take the text out of the list.", name == "doubts" ? "is in doubt" : "was assumed"),
+        fmt::format("Write what {}, or take the text out of the list.",
+            name.starts_with("doubts") ? "is in doubt" : "was assumed"),
         findings);
   return true;
 }
@@ -119,7 +119,7 @@ bool read_doubts(const Entry& entry, Findings& findings)
   return true;
 }
 
-KeyInfo assumed_key(const char* path, const char* meaning)
+KeyInfo texts_key(const char* path, const char* meaning)
 {
   return {.path = path,
       .field =
@@ -134,9 +134,12 @@ KeyInfo assumed_key(const char* path, const char* meaning)
 
 std::vector<KeyInfo> reference_keys()
 {
-  return {assumed_key("reference.assumed",
+  return {texts_key("reference.assumed",
               "what was assumed for the section, which the report page lists; `terp import` writes it"),
-      assumed_key("reference.assumed_nl", "the same in Dutch, for the page in Dutch"),
+      texts_key("reference.assumed_nl", "the same in Dutch, for the page in Dutch"),
+      texts_key("reference.doubts_nl",
+          "the texts of `reference.doubts` in Dutch, for the page in Dutch: as many, in the same order. Else the page "
+          "has those in English"),
       {.path = "reference.doubts",
           .field =
               [](Case&, std::size_t) {

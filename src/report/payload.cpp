@@ -61,24 +61,16 @@ struct Source {
   std::vector<std::string> warnings;
 };
 
-/// What speaks against an imported section, of which the reader of the page must know.
-void add_doubts(const CaseFile& of, std::vector<std::string>& warnings)
-{
-  for (const Problem& warning : of.warnings) {
-    if (warning.key != "reference.doubts") continue;
-    std::istringstream lines(warning.detail);
-    for (std::string line; std::getline(lines, line);) warnings.push_back(line);
-  }
-}
-
-/// What the import of a section assumed, by language.
-Json assumed_json(const std::string& case_toml)
+/// Texts of [reference] by language: `doubts`, what speaks against an imported section, or `assumed`. Doubts that a
+/// user took out in one language alone are those in English.
+Json texts_json(const std::string& case_toml, const std::string& key)
 {
   Json json{{"en", Json::array()}, {"nl", Json::array()}};
   const Node document = parse_toml(case_toml);
-  for (const auto& [language, path] : {std::pair{"en", "reference.assumed"}, {"nl", "reference.assumed_nl"}})
-    if (const Node* const texts = find_node(document, path))
+  for (const auto& [language, end] : {std::pair{"en", ""}, {"nl", "_nl"}})
+    if (const Node* const texts = find_node(document, "reference." + key + end))
       for (const Node& item : texts->items) json[language].push_back(item.text);
+  if (json["nl"].size() != json["en"].size()) json["nl"] = json["en"];
   return json;
 }
 
@@ -90,7 +82,6 @@ Source open_source(const std::string& folder, const std::string& name)
       .run = std::move(run), .frames = std::move(frames), .name = name, .case_read = {}, .mesh = {}, .warnings = {}};
   try {
     source.case_read = read_case(path_in(folder, case_file));
-    add_doubts(*source.case_read, source.warnings);
     source.mesh = build_mesh(source.case_read->values);
   } catch (const CaseError&) {
     source.warnings.push_back(
@@ -384,7 +375,8 @@ Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   json["layers"] = layers_json(chunks, source, shown);
   json["loads"] = loads_json(chunks, source, shown);
   json["slip_planes"] = slip_planes_json(source);
-  if (source.case_read) json["assumed"] = assumed_json(source.run.case_toml);
+  if (source.case_read)
+    for (const char* const key : {"assumed", "doubts"}) json[key] = texts_json(source.run.case_toml, key);
   json["histories"] = histories_json(chunks, source.run);
   json["series"] = table_json(chunks, source.run.ledger);
   const Real column = source.mesh ? typical_cell_size(*source.mesh) : 0.0;

@@ -33,7 +33,7 @@ void each(Record& r, F&& f)
   f("program", r.program), f("language", r.language), f("strength", r.strength);
   f("files", r.files), f("files_next", r.files_next);
   f("case_found", r.case_found), f("run_of", r.run_of), f("step", r.step), f("fault", r.fault), f("is_done", r.is_done);
-  f("is_refused", r.is_refused), f("notes", r.notes);
+  f("is_refused", r.is_refused), f("notes", r.notes), f("notes_nl", r.notes_nl);
   f("has_report", r.has_report), f("has_trigger", r.has_trigger), f("is_held", r.is_held), f("trigger", r.trigger);
   f("ignored", r.ignored), f("factor", r.factor), f("uncertainty", r.uncertainty);
   f("stands", r.stands), f("fails", r.fails), f("creeps", r.creeps);
@@ -312,8 +312,8 @@ std::string words_of(Hint hint, const ReachSection& section, bool dutch)
   const std::string speed = fastest ? decimal_sign(fmt::format(" ({:.2g} m/s)", *fastest), dutch) : "";
   switch (hint) {
     case Hint::doubt:
-      return fmt::format("{}{}", dutch ? "twijfel bij het inlezen (Engels): " : "in doubt since the import: ",
-          fmt::join(section.record.notes, " "));
+      return fmt::format("{}{}", dutch ? "twijfel bij het inlezen: " : "in doubt since the import: ",
+          fmt::join(dutch ? section.record.notes_nl : section.record.notes, " "));
     case Hint::ignored: return (dutch ? "niet toegepast (Engels): " : "") + section.record.ignored;
     case Hint::moves:
       return (dutch ? "aan het eind niet in rust" : "not at rest at the end") + speed +

@@ -56,7 +56,7 @@ TEST(EarlierGround, IsSaidInDutchToo)
 {
   const auto ground = earlier_ground(project_of({clay_on_sand(), with_fill("berm", 10.0)}), 0, 1, {0.0, 20.0}, 0.5);
   ASSERT_TRUE(ground.has_value());
-  EXPECT_THAT(ground->sentence.nl, HasSubstr("Sinds `daily`: 10.0 m2 opgehoogd (x = 5.0 tot 10.0 m)."));
+  EXPECT_THAT(ground->sentence.nl, HasSubstr("Sinds `daily`: 10,0 m2 opgehoogd (x = 5,0 tot 10,0 m)."));
 }
 
 }  // namespace earlier_ground_test

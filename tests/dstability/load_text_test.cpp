@@ -41,9 +41,9 @@ TEST(LoadText, BesideTheSectionIsLeftOut)
   stage.layer_loads = {{"clay", {{"sand", 50.0}}}};
   const LoadTexts texts = load_texts(stage, nullptr, layout);
   EXPECT_THAT(texts.tables, IsEmpty());
-  EXPECT_THAT(
-      texts.left_out, ElementsAre("Load traffic: it has no width or no size in the section.",
-                          "Layers that count as loads without full consolidation: their excess pore pressure."));
+  EXPECT_THAT(in_english(texts.left_out),
+      ElementsAre("Load traffic: it has no width or no size in the section.",
+          "Layers that count as loads without full consolidation: their excess pore pressure."));
 }
 
 }  // namespace load_text_test

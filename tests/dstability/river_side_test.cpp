@@ -36,19 +36,19 @@ TEST(RiverSide, IsTheWaterSideThatTheFileNamesThoughWaterStandsInThePolder)
 {
   const StixRiver river = river_of(dike(dry_foreland, {4.0, 8.0}));
   EXPECT_EQ(river.side, "left");
-  EXPECT_EQ(river.doubt, "");
+  EXPECT_EQ(river.doubt.en, "");
   const std::string report = text_of(dike(dry_foreland, {4.0, 8.0}), 1);
   EXPECT_THAT(
       report, HasSubstr("No water stands on the ground at the river's end (left) of the section: the case has no"));
   EXPECT_EQ(river_of(dike(level, {8.0, 4.0})).side, "right");  // named: no tie
-  EXPECT_EQ(river_of(dike(level, {8.0, 4.0})).doubt, "");
+  EXPECT_EQ(river_of(dike(level, {8.0, 4.0})).doubt.en, "");
 }
 
 TEST(RiverSide, IsInDoubtWhereTheFileAndTheWaterContradict)
 {
   const StixRiver river = river_of(dike({{-20.0, 2.0}, {4.0, 2.0}, {16.0, 0.0}, {40.0, -1.0}}, {8.0, 4.0}));
   EXPECT_EQ(river.side, "right");
-  EXPECT_EQ(river.doubt,
+  EXPECT_EQ(river.doubt.en,
       "The file has its embankment's water side at the right end, but water stands on the ground at the left end, and "
       "higher: 2.00 m, not -1.00 m. The river is taken to be at the right end.");
 }
@@ -58,14 +58,14 @@ TEST(RiverSide, IsInDoubtWhereThePointsOfTheEmbankmentContradictOrLieOutside)
   StixProject project = dike(level, {4.0, 8.0});
   StixEmbankment& at = project.scenarios[0].stages[0].embankment;
   at.toe_water = -2.0, at.toe_land = 16.0;
-  EXPECT_EQ(river_of(project).doubt, "");
+  EXPECT_EQ(river_of(project).doubt.en, "");
   std::swap(at.toe_water, at.toe_land);
   EXPECT_EQ(river_of(project).side, "left");
-  EXPECT_EQ(river_of(project).doubt,
+  EXPECT_EQ(river_of(project).doubt.en,
       "The file has the top of its embankment's water side at the left end, but its toe at the right end. The river is "
       "taken to be at the left end.");
   at.toe_water = at.toe_land = not_given, at.top_land = 140.0;
-  EXPECT_EQ(river_of(project).doubt,
+  EXPECT_EQ(river_of(project).doubt.en,
       "The file has a point of its embankment at x = 140.00 m, outside of the section (-20.00 to 40.00 m). The river "
       "is "
       "taken to be at the left end.");
@@ -77,7 +77,7 @@ TEST(RiverSide, WithoutASideInTheFileIsThatOfTheHigherPhreaticLine)
   const StixRiver doubtful = river_of(dike(dry_foreland));
   EXPECT_EQ(doubtful.side, "left");
   EXPECT_THAT(
-      doubtful.doubt, testing::StartsWith("The phreatic line is higher at the left end (0.60 m, below the ground)"));
+      doubtful.doubt.en, testing::StartsWith("The phreatic line is higher at the left end (0.60 m, below the ground)"));
   EXPECT_THAT(text_of(dike(dry_foreland)), testing::Not(HasSubstr("\n[flood]\n")));
   EXPECT_EQ(river_of(dike({{-20.0, 0.5}, {40.0, 0.5}})).side, "right");  // level water, ground that is not
   EXPECT_EQ(river_of(dike({{-20.0, -2.0}, {40.0, -3.0}})).side, "");     // no river
@@ -90,10 +90,10 @@ TEST(RiverSide, IsNotInHighLandThoughItsWaterIsHigher)
   outline[0][1] = outline[1][1] = 3.9;  // as high as the crest
   const StixRiver river = river_of(slope);
   EXPECT_EQ(river.side, "right");
-  EXPECT_EQ(river.doubt, "");
+  EXPECT_EQ(river.doubt.en, "");
   EXPECT_THAT(text_of(slope), HasSubstr("water_level = 1.0"));
   outline[0][1] = outline[1][1] = 3.2;
-  EXPECT_NE(river_of(slope).doubt, "");
+  EXPECT_NE(river_of(slope).doubt.en, "");
 }
 
 TEST(RiverSide, OfTwoEqualWatersIsNotKnown)
@@ -101,7 +101,7 @@ TEST(RiverSide, OfTwoEqualWatersIsNotKnown)
   const StixRiver river = river_of(dike(level));
   EXPECT_EQ(river.side, "");
   EXPECT_THAT(
-      river.doubt, testing::StartsWith("Water stands equally high on the ground at both ends of the section (2.00"));
+      river.doubt.en, testing::StartsWith("Water stands equally high on the ground at both ends of the section (2.00"));
   const std::string text = text_of(dike(level));
   EXPECT_THAT(text, HasSubstr("water_level = 2.0"));
   EXPECT_THAT(text, testing::Not(ContainsRegex("\nriver +=")));

@@ -148,8 +148,11 @@ TEST_F(PayloadTest, SaysWhatSpeaksAgainstAnImport)
                                   "\n[reference]\ndoubts = [\"A layer is missing.\", \"No POP.\"]\nassumed = "
                                   "[\"K0.\"]\nassumed_nl = [\"K0 aangenomen.\"]\n");
   const json alone = json::parse(make_payload({scratch.path() + "/gp"}, {}).json);
-  EXPECT_THAT(alone["runs"][0]["warnings"].get<std::vector<std::string>>(),
-      AllOf(Contains("A layer is missing."), Contains("No POP.")));
+  const json english{"A layer is missing.", "No POP."};
+  EXPECT_EQ(alone["runs"][0]["doubts"], (json{{"en", english}, {"nl", english}})) << "none in Dutch";
+  write_file_atomically(path, read_file(path) + "doubts_nl = [\"Een laag ontbreekt.\", \"Geen POP.\"]\n");
+  const json both = json::parse(make_payload({scratch.path() + "/gp"}, {}).json);
+  EXPECT_EQ(both["runs"][0]["doubts"]["nl"], (json{"Een laag ontbreekt.", "Geen POP."}));
   EXPECT_EQ(alone["runs"][0]["assumed"], (json{{"en", {"K0."}}, {"nl", {"K0 aangenomen."}}}));
 }
 

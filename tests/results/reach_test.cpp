@@ -23,6 +23,7 @@ SectionRecord sample_record()
       .step = "run",
       .is_refused = true,
       .notes = {"The river may be at the left."},
+      .notes_nl = {"De rivier ligt wellicht links."},
       .is_done = true,
       .has_report = true,
       .has_trigger = true,
@@ -152,9 +153,11 @@ TEST(Reach, SaysWhatIsInDoubtSinceTheImport)
   ReachSection section = solved_section();
   section.record.is_held = false;
   section.record.notes = {"The river may be at the left.", "Or at the right."};
+  section.record.notes_nl = {"De rivier ligt wellicht links.", "Of rechts."};
   ASSERT_THAT(hints_on(section), testing::ElementsAre(Hint::doubt));
   EXPECT_THAT(sentence_on(section),
       testing::EndsWith("(in doubt since the import: The river may be at the left. Or at the right.)"));
+  EXPECT_EQ(words_of(Hint::doubt, section, true), "twijfel bij het inlezen: De rivier ligt wellicht links. Of rechts.");
 }
 
 TEST(Reach, ALastStageThatEndsAtAFixedTimeSaysNothingOfRest)

@@ -191,6 +191,7 @@ export interface RunMeta {
   events: Events | null;
   warnings: string[]; // of the writer; the rest follows from the summary
   assumed?: Record<string, string[]>; // by language: what the import of the section took that its file does not say
+  doubts?: Record<string, string[]>; // the same of what speaks against the section
   summary: Record<string, unknown>;
 }
 

@@ -6,7 +6,7 @@ import type { Run } from "../data/run";
 import { schemeLabel, soilName, spoken } from "./labels";
 import { columnPlace, fixed, metres, numberText, percent, withUnit } from "./numbers";
 import { nextOf, slidesOf } from "./slides";
-import { ordinal, say, TEXTS, type TextKey } from "./texts";
+import { currentLanguage, ordinal, say, TEXTS, type TextKey } from "./texts";
 
 const HARDLY_MOVED = 0.01; // share of the volume
 const STILL_MOVING = 0.01; // kinetic energy at the end over its largest
@@ -316,7 +316,7 @@ export function listWarnings(run: Run): string[] {
   }
   const told = new Set([say("check_end"), say("check_energy"), say("check_clamped")]);
   const failed = listChecks(run).filter((check) => !check.passed && !told.has(check.name));
-  return [...warnings, ...meta.warnings,
+  return [...warnings, ...meta.warnings, ...(meta.doubts?.[currentLanguage()] ?? []),
     ...failed.map(({ name, value }) => say("warn_check", { name, value }))];
 }
 

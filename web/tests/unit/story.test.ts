@@ -167,6 +167,15 @@ describe("warnings and checks", () => {
       "7 points left the mesh through open sides.", "A frame is missing.", "Check not passed: Points whose strength ever rose: 2."]);
   });
 
+  it("say what speaks against an import in the language of the page", () => {
+    const run = sampleRun();
+    run.meta.doubts = { en: ["A layer is missing."], nl: ["Een laag ontbreekt."] };
+    expect(listWarnings(run)).toContain("A layer is missing.");
+    chooseLanguage("nl");
+    expect(listWarnings(run)).toContain("Een laag ontbreekt.");
+    expect(listWarnings(run)).not.toContain("A layer is missing.");
+  });
+
   it("repeat what the program says of rest, sides, damping and the softening length", () => {
     const stages = [{ name: "daily", start: 0, end: 1, at_rest: false, fastest_node: 0.5 }, { name: "", start: 1, end: 4, at_rest: false, fastest_node: 0.25 }];
     expect(plain(listWarnings(sampleRun({}, { stages, reached_sides: [{ side: "right", time: 3, rose: false }],
