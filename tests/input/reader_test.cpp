@@ -117,6 +117,7 @@ mesh = true
 doubts = ["The river may be at the other end."]
 assumed = ["K0 is a default of clay."]
 assumed_nl = ["K0 is een standaardwaarde van klei."]
+doubts_nl = ["De laag `clay` heeft geen POP."]
 slip_planes = [
   { name = "wall side", method = "Bishop", factor_of_safety = 1.25, line = [[1, 2], [3, 0.5], [6, 1]], su = [
     [2, 1.25, 5e3], [4, 0.75, "6 kPa"]] },
