@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace terp {
 namespace {
@@ -20,6 +21,7 @@ constexpr Real carries = 1.0 / 3.0;  // part of a cell that ground must fill to 
 struct CellContent {
   Real volume = 0.0, sheared = 0.0;  ///< [m^2]
   Real top = none;                   ///< upper edge of the highest point, a square of its volume [m]
+  Real from_below = 0.0;             ///< of the volume: what points below reach into it, less what its own reach below
 };
 
 CellContent content_of(const PointBlocks<2>& points, Index cell, const GroundQuestion& question)
@@ -97,12 +99,140 @@ bool is_upright(const std::array<Vec<2>, 4>& corners)
   return true;
 }
 
+/// The upright cell at the lower or upper end of an upright one along x (d = 0) or y; `outside`: there is none.
+Index upright_neighbour(const Mesh<2>& mesh, Index cell, std::size_t d, bool upper)
+{
+  const auto x = mesh.corners(cell);
+  for (std::size_t side = 0; side < x.size(); ++side) {
+    const Vec<2>&a = x[side], &b = x[(side + 1) % x.size()];
+    if (a[d] != b[d] || (a[d] > mesh.centres[static_cast<std::size_t>(cell)][d]) != upper) continue;
+    const Index next = mesh.neighbours[static_cast<std::size_t>(cell)][side];
+    return next != outside && is_upright(mesh.corners(next)) ? next : outside;
+  }
+  return outside;
+}
+
+/// Ground of the cells where a point is as large as its volume, a part of its cell of the same shape: what reaches over
+/// a side counts beyond it. Without that, ground that sinks would keep its height until a row of points leaves a cell.
+class GroundFill {
+ public:
+  GroundFill(const Mesh<2>& mesh, const PointBlocks<2>& points, const GroundQuestion& question,
+      const std::vector<std::uint8_t>& connected)
+      : mesh_(mesh),
+        points_(points),
+        question_(question),
+        connected_(connected),
+        of_cell_(static_cast<std::size_t>(mesh.n_cells()))
+  {
+  }
+
+  void enter(Index cell, const CellContent& content)
+  {
+    if (!is_upright(mesh_.corners(cell))) {
+      add(cell, content.volume, content.sheared);
+      of_cell_[static_cast<std::size_t>(cell)].top = content.top;
+      return;
+    }
+    for_each_block(points_, cell, [&](const PointBlock<2>& block, Index) {
+      if (is_ground(question_.ground, block))
+        for (Index lane = 0; lane < block.n; ++lane) spread(cell, block, lane);
+    });
+  }
+
+  /// Seeded points are not always squares. So what reaches up out of a cell that is not full fills it first, and what
+  /// reaches down into a cell that is full stays above.
+  void settle()
+  {
+    std::vector<std::pair<Index, Real>> moved;  // into a cell out of the one below [m^2]
+    for (const Index cell : cells_) {
+      const Real reaches = of_cell_[static_cast<std::size_t>(cell)].from_below;
+      const Index below = reaches != 0.0 ? upright_neighbour(mesh_, cell, 1, false) : outside;
+      if (below == outside) continue;
+      const Real lacks = area_of(mesh_.corners(below)) - of_cell_[static_cast<std::size_t>(below)].volume;
+      const Real up = reaches > 0.0 ? -std::clamp(lacks, 0.0, reaches) : std::clamp(-lacks, 0.0, -reaches);
+      if (up != 0.0) moved.emplace_back(cell, up);
+    }
+    for (const auto& [cell, volume] : moved) {
+      of_cell_[static_cast<std::size_t>(cell)].volume += volume;
+      of_cell_[static_cast<std::size_t>(upright_neighbour(mesh_, cell, 1, false))].volume -= volume;
+    }
+  }
+
+  const std::vector<Index>& cells() const { return cells_; }
+  const CellContent& of(Index cell) const { return of_cell_[static_cast<std::size_t>(cell)]; }
+
+ private:
+  bool holds_ground(Index cell) const
+  {
+    const Index slot = points_.slot_of_cell()[cell];
+    return slot >= 0 && connected_[static_cast<std::size_t>(slot)] != 0;
+  }
+
+  void add(Index cell, Real volume, Real sheared)
+  {
+    CellContent& content = of_cell_[static_cast<std::size_t>(cell)];
+    if (!(content.volume > 0.0)) cells_.push_back(cell);
+    content.volume += volume;
+    content.sheared += sheared;
+  }
+
+  void spread(Index cell, const PointBlock<2>& block, Index lane)
+  {
+    const auto x = mesh_.corners(cell);
+    const Real volume = block.row(PointRows<2>::volume)[lane];
+    const int strain = question_.strain.empty() ? -1 : question_.strain[static_cast<std::size_t>(block.material)];
+    const Real sheared = strain >= 0 && block.row(strain)[lane] >= question_.intact_below ? 1.0 : 0.0;
+    const std::array<std::array<Real, 3>, 2> part = parts(x, block, lane, std::sqrt(volume / area_of(x)));
+    for (std::size_t row = 0; row < 3; ++row) {
+      if (!(part[1][row] > 0.0)) continue;
+      const Index next = row == 1 ? outside : upright_neighbour(mesh_, cell, 1, row == 2);
+      const Index in_row = next == outside ? cell : next;
+      const Real reaches = next == outside ? 0.0 : volume * part[1][row];
+      if (reaches > 0.0 && row == 2) of_cell_[static_cast<std::size_t>(next)].from_below += reaches;
+      if (reaches > 0.0 && row == 0) of_cell_[static_cast<std::size_t>(cell)].from_below -= reaches;
+      for (std::size_t column = 0; column < 3; ++column) {
+        if (!(part[0][column] > 0.0)) continue;
+        const Index beside = column == 1 ? outside : upright_neighbour(mesh_, in_row, 0, column == 2);
+        if (beside != outside && !holds_ground(beside)) continue;  // less than the part of a column: no ground there
+        const Real share = volume * part[1][row] * part[0][column];
+        add(beside != outside ? beside : in_row, share, sheared * share);
+      }
+    }
+  }
+
+  /// Along x and y: the part of a point that lies below its cell, in it and beyond. size: of the point over the cell's.
+  static std::array<std::array<Real, 3>, 2> parts(
+      const std::array<Vec<2>, 4>& x, const PointBlock<2>& block, Index lane, Real size)
+  {
+    std::array<std::array<Real, 3>, 2> part;
+    for (std::size_t d = 0; d < 2; ++d) {
+      const auto [low, high] = std::ranges::minmax({x[0][d], x[1][d], x[2][d], x[3][d]});
+      const Real place = (block.row(PointRows<2>::x + static_cast<int>(d))[lane] - low) / (high - low);
+      const Real below = std::clamp(0.5 - place / size, 0.0, 1.0);
+      const Real beyond = std::clamp(0.5 - (1.0 - place) / size, 0.0, 1.0 - below);
+      part[d] = {below > least ? below : 0.0, 0.0, beyond > least ? beyond : 0.0};
+      part[d][1] = 1.0 - part[d][0] - part[d][2];
+    }
+    return part;
+  }
+
+  static constexpr Real least = 1e-9;  ///< part of a point: less is round-off
+
+  const Mesh<2>& mesh_;
+  const PointBlocks<2>& points_;
+  const GroundQuestion& question_;
+  const std::vector<std::uint8_t>& connected_;
+  std::vector<CellContent> of_cell_;
+  std::vector<Index> cells_;  ///< those with ground
+};
+
 void enter_cell(const std::array<Vec<2>, 4>& corners, const CellContent& content, StandingGround& ground)
 {
   const Real top = is_upright(corners) ? -none : content.top;  // of a cell cut askew the share says little
   const auto [left, right] = std::ranges::minmax({corners[0][0], corners[1][0], corners[2][0], corners[3][0]});
   const Columns& columns = ground.columns;
   const Real full = std::min(1.0, content.volume / area_of(corners));
+  if (!(full > 1e-9)) return;  // round-off
   const auto first = static_cast<Index>(std::max(0.0, std::ceil((left - columns.left) / columns.width - 0.5)));
   for (Index k = first; k < columns.n; ++k) {
     const Real x = columns.left + (k + 0.5) * columns.width;
@@ -159,8 +289,11 @@ StandingGround look_at_ground(const Mesh<2>& mesh, const PointBlocks<2>& points,
   const std::vector<std::uint8_t> connected = find_connected(mesh, points, contents);
   const auto n = static_cast<std::size_t>(question.columns.n);
   StandingGround ground{question.columns, question.level, std::vector<Real>(n, none), std::vector<Real>(n, 0.0)};
+  GroundFill fill(mesh, points, question, connected);
   for (std::size_t slot = 0; slot < cells.size(); ++slot)
-    if (connected[slot] != 0) enter_cell(mesh.corners(cells[slot]), contents[slot], ground);
+    if (connected[slot] != 0) fill.enter(cells[slot], contents[slot]);
+  fill.settle();
+  for (const Index cell : fill.cells()) enter_cell(mesh.corners(cell), fill.of(cell), ground);
   return ground;
 }
 

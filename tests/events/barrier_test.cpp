@@ -105,6 +105,42 @@ TEST(Barrier, CountsAThinLayerByItsVolumeAndLooseSoilHardly)
   EXPECT_NEAR(dike().point({10.1, 4.4}, 1.0 / 64.0).at(2.5).height, 4.0 + size / 16.0, 1e-9);  // one point of sixteen
 }
 
+/// The dike, moved as a whole, with n x n points in a cell.
+Drawing moved_dike(Vec<2> by, int n)
+{
+  const Real h = size / n;
+  Drawing drawing;
+  for (int i = 0; i < n_x * n; ++i)
+    for (int j = 0; j < n_y * n; ++j) {
+      const Vec<2> x{(i + 0.5) * h, (j + 0.5) * h};
+      const bool is_dike = x[1] > 1.0 && x[1] < 4.0 && x[0] > 8.0 && x[0] < 12.0;
+      if (is_dike) drawing.point({x[0] + by[0], x[1] + by[1]}, h * h);
+      if (x[1] < 1.0 && (by[1] >= 0.0 || !is_dike)) drawing.point(x, h * h);
+    }
+  return drawing;
+}
+
+TEST(Barrier, SinksWithTheGroundAndNotByRowsOfPoints)  // by points of which each is in one cell: 0.12 m off
+{
+  for (const int n : {2, 3, 4})
+    for (const Real sinks : {0.01, 0.05, 0.12, 0.2, 0.3, 0.37, 0.49, 0.6})
+      for (const Real aside : {0.0, 0.1, -0.3}) {
+        EXPECT_NEAR(moved_dike({aside, -sinks}, n).at(2.5).height, 4.0 - sinks, aside == 0.0 ? 1e-9 : 0.06)
+            << n << " x " << n << " points, " << sinks << " m, " << aside << " m aside";
+      }
+}
+
+TEST(Barrier, OfALevelLayerIsExactWhateverTheShapeOfItsPoints)
+{
+  Drawing flat, thin;  // 2 x 4 points in a cell; a layer of 0.02 m on full cells
+  for (int i = 0; i < 2 * n_x; ++i)
+    for (int j = 0; j < 4 * 6; ++j) flat.point({(i + 0.5) * 0.25, (j + 0.5) * 0.125}, 0.25 * 0.125);
+  EXPECT_NEAR(flat.at(1.0).height, 3.0, 1e-9);
+  thin.box({0.0, 0.0}, {20.0, 3.0});
+  for (int i = 0; i < 4 * n_x; ++i) thin.point({(i + 0.5) * 0.125, 3.01}, 0.125 * 0.02);
+  EXPECT_NEAR(thin.at(1.0).height, 3.02, 1e-9);
+}
+
 TEST(Barrier, IsNoSoilInTheAir)
 {
   EXPECT_DOUBLE_EQ(dike().box({9.0, 5.0}, {10.0, 5.5}).at(2.5).height, 4.0);
