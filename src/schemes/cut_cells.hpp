@@ -54,20 +54,22 @@ void add_slip(R normal, R shear, R g, GaussStrain<Element, R>& strain)
   }
 }
 
-/// Strain of the soil of block b: that of the cell, and what it slips.
+/// Strain of the soil of block b: that of the cell, and what it slips. slipped: room for it where it does.
 template <class Element>
-GaussStrain<Element> with_slip(const CellGroup<Element>& group, Index b, GaussStrain<Element> strain)
+const GaussStrain<Element>& with_slip(
+    const CellGroup<Element>& group, Index b, const GaussStrain<Element>& strain, GaussStrain<Element>& slipped)
 {
   if (group.slips.empty() || !group.slips[b].acts()) return strain;
   const BlockSlip& slip = group.slips[b];
-  add_slip(slip.normal, slip.shear, slip_of(slip.normal, slip.shear, slip.held, slip.rate, strain), strain);
-  return strain;
+  slipped = strain;
+  add_slip(slip.normal, slip.shear, slip_of(slip.normal, slip.shear, slip.held, slip.rate, strain), slipped);
+  return slipped;
 }
 
 /// The same of the blocks of a layer, one lane per cell.
 template <class Element>
-GaussStrain<Element, Pack> with_slips(
-    const CellGroup<Element>& group, const BlockLayer& layer, GaussStrain<Element, Pack> strain)
+const GaussStrain<Element, Pack>& with_slips(const CellGroup<Element>& group, const BlockLayer& layer,
+    const GaussStrain<Element, Pack>& strain, GaussStrain<Element, Pack>& slipped)
 {
   const auto acts = [&](Index b) { return b >= 0 && group.slips[b].acts(); };
   if (group.slips.empty() || std::ranges::none_of(layer.block, acts)) return strain;
@@ -75,8 +77,9 @@ GaussStrain<Element, Pack> with_slips(
     return pack_of([&](int c) { return acts(layer.block[c]) ? group.slips[layer.block[c]].*part : 0.0; });
   };
   const Pack normal = lanes(&BlockSlip::normal), shear = lanes(&BlockSlip::shear);
-  add_slip(normal, shear, slip_of(normal, shear, lanes(&BlockSlip::held), lanes(&BlockSlip::rate), strain), strain);
-  return strain;
+  slipped = strain;
+  add_slip(normal, shear, slip_of(normal, shear, lanes(&BlockSlip::held), lanes(&BlockSlip::rate), strain), slipped);
+  return slipped;
 }
 
 /// What the slip of a block takes from the stress without any work of the nodes [J per m]: it is lost on the border, as

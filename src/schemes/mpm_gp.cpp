@@ -24,11 +24,12 @@ struct MpmGp {
     const GaussStrain<Element, Pack> lanes = strain_of_group(group, du, context.method.b_bar);  // Step 2
     const auto strain = strain_by_cell(lanes);
     sums.plastic_work += lost_on_borders(group, lanes);
+    GaussStrain<Element> slipped;
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
         update_excess(context, block, group.excess, b, share_of_cell_pressure(context.method), strain[c]);
-        update_points(context, block, with_slip(group, b, strain[c]), group.pressure[b], sums);
+        update_points(context, block, with_slip(group, b, strain[c], slipped), group.pressure[b], sums);
       });
     }
   }
@@ -52,7 +53,8 @@ struct MpmGp {
     sums.plastic_work += lost_on_borders(group, strain);
     for_each_layer(group, [&](const BlockLayer& layer) {
       LeftRows<Element> rows;
-      const GaussStrain<Element, Pack> own = with_slips(group, layer, strain);
+      GaussStrain<Element, Pack> slipped;
+      const GaussStrain<Element, Pack>& own = with_slips(group, layer, strain, slipped);
       for (int k = 0; k < n_sym<dim>; ++k) rows.set(StrainRows::strain + k, own.d_eps[k]);
       rows.set(StrainRows::pressure, layer, group.pressure);
       rows.set(StrainRows::spin, own.d_spin);

@@ -33,12 +33,14 @@ struct MpmMixed {
     const GaussStrain<Element, Pack> lanes = strain_of_group(group, du, context.method.b_bar);  // Step 2
     const auto strain = strain_by_cell(lanes);
     sums.plastic_work += lost_on_borders(group, lanes);
+    GaussStrain<Element, Pack> slipped_lanes;
+    GaussStrain<Element> slipped;
     for_each_layer(group, [&](const BlockLayer& layer) {
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
       GaussRow<Element>* rows = group.rows_of(layer);
-      const Pack plastic_work =
-          update_gauss_points(context, group, layer, with_slips(group, layer, lanes), gauss, rows);  // Step 3
+      const Pack plastic_work = update_gauss_points(
+          context, group, layer, with_slips(group, layer, lanes, slipped_lanes), gauss, rows);  // Step 3
       const auto sigma = by_cell(gauss);
       for (int k = 0; k < material.n_state(); ++k) turn_by_cell(rows[k]);
       for (int c = 0; c < group.n(); ++c) {
@@ -47,7 +49,7 @@ struct MpmMixed {
         sums.plastic_work += plastic_work[c];
         const PointBlock<dim>& block = group.points.block(layer.block[c]);
         update_excess(context, block, group.excess, layer.block[c], 1.0, strain[c]);
-        const auto own = with_slip(group, layer.block[c], strain[c]);
+        const GaussStrain<Element>& own = with_slip(group, layer.block[c], strain[c], slipped);
         for (Index p = 0; p < block.n; p += pack_width)
           assign_to_points(sigma[c], rows, c, own, material, block, p);  // Step 4
       }
@@ -84,7 +86,8 @@ struct MpmMixed {
     const GaussStrain<Element, Pack> of_cells = strain_of_group(group, du, context.method.b_bar);  // Step 2
     sums.plastic_work += lost_on_borders(group, of_cells);
     for_each_layer(group, [&](const BlockLayer& layer) {
-      const GaussStrain<Element, Pack> strain = with_slips(group, layer, of_cells);
+      GaussStrain<Element, Pack> slipped;
+      const GaussStrain<Element, Pack>& strain = with_slips(group, layer, of_cells, slipped);
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
       GaussRow<Element>* state = group.rows_of(layer);

@@ -4,6 +4,8 @@
 #include "simulation/state.hpp"
 #include "simulation/workspace.hpp"
 
+#include <algorithm>
+
 namespace terp {
 
 /// Sums of the cells around a node.
@@ -41,6 +43,22 @@ inline Vec<2> sum_outer(const Model& model, const State& state, const OuterForce
     for (int d = 0; d < 2; ++d) sum[d] += outer.corners[slot][d][corner];
   }
   return sum;
+}
+
+/// Any force from outside acts in this step.
+inline bool has_outer_forces(const Workspace& work)
+{
+  return std::ranges::any_of(work.outer, [](const OuterForces& kind) { return kind.acts; });
+}
+
+/// Adds the forces from outside on a node to those out of balance, and keeps each kind for its work.
+inline void add_outer_forces(const Model& model, const State& state, Index node, Workspace& work, Vec<2>& force)
+{
+  for (OuterForces& kind : work.outer) {
+    if (!kind.acts) continue;
+    kind.node[node] = sum_outer(model, state, kind, node);
+    for (int d = 0; d < 2; ++d) force[d] += kind.node[node][d];
+  }
 }
 
 /// A part of the mass of a full cell, rho V_e of the first cell around a node [kg per m].
@@ -108,22 +126,26 @@ inline void accelerate_node(
   Damping damping = model.damping;
   damping.local = work.damping_local;
   Vec<2> v_0, v_free, out_of_balance;
-  for (OuterForces& kind : work.outer)
-    if (kind.acts) kind.node[i] = sum_outer(model, state, kind, i);
   for (int d = 0; d < 2; ++d) {
     v_0[d] = sum.momentum[d] / sum.mass;
     out_of_balance[d] = sum.mass * work.gravity[d] - sum.internal_force[d];
-    for (const OuterForces& kind : work.outer)
-      if (kind.acts) out_of_balance[d] += kind.node[i][d];
     node.internal[d] = -sum.internal_force[d];
   }
+  if (has_outer_forces(work)) add_outer_forces(model, state, i, work, out_of_balance);
   if (work.settling) hold_back(work.search, i, out_of_balance);
   sums.kinetic += 0.5 * sum.mass * (v_0[0] * v_0[0] + v_0[1] * v_0[1]);
   const int k = footing_at(work, model.mesh->nodes[i]);
   const PlacedFooting* const footing = k < 0 ? nullptr : &work.footings[k];
-  const auto beside = [&](Vec<2> value) { return footing == nullptr ? value : footing->free_part(value); };
-  Vec<2> force = beside(model.boundary.free_force(i, out_of_balance)),
-         v = beside(model.boundary.free_velocity(i, v_0, out_of_balance));
+  const bool on_side = model.boundary.at(i) != nullptr;  // most nodes are on none, and take the short way
+  Vec<2> force = out_of_balance, v = v_0;
+  if (on_side) {
+    force = model.boundary.free_force(i, out_of_balance);
+    v = model.boundary.free_velocity(i, v_0, out_of_balance);
+  }
+  if (footing != nullptr) {
+    force = footing->free_part(force);
+    v = footing->free_part(v);
+  }
   if (work.settling) {
     damping.viscous += work.search.viscous;
     follow_motion(work.search, i, force, v, sum.mass * model.dt, sums);
@@ -134,7 +156,7 @@ inline void accelerate_node(
   node.damping = damping_force(damping, force, sum.mass, v);
   for (int d = 0; d < 2; ++d) v_free[d] = v_0[d] + (out_of_balance[d] + node.damping[d]) / sum.mass * model.dt;
   node.v = v_free;
-  model.boundary.constrain(i, sum.mass, model.dt, node.v);
+  if (on_side) model.boundary.constrain(i, sum.mass, model.dt, node.v);
   if (footing != nullptr) push_by_footing(*footing, sum.mass, node.v, sums.footing[k]);
   for (int d = 0; d < 2; ++d) {
     node.dv[d] = node.v[d] - v_0[d];
@@ -151,6 +173,7 @@ inline void accelerate_node(
 inline void add_works(const Model& model, const Workspace& work, Index i, Vec<2> remapped, NodeSums& sums)
 {
   const NodeValues& node = work.node[i];
+  const bool has_outer = has_outer_forces(work);
   for (int d = 0; d < 2; ++d) {
     sums.clamps += node.mass * node.dv[d] * (remapped[d] - node.v[d]);
     const Real path = node.v[d] * model.dt;
@@ -158,7 +181,7 @@ inline void add_works(const Model& model, const Workspace& work, Index i, Vec<2>
     sums.damping += node.damping[d] * path;
     sums.internal += node.internal[d] * path;
     sums.boundary += node.boundary[d] * path;
-    for (int kind = 0; kind < n_outer_kinds; ++kind)
+    for (int kind = 0; has_outer && kind < n_outer_kinds; ++kind)
       if (work.outer[kind].acts) sums.outer[kind] += work.outer[kind].node[i][d] * path;
   }
 }
@@ -173,8 +196,10 @@ inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, W
   const Vec<2> v_1 = node.v;
   for (int d = 0; d < 2; ++d) node.v[d] = sum.momentum[d] / node.mass;
   const Vec<2> remapped = node.v;
-  const bool across_alone = model.method.remap_contact == RemapContact::across;
-  model.boundary.clamp(i, node.mass, model.dt, v_1, node.boundary, node.v, across_alone);
+  if (model.boundary.at(i) != nullptr) {
+    const bool across_alone = model.method.remap_contact == RemapContact::across;
+    model.boundary.clamp(i, node.mass, model.dt, v_1, node.boundary, node.v, across_alone);
+  }
   if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.footings[k].hold(node.v);
   add_works(model, work, i, remapped, sums);
   if (work.watches_rest && node.mass >= part_of_full_mass(model, i, part_that_rests))
