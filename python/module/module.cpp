@@ -148,6 +148,7 @@ class PythonSimulation {
     if (views_.use_count() > 1)
       throw py::buffer_error("views from blocks() are still in use: delete them before restore()");
     alone([&] { run_->restore(image); });
+    has_fault_ = false;
   }
 
   std::string summary()
@@ -174,7 +175,12 @@ class PythonSimulation {
   /// The files of the run as far as it is, with a checkpoint from which `terp resume` goes on.
   void finish()
   {
-    if (files_) alone([&] { files_->finish(ended()); });
+    if (!files_) return;
+    alone([&] {
+      static constexpr std::atomic<bool> at_once{true};
+      if (!ended() && run_->state.step > 0 && !has_fault_) run_->step(1, at_once);  // makes none
+      files_->finish(ended());
+    });
   }
 
  private:
@@ -236,7 +242,12 @@ class PythonSimulation {
   void solve(F&& f)
   {
     watch_.stop = false;
-    alone(f);
+    try {
+      alone(f);
+    } catch (const RunError&) {
+      has_fault_ = true;
+      throw;
+    }
     if (watch_.stop) throw py::error_already_set();
     if (files_ && has_ended()) finish();
   }
@@ -252,6 +263,7 @@ class PythonSimulation {
   std::unique_ptr<RunFiles> files_;
   SignalWatch watch_;
   std::atomic<bool> in_use_ = false;
+  bool has_fault_ = false;                                 // the run stopped itself
   std::shared_ptr<int> views_ = std::make_shared<int>(0);  // shared by views of the points' memory
 };
 

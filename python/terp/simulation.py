@@ -75,6 +75,11 @@ class Case:
         return self._file.warnings
 
 
+def _is_false(answer) -> bool:
+    """Of a comparison of numbers of numpy, too, whose False is another object."""
+    return isinstance(answer, (bool, numpy.bool_)) and not answer
+
+
 class Simulation:
     """A run in memory. It begins when it is first asked for a step.
 
@@ -122,7 +127,7 @@ class Simulation:
             raise ValueError(f"every must be a time above 0, not {every}")
         self.start()
         first, k = self.time, 0
-        while call(self) is not False and not self.has_ended and self.time < until:
+        while not _is_false(call(self)) and not self.has_ended and self.time < until:
             k = max(k, math.floor((self.time - first) / every)) + 1  # a step may be longer than `every`
             self._run.run_until(min(first + k * every, until))
 
@@ -157,7 +162,8 @@ class Simulation:
         self._run.restore(state)
 
     def close(self) -> None:
-        """Writes the summary of a run with files that is not at its end."""
+        """Ends the files of a run that is not at its end: its summary, and a checkpoint for `terp resume`. `with` does
+        it, too."""
         self._run.finish()
 
     def __enter__(self) -> "Simulation":

@@ -63,6 +63,31 @@ class SimulationInMemory(unittest.TestCase):
             with self.assertRaisesRegex(terp.RunError, "force"):
                 terp.Simulation(self.case, output=here)
 
+    @unittest.skipUnless(PROGRAM, "TERP names no program")
+    def test_the_program_goes_on_where_a_run_was_closed(self):
+        def fails(run):
+            if run.time > 0.05:
+                raise KeyError("mine")
+        with tempfile.TemporaryDirectory() as scratch:
+            whole, part = pathlib.Path(scratch) / "whole", pathlib.Path(scratch) / "part"
+            terp.Simulation(self.case, output=whole).run()
+            with self.assertRaises(KeyError), terp.Simulation(self.case, output=part) as run:
+                run.run(every=0.07, call=fails)
+            del run  # and with it the lock of the folder
+            self.assertFalse(terp.open(part).finished)
+            subprocess.run([PROGRAM, "resume", "-q", str(part)], check=True)
+            for name in ("ledger.csv", "history.csv", "frames/points_00003.vtkhdf"):
+                self.assertEqual((whole / name).read_bytes(), (part / name).read_bytes(), name)
+
+    def test_a_run_that_stopped_itself_leaves_no_checkpoint_of_its_fault(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaises(terp.SolveError), terp.Simulation(self.case, output=folder) as run:
+                run.start()
+                run.set_field("velocity", run.field("velocity") + np.array([1e5, 0, 0]))
+                run.run()
+            self.assertEqual(list(pathlib.Path(folder).glob("checkpoint_*")), [])
+            self.assertEqual(len(list(pathlib.Path(folder).glob("failed_*"))), 1)
+
     def test_a_dictionary_is_a_case(self):
         keys = tomllib.loads(CASE.read_text())
         keys["mesh"]["cell"], keys["time"]["end"] = COARSE["mesh.cell"], np.float64(COARSE["time.end"])
@@ -102,9 +127,10 @@ class SimulationInMemory(unittest.TestCase):
         run.run(every=0.1, call=lambda s: times.append(s.time))
         np.testing.assert_allclose(times, [0, 0.1, 0.2, 0.3], atol=run.dt)
         self.same_bits(run)
-        ends = terp.Simulation(self.case)
-        ends.run(every=0.1, call=lambda s: s.time < 0.15)
-        self.assertAlmostEqual(ends.time, 0.2, delta=ends.dt)
+        for goes_on in (lambda s: s.time < 0.15, lambda s: s.field("position").max() > 0 and np.bool_(s.time < 0.15)):
+            ends = terp.Simulation(self.case)
+            ends.run(every=0.1, call=goes_on)
+            self.assertAlmostEqual(ends.time, 0.2, delta=ends.dt)
 
     def test_an_error_of_the_function_comes_through(self):
         def fails(_):
