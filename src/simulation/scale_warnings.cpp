@@ -76,8 +76,10 @@ class MaterialScales {
     check_friction();
     for (const ParameterField& field : values_.fields) check_angle(field);
     for (std::size_t k = 0; k < material_.type->parameters.size(); ++k)
-      if (is_strength(material_.type->parameters[k]) && values_.parameters[k] > 0.0)
+      if (is_strength(material_.type->parameters[k]) && values_.parameters[k] > 0.0) {
         check_strength(std::string(material_.type->parameters[k].name), values_.parameters[k]);
+        check_ratio(k);
+      }
   }
 
  private:
@@ -174,6 +176,22 @@ class MaterialScales {
       warn(name, fmt::format("`{}` is so weak that it flows like a liquid", values_.name),
           fmt::format("{} = {} Pa is {} times {}. Usual: 0.05 to 5 times.", name, number(strength), number(share),
               weight_text()));
+  }
+
+  /// Of two strengths of a law, where the case gives both: their ratio, which it could give instead.
+  void check_ratio(std::size_t k)
+  {
+    const ParameterInfo& info = material_.type->parameters[k];
+    const RatioInfo& known = info.ratio;
+    if (known.name.empty() || known.divides || (k < values_.ratios.size() && values_.ratios[k].is_given())) return;
+    const auto of = std::ranges::find(material_.type->parameters, known.of, &ParameterInfo::name);
+    const Real strength = values_.parameters[k], other = values_.parameters[of - material_.type->parameters.begin()];
+    const Real ratio = strength / other;
+    if (!(other > 0.0) || known.usual.contains(ratio)) return;
+    warn(std::string(info.name), fmt::format("`{}` and `{}` do not fit together", info.name, known.of),
+        fmt::format("{} = {} Pa, {} = {} Pa: {} / {} = {}. Usual: {} to {}. Are they the other way round?", info.name,
+            number(strength), known.of, number(other), info.name, known.of, number(ratio), known.usual.low,
+            known.usual.high));
   }
 
   const SoilMaterial& material_;

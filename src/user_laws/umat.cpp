@@ -27,6 +27,9 @@ using Umat = void (*)(double* stress, double* statev, double* ddsdde, double* ss
 
 constexpr Real not_given = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real least_cut = 0.1;  // of a part by one answer
+constexpr const char* what_is_not_given =
+    "the law with these numbers by itself; then mend the library. Or give `kinematics`, if\n"
+    "           it reads STRAN, DFGRD0 or DFGRD1: without that they are not a number";
 
 /// Column-major, as in Fortran.
 using Tensor = std::array<double, 9>;
@@ -78,6 +81,7 @@ class UmatCalls final : public LawCalls {
       if (points.failed) return;
       keep(point, points);
     }
+    if (!keeps_strain_ || !keeps_gradient_) points.cure = what_is_not_given;
   }
 
  private:

@@ -69,6 +69,24 @@ TEST(ScaleWarnings, AStrengthOffByAThousandDoesNotFitTheStiffness)
       ElementsAre(Field(&Problem::detail, HasSubstr("G / su_peak = 0.25."))));
 }
 
+TEST(ScaleWarnings, StrengthsByDirectionThatAreSwappedAreDoubted)
+{
+  const auto with_strengths = [](Real active, Real direct, Real passive) {
+    Case c = column("mpm_gp");
+    c.materials[0].model = "ngi_adp";
+    c.materials[0].parameters = {3e6, 0.49, active, direct, passive, 1.0, 0.0, 0.0};
+    return warnings_of(c);
+  };
+  EXPECT_THAT(with_strengths(14e3, 9e3, 6e3), IsEmpty());
+  EXPECT_THAT(with_strengths(14e3, 16e3, 14e3), IsEmpty());
+  EXPECT_THAT(with_strengths(6e3, 7e3, 14e3),
+      ElementsAre(told("material.\"clay\".su_passive", "`su_passive` and `su_active` do not fit together",
+          "su_passive = 1.4e+04 Pa, su_active = 6e+03 Pa: su_passive / su_active = 2.33. Usual: 0.2 to 1.2. Are "
+          "they the other way round?\nStiffness and strength are in Pa: 2 MPa is 2.0e6, 8 kPa is 8.0e3.")));
+  EXPECT_THAT(with_strengths(14e3, 1e3, 6e3),
+      ElementsAre(Field(&Problem::what, "`su_direct` and `su_active` do not fit together")));
+}
+
 TEST(ScaleWarnings, AStiffnessOffByAThousandIsTooSoftForTheWeight)
 {
   const auto soft = with_clay({.shear_modulus = 2e3, .su_peak = 400.0, .su_residual = 400.0});

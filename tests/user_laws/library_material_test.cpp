@@ -25,6 +25,10 @@ TEST(LibraryMaterial, ThatReturnsNoNumberStopsTheRunAndSaysWhichPoint)
   EXPECT_THAT(said, HasSubstr("library  wrong_umat.so (umat, umat_)"));
   EXPECT_THAT(said, HasSubstr("before   stress xx yy zz xy = "));
   EXPECT_THAT(said, HasSubstr("try      the law with these numbers by itself; then mend the library"));
+  EXPECT_THAT(said, HasSubstr("Or give `kinematics`, if\n           it reads STRAN, DFGRD0 or DFGRD1"));
+  LibraryCase knows_all = wrong_umat(nan_stress).library;
+  knows_all.kinematics = {"strain", "deformation_gradient"};
+  EXPECT_THAT(fault_of("mpm_gp", of_library(knows_all)), Not(HasSubstr("kinematics")));
   EXPECT_THAT(fault_of("mpm_mixed", wrong_umat(nan_state, 0.0, 2.0)),
       AllOf(HasSubstr("a state variable that is not a number"), HasSubstr("Gauss point ")));
 }
