@@ -11,7 +11,9 @@
 namespace terp {
 namespace {
 
-constexpr Real width = 460.0, height = 270.0, left = 66.0, right = 14.0, top = 30.0, bottom = 44.0;  // [px]
+constexpr Real width = 460.0, height = 270.0, top = 30.0, bottom = 44.0;  // [px]
+constexpr Real least_left = 66.0, least_right = 14.0;                     // of the margins [px]
+constexpr Real wide_digit = 6.6, beside_numbers = 27.0;                   // a digit; the label along y and gaps [px]
 constexpr const char* colours[] = {"#0067a5", "#c14f00", "#007a58", "#a8467f", "#6b5b00"};  // of runs, as in web/
 constexpr const char* dash_patterns[] = {"", "9 4", "5 4", "2 4", "9 4 2 4", "1 5"};
 constexpr const char* ink = "#18212b";
@@ -52,6 +54,7 @@ class Drawing {
     if (x_.is_empty() || y_.is_empty()) return "";
     x_.widen(0.03);
     y_.widen(0.08);
+    make_room();
     axes();
     for (const ChartBar& bar : chart_.bars) draw_bar(bar);
     for (const ChartLine& line : chart_.lines) draw_line(line);
@@ -63,8 +66,17 @@ class Drawing {
   }
 
  private:
-  Real px(Real x) const { return left + (width - left - right) * (x - x_.low) / (x_.high - x_.low); }
+  Real px(Real x) const { return left_ + (width - left_ - right_) * (x - x_.low) / (x_.high - x_.low); }
   Real py(Real y) const { return height - bottom - (height - top - bottom) * (y - y_.low) / (y_.high - y_.low); }
+
+  /// Margins that hold the numbers of both axes.
+  void make_room()
+  {
+    each_tick(y_, n_ticks_y,
+        [&](Real y) { left_ = std::max(left_, beside_numbers + wide_digit * static_cast<Real>(tick_text(y).size())); });
+    each_tick(x_, n_ticks_x,
+        [&](Real x) { right_ = std::max(right_, 0.5 * wide_digit * static_cast<Real>(tick_text(x).size())); });
+  }
 
   template <class... Args>
   void put(fmt::format_string<Args...> text, Args&&... args)
@@ -79,6 +91,9 @@ class Drawing {
         escaped_for_markup(words));
   }
 
+  static constexpr Real n_ticks_x = 6.0, n_ticks_y = 5.0;  // about as many
+  static std::string tick_text(Real value) { return fmt::format("{:.5g}", value); }
+
   static void each_tick(const Range& range, Real n, auto&& f)
   {
     const Real step = nice_step(range.high - range.low, n);
@@ -88,18 +103,18 @@ class Drawing {
   void axes()
   {
     const Real floor = height - bottom;
-    each_tick(y_, 5.0, [&](Real y) {
-      put("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"#e2e7ec\"/>", left, py(y), width - right);
-      text(left - 6.0, py(y) + 4.0, fmt::format("{:.5g}", y), "end");
+    each_tick(y_, n_ticks_y, [&](Real y) {
+      put("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"#e2e7ec\"/>", left_, py(y), width - right_);
+      text(left_ - 6.0, py(y) + 4.0, tick_text(y), "end");
     });
-    each_tick(x_, 6.0, [&](Real x) {
+    each_tick(x_, n_ticks_x, [&](Real x) {
       put("<path d=\"M{:.1f} {:.1f}v5\" stroke=\"{}\"/>", px(x), floor, muted);
-      text(px(x), floor + 17.0, fmt::format("{:.5g}", x), "middle");
+      text(px(x), floor + 17.0, tick_text(x), "middle");
     });
-    put("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}H{3:.1f}\" stroke=\"{4}\" fill=\"none\"/>", left, top, floor, width - right,
-        muted);
-    text(left, 16.0, chart_.title, "start", "font-weight=\"650\" font-size=\"12.5\"");
-    text(0.5 * (left + width - right), height - 10.0, chart_.x_label, "middle", "fill=\"#566270\"");
+    put("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}H{3:.1f}\" stroke=\"{4}\" fill=\"none\"/>", left_, top, floor,
+        width - right_, muted);
+    text(left_, 16.0, chart_.title, "start", "font-weight=\"650\" font-size=\"12.5\"");
+    text(0.5 * (left_ + width - right_), height - 10.0, chart_.x_label, "middle", "fill=\"#566270\"");
     put("<text transform=\"translate(13 {:.1f}) rotate(-90)\" text-anchor=\"middle\" fill=\"{}\">{}</text>",
         0.5 * (top + floor), muted, escaped_for_markup(chart_.y_label));
   }
@@ -147,11 +162,11 @@ class Drawing {
 
   void legend()
   {
-    Real x = left, y = height + 4.0;
+    Real x = left_, y = height + 4.0;
     for (const ChartLine& line : chart_.lines) {
       if (line.name.empty()) continue;
       const Real wide = 44.0 + 6.3 * static_cast<Real>(line.name.size());
-      if (x > left && x + wide > width - right) x = left, y += 17.0;
+      if (x > left_ && x + wide > width - right_) x = left_, y += 17.0;
       put("<path d=\"M{:.1f} {:.1f}h24\" stroke=\"{}\" stroke-width=\"1.7\"{}/>", x, y, colour_of(line.style),
           dashes_of(line));
       if (line.marks) mark(x + 12.0, y, line.style);
@@ -163,6 +178,7 @@ class Drawing {
 
   const LineChart& chart_;
   Range x_, y_;
+  Real left_ = least_left, right_ = least_right;  // margins [px]
   Real legend_height_ = 0.0;
   std::string out_;
 };

@@ -1,5 +1,6 @@
 #include "study/study_page.hpp"
 
+#include "input/keys.hpp"
 #include "report/plain_page.hpp"
 #include "study/adaptive.hpp"
 #include "study/field_picture.hpp"
@@ -182,6 +183,15 @@ std::vector<std::string> input_labels(const Study& study)
     if (labels[k].starts_with(common)) labels[k].erase(0, common.size());
   }
   return labels;
+}
+
+/// What the axis of an input says, with its unit.
+std::string input_axis(const Study& study, std::size_t number, const std::string& label)
+{
+  const std::vector<std::string> names = study.input_names();
+  if (number + study.settings.fields.size() >= names.size()) return "mean of the field over its trend";
+  const std::string unit = unit_at(names[number]);
+  return unit.empty() || unit == "-" ? label : fmt::format("{} [{}]", label, unit);
 }
 
 std::string bar(const std::optional<Real>& rho)
@@ -384,7 +394,8 @@ std::string page_of_samples(const Study& study, Index n, const std::string& writ
     for (std::size_t i = 0; i < names.size(); ++i) columns[i].push_back(draw.inputs[i]);
   }
   std::vector<LineChart> charts;
-  for (std::size_t i = 0; i < names.size(); ++i) charts.push_back(histogram(names[i], names[i], {{"", columns[i]}}));
+  for (std::size_t i = 0; i < names.size(); ++i)
+    charts.push_back(histogram(names[i], input_axis(study, i, names[i]), {{"", columns[i]}}));
   std::string fields;
   constexpr Index n_pictures = 4;
   for (std::size_t k = 0; k < study.settings.fields.size(); ++k) {

@@ -1,6 +1,7 @@
 #include "study/sweep_page.hpp"
 
 #include "input/keys.hpp"
+#include "input/units.hpp"
 #include "report/plain_page.hpp"
 #include "study/study_text.hpp"
 
@@ -72,10 +73,25 @@ SweepLines lines_of(const Study& study, const Realisations& rows, Index n, std::
   return lines;
 }
 
+/// Values of a key as numbers, of texts with units too; nothing if one of them is a word.
+std::vector<Real> numbers_of(const SweepKey& key)
+{
+  std::vector<Real> numbers;
+  for (const Node& value : key.values)
+    if (const auto number = number_of(value, unit_at(key.key))) numbers.push_back(*number);
+  if (numbers.size() != key.values.size()) numbers.clear();
+  return numbers;
+}
+
 LineChart chart_over(const Study& study, const Realisations& rows, Index n, std::size_t key, const SweepLines& lines,
     const SweepResult& result)
 {
-  const std::string& name = study.settings.sweep[key].key;
+  const SweepKey& swept = study.settings.sweep[key];
+  const std::string& name = swept.key;
+  const std::vector<Real> numbers = numbers_of(swept);
+  const auto at = [&](const Realisation& r) {  // of texts the input is the place in the list
+    return swept.is_of_numbers() ? r.inputs[key] : numbers[static_cast<std::size_t>(r.inputs[key])];
+  };
   LineChart chart{
       .title = result.name, .x_label = with_unit(name, unit_at(name)), .y_label = with_unit(result.name, result.unit)};
   for (const std::size_t number : lines.drawn) {
@@ -86,7 +102,7 @@ LineChart chart_over(const Study& study, const Realisations& rows, Index n, std:
       if (const Real value = result.value(rows.at(k));
           std::isfinite(value) &&
           fmt::format("{}", fmt::join(other_keys(study, rows.at(k), key), ", ")) == lines.names[number])
-        chart.lines.back().points.push_back({rows.at(k).inputs[key], value});
+        chart.lines.back().points.push_back({at(rows.at(k)), value});
   }
   return chart;
 }
@@ -124,7 +140,7 @@ std::string words_of_lines(const Study& study, std::size_t key, const SweepLines
 std::string sweep_section(const Study& study, const Realisations& rows, Index n)
 {
   const auto& sweep = study.settings.sweep;
-  const auto at = std::ranges::find_if(sweep, &SweepKey::is_of_numbers);
+  const auto at = std::ranges::find_if(sweep, [](const SweepKey& key) { return !numbers_of(key).empty(); });
   if (at == sweep.end()) return "";  // the table says it all
   const auto key = static_cast<std::size_t>(at - sweep.begin());
   const SweepLines lines = lines_of(study, rows, n, key);

@@ -198,6 +198,29 @@ values = [5, 6, 7, 8]
       << "in the order of the study, from the first to the last";
 }
 
+TEST(Estimates, APageOfASweepTakesNumbersWithUnitsAsNumbers)
+{
+  const ScratchFolder folder;
+  const std::string text = R"(case = "column.toml"
+[estimator]
+kind = "sweep"
+[[sweep]]
+key = "material.clay.su_peak"
+values = ["6 kPa", "7 kPa", "13 kPa"]
+)";
+  const Study study = prepare_study(read_study(write_study(folder.path(), text)));
+  Realisations rows;
+  for (Index k = 0; k < study.n_realisations; ++k) {
+    Realisation r{.number = k, .inputs = draw_realisation(study, k).inputs};
+    r.outcomes.assign(study_outcomes().size(), static_cast<Real>(k));
+    rows.emplace(k, r);
+  }
+  const std::string page = page_of_study(study, rows, "now");
+  EXPECT_THAT(
+      page, AllOf(HasSubstr("Results over <code>material.clay.su_peak</code>"), HasSubstr("material.clay.su_peak [Pa]"),
+                HasSubstr(">8000</text>"), HasSubstr(">12000</text>"), HasSubstr(">13 kPa</td>")));
+}
+
 // Soil that slides as drawn has no result but that it slides; numbers that differ by rounding are no result either.
 TEST(Estimates, APageOfASweepShowsTheEventsAndNoNoise)
 {
@@ -230,6 +253,7 @@ TEST(Estimates, APageOfSamplesShowsHistogramsAndFields)
   const std::string page = page_of_samples(study, 6, "now");
   EXPECT_THAT(page, HasSubstr("Field of <code>material.clay.su_peak</code>"));
   EXPECT_THAT(page, HasSubstr("realisation 3, over the trend: dark 0.5, bright 2"));
+  EXPECT_THAT(page, HasSubstr(">mean of the field over its trend</text>"));
   EXPECT_THAT(page, HasSubstr("What 6 realisations of column.toml would be drawn with"));
 }
 
