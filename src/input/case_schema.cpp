@@ -3,6 +3,8 @@
 #include "input/case_schema.hpp"
 
 #include "input/document.hpp"
+#include "input/expression.hpp"
+#include "input/field_kinds.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
 #include "input/units.hpp"
@@ -59,6 +61,18 @@ Json list_of(Json item, int least, int most = 0)
 Json either(Json a, Json b) { return {{"anyOf", {std::move(a), std::move(b)}}}; }
 Json table_of(Json value) { return {{"type", "object"}, {"additionalProperties", std::move(value)}}; }
 
+/// A formula of x and y, whose words are known, so that a number with a wrong unit is none; or a table of one kind.
+Json field_schema()
+{
+  const std::string words = fmt::format("{}", fmt::join(names_in_formulas(), "|"));
+  Json table = {{"type", "object"}};
+  for (const FieldKind& kind : field_kinds()) {
+    table["properties"][kind.name] = Json::object();
+    for (const std::string_view option : kind.options) table["properties"][option] = Json::object();
+  }
+  return either({{"type", "string"}, {"pattern", "^([^A-Za-z_]|[0-9.][eE]|\\b(x|y|" + words + ")\\b)+$"}}, table);
+}
+
 Json text_schema(const KeyInfo& key)
 {
   Json text = {{"type", "string"}};
@@ -87,7 +101,7 @@ Json value_schema(const KeyInfo& key)
   const Overload schema{
       [&](Real*) { return number; },
       [&](const VaryingNumber&) {
-        return either(number, {{"type", {"string", "object"}}});
+        return either(number, {{"$ref", "#/definitions/field"}});
       },
       [&](Index*) { return count_schema(key); },
       [](bool*) {
@@ -239,6 +253,7 @@ std::string case_schema()
   Json part = material;
   for (const char* name : {"below", "above"}) part["properties"].erase(name);
   for (const char* name : {"below", "above"}) material["properties"][name] = part;
+  root["definitions"]["field"] = field_schema();
   close_tables(root);
   add_required(root);
   value_at(root, "material.NAME")["allOf"] = rules_of_soil();

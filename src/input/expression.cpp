@@ -169,4 +169,14 @@ Real evaluate(const std::string& text, const std::map<std::string, Real>& consta
   return Expression(text, {}, constants)({});
 }
 
+std::vector<std::string> names_in_formulas()
+{
+  mu::Parser p;
+  define_functions(p);
+  std::vector<std::string> names;
+  for (const auto& [name, function] : p.GetFunDef()) names.push_back(name);
+  for (const auto& [name, value] : p.GetConst()) names.push_back(name);
+  return names;
+}
+
 }  // namespace terp

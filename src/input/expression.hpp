@@ -38,4 +38,7 @@ class Expression {
 /// A formula without variables.
 Real evaluate(const std::string& text, const std::map<std::string, Real>& constants);
 
+/// Functions and constants that any formula knows.
+std::vector<std::string> names_in_formulas();
+
 }  // namespace terp

@@ -22,6 +22,10 @@ MISTAKES = {  # what an editor should mark: KEY of a good case, and the value th
     ("mesh", "size"): ["16 m", "3 m/s"],
     ("time", "end"): "soon",
     ("material", "clay", "friction_angle"): 30.0,  # of another law
+    ("material", "clay", "su_peak"): "8 kg",
+    ("material", "clay", "su_residual"): "2 kN/m3",
+    ("material", "clay", "eta"): "soft",
+    ("material", "clay", "su_remoulded"): {"dept": [[0, 2e6]]},
     ("material", "clay", "plastic_strain"): 3,
     ("material", "clay", "strength"): ["cu"],
     ("material", "clay", "residual_strength"): -1.0,
@@ -32,6 +36,12 @@ MISTAKES = {  # what an editor should mark: KEY of a good case, and the value th
     ("stage",): [{"set": "time.end=3"}],
     ("water", "phreatic_line"): 2.0,
     ("water", "head_lines"): [[0.0, 1.0]],
+}
+
+TAKEN = {
+    ("material", "clay", "su_peak"): ["8 kPa", "8e3 + 1.5E3*max(0, 2 - y)", "(x > 3) ? 8e3 : 2*pi*1e3",
+                                      {"table": [[0, 2e3]], "water": "daily"}, {"shansep": {"S": 0.2}}],
+    ("material", "clay", "su_residual"): ["8 kN/m2", {"csv": "a.csv"}],
 }
 
 LEFT_OUT = [("mesh",), ("body",), ("time", "end"), ("body", 0, "material"), ("material", "clay", "model"),
@@ -71,6 +81,10 @@ def main(terp, cases):
     for keys, value in MISTAKES.items():
         if validator.is_valid(with_mistake(good, keys, value)):
             faults.append(f"{'.'.join(map(str, keys))} = {value!r} was taken")
+    for keys, values in TAKEN.items():
+        for value in values:
+            for error in validator.iter_errors(with_mistake(good, keys, value)):
+                faults.append(f"{'.'.join(map(str, keys))} = {value!r}: {error.message[:200]}")
     for keys in LEFT_OUT:
         if validator.is_valid(without(good, keys)):
             faults.append(f"a case without {'.'.join(map(str, keys))} was taken")
