@@ -185,12 +185,12 @@ std::vector<std::string> input_labels(const Study& study)
   return labels;
 }
 
-/// What the axis of an input says, with its unit.
-std::string input_axis(const Study& study, std::size_t number, const std::string& label)
+/// The label of an input that is drawn, with its unit; a field is a share of its trend.
+std::string label_with_unit(const Study& study, std::size_t number, const std::string& label)
 {
   const std::vector<std::string> names = study.input_names();
-  if (number + study.settings.fields.size() >= names.size()) return "mean of the field over its trend";
-  const std::string unit = unit_at(names[number]);
+  const bool is_field = number + study.settings.fields.size() >= names.size();
+  const std::string unit = is_field || number < study.settings.sweep.size() ? "" : unit_at(names[number]);
   return unit.empty() || unit == "-" ? label : fmt::format("{} [{}]", label, unit);
 }
 
@@ -322,7 +322,8 @@ std::string realisations_section(const Study& study, const Realisations& rows, I
   std::vector<std::string> titles = {""};
   for (const RowLabel& label : row_labels(study)) titles.emplace_back(label.name);
   titles.insert(titles.end(), {"I", "F"});
-  for (const std::string& label : input_labels(study)) titles.push_back(label);
+  const std::vector<std::string> labels = input_labels(study);
+  for (std::size_t i = 0; i < labels.size(); ++i) titles.push_back(label_with_unit(study, i, labels[i]));
   for (const char* title : {"slid [m^2]", "remains [m]", "slides at [s]", "floods at [s]", "why there is no result"})
     titles.emplace_back(title);
   std::string out = "<section><h2>Realisations</h2>\n" + head_of_table(titles);
@@ -395,7 +396,7 @@ std::string page_of_samples(const Study& study, Index n, const std::string& writ
   }
   std::vector<LineChart> charts;
   for (std::size_t i = 0; i < names.size(); ++i)
-    charts.push_back(histogram(names[i], input_axis(study, i, names[i]), {{"", columns[i]}}));
+    charts.push_back(histogram(names[i], label_with_unit(study, i, names[i]), {{"", columns[i]}}));
   std::string fields;
   constexpr Index n_pictures = 4;
   for (std::size_t k = 0; k < study.settings.fields.size(); ++k) {
