@@ -178,7 +178,8 @@ export class Viewer {
     const full = (width - PADDING.left - PADDING.right) / (this.box[2] - this.box[0]);
     const { top, bottom } = this.padding(width);
     const enough = 1.06 * full * (this.box[3] - this.box[1]) + top + bottom;
-    const high = parseFloat(getComputedStyle(this.root).getPropertyValue("--paper-height")) * PER_MM;
+    const most = parseFloat(getComputedStyle(this.root).getPropertyValue("--paper-height")) * PER_MM;
+    const high = most + Math.max(0, top - PADDING.top); // names of many slip planes take nothing from the section
     this.size = { width, height: Math.round(Math.min(enough, high)) };
     const ratio = pixelRatio(this.current.state);
     for (const { canvas } of this.views) {

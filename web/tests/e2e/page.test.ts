@@ -417,6 +417,18 @@ describe("the page", () => {
     await page.context().close();
   });
 
+  it("of a dike prints on two sheets, also with many doubts, and is on the screen as it was", async () => {
+    const lines = Array.from({ length: 12 }, (_, k) => `The layer \`soil ${k}\` has SHANSEP strength, but no state point or ` +
+      "state line of any stage gives it a POP above zero: it counts as normally consolidated, the weakest that it can be.");
+    const { page } = await open(browser, dikePage(({ runs: [run] }) => (run!.doubts = { en: lines, nl: lines })));
+    const sheets = async () => (await page.pdf({ preferCSSPageSize: true, printBackground: true })).toString("latin1")
+      .match(/\/Type \/Page\b/g);
+    expect(await sheets()).toHaveLength(2);
+    expect(await page.evaluate("[document.body.style.zoom, document.body.style.width]")).toEqual(["", ""]);
+    expect(await page.evaluate(`document.querySelector(".views").style.getPropertyValue("--paper-height")`)).toBe("");
+    await page.context().close();
+  });
+
   it("of a dike prints on two sheets, with the path and the checksum of its case", async () => {
     const lines = Array.from({ length: 25 }, (_, k) => `soil_${k}: stiffness and K0 are defaults of clay, 0.5 each.`);
     const { page, errors } = await open(browser, dikePage(({ runs: [run] }) => (run!.assumed = { en: lines, nl: lines })));
