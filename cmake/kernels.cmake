@@ -98,6 +98,10 @@ function(add_kernel_copy target set)
   target_link_libraries(terp_kernels_${set} PRIVATE fmt::fmt)
   target_compile_options(terp_kernels_${set} PRIVATE ${TERP_FLAGS_${set}} -fno-gnu-unique)
   target_compile_definitions(terp_kernels_${set} PRIVATE TERP_KERNEL_COPY=${set})
+  if(TERP_UNITY AND NOT WIN32)
+    target_precompile_headers(terp_kernels_${set} PRIVATE <fmt/format.h> src/materials/law.hpp src/schemes/scheme.hpp)
+  endif()
+  set(objects "$<FILTER:$<TARGET_OBJECTS:terp_kernels_${set}>,EXCLUDE,gch$>")  # which lists the header, too
   set(whole ${PROJECT_BINARY_DIR}/kernels_${set}_whole.o)
   set(object ${PROJECT_BINARY_DIR}/kernels_${set}.o)
   if(WIN32)
@@ -108,9 +112,9 @@ function(add_kernel_copy target set)
   list(TRANSFORM TERP_KERNEL_ROOMS REPLACE "(.+)" "--keep-global-symbol=terp_\\1_${set}" OUTPUT_VARIABLE keep)
   add_custom_command(
     OUTPUT ${object}
-    COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${whole} $<TARGET_OBJECTS:terp_kernels_${set}>
+    COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${whole} ${objects}
     COMMAND ${CMAKE_OBJCOPY} ${keep} ${whole} ${object}
-    DEPENDS $<TARGET_OBJECTS:terp_kernels_${set}>
+    DEPENDS ${objects}
     COMMENT "Closing the kernels for ${set}" COMMAND_EXPAND_LISTS VERBATIM)
   link_object(${target} ${object})
 endfunction()

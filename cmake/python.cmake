@@ -11,4 +11,5 @@ set_target_properties(python_module PROPERTIES OUTPUT_NAME _core CXX_VISIBILITY_
                       BUILD_WITH_INSTALL_RPATH ON  # all that it links to lies where the system looks
                       LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/python/terp)
 target_include_directories(python_module PRIVATE python/module)
+target_compile_options(python_module PRIVATE $<$<CONFIG:Release>:-O1>)  # it calls; the library computes
 target_link_libraries(python_module PRIVATE terp_core)

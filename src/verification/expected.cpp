@@ -171,6 +171,21 @@ std::vector<Real> read_stability(const TableReader& reader, const Node& bounds)
   return values;
 }
 
+/// `long` is of all schemes of a run, or a list of some.
+void read_long(const Expected& file, const TableReader& reader, const Node& table, Variant& v)
+{
+  const Node* item = find_item(table, "long");
+  if (item == nullptr || item->kind != NodeKind::list) {
+    v.is_long = reader.flag("long");
+    return;
+  }
+  v.long_schemes = reader.texts("long");
+  for (std::size_t k = 0; k < v.long_schemes.size(); ++k)
+    if (std::ranges::find(v.schemes, v.long_schemes[k]) == v.schemes.end())
+      refuse(file, item->items[k].value, fmt::format("`{}` is not in `schemes` of this run", v.long_schemes[k]),
+          "Name those of its schemes whose run is long, or write `long = true` for all.");
+}
+
 Variant read_variant(const Expected& file, const Node& table)
 {
   const TableReader reader(file, table, run_keys);
@@ -178,9 +193,9 @@ Variant read_variant(const Expected& file, const Node& table)
       .case_file = reader.text("case"),
       .schemes = reader.texts("schemes"),
       .set = reader.texts("set"),
-      .constants = read_constants(file, find_item(table, "constants")),
-      .is_long = reader.flag("long")};
+      .constants = read_constants(file, find_item(table, "constants"))};
   v.place = table.value;
+  read_long(file, reader, table, v);
   for (std::size_t k = 0; k < v.schemes.size(); ++k)
     if (std::find(v.schemes.begin(), v.schemes.begin() + static_cast<std::ptrdiff_t>(k), v.schemes[k]) !=
         v.schemes.begin() + static_cast<std::ptrdiff_t>(k))

@@ -59,7 +59,8 @@ struct Variant {
   std::vector<Constant> constants = {};   ///< in addition to those of the file
   std::vector<Real> stability = {};       ///< a factor of safety instead of a run: from, to, tolerance; empty: a run
   bool is_long = false;
-  double seconds = 1.0;  ///< approximate, on one core; for the remaining time
+  std::vector<std::string> long_schemes = {};  ///< those of `schemes` whose run is long where the others' is not
+  double seconds = 1.0;                        ///< approximate, on one core; for the remaining time
   Place place = {};
 };
 

@@ -127,9 +127,10 @@ std::vector<Solve> list_solves(const Expected& file, bool with_short, bool with_
 {
   std::vector<Solve> solves;
   for (const Variant& v : file.variants) {
-    if (!(v.is_long ? with_long : with_short)) continue;
-    if (v.schemes.empty()) solves.push_back({&file, &v, ""});
-    for (const std::string& scheme : v.schemes) solves.push_back({&file, &v, scheme});
+    for (const std::string& scheme : v.schemes.empty() ? std::vector<std::string>{""} : v.schemes) {
+      const bool is_long = v.is_long || std::ranges::find(v.long_schemes, scheme) != v.long_schemes.end();
+      if (is_long ? with_long : with_short) solves.push_back({&file, &v, scheme});
+    }
   }
   return solves;
 }

@@ -213,6 +213,17 @@ TEST(SolveVariant, RunsAreEachVariantWithEachSchemeShortOrLong)
   EXPECT_EQ(list_solves(file, false, true)[0].scheme, "");
 }
 
+TEST(SolveVariant, ARunMayBeLongWithSomeOfItsSchemes)
+{
+  const LedgerSample sample("title = \"x\"\n[[run]]\nschemes = [\"mpm_gp\", \"mpm_mixed\"]\nlong = [\"mpm_mixed\"]\n");
+  const Expected file = read_expected(sample.path());
+  EXPECT_EQ(list_solves(file, true, true).size(), 2u);
+  ASSERT_EQ(list_solves(file, true, false).size(), 1u);
+  EXPECT_EQ(list_solves(file, true, false)[0].scheme, "mpm_gp");
+  ASSERT_EQ(list_solves(file, false, true).size(), 1u);
+  EXPECT_EQ(list_solves(file, false, true)[0].scheme, "mpm_mixed");
+}
+
 TEST(SolveVariant, ARunThatStopsItselfIsAFault)
 {
   const Solved solved = solve("", "[[run]]\nset = [\"body[0].velocity=[1e9,0.0]\"]\n");
