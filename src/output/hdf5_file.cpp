@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "output/files.hpp"
+#include "parallel/turn.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +15,10 @@ namespace terp {
 namespace {
 
 static_assert(std::is_same_v<hid_t, std::int64_t>, "Hdf5File keeps the identifier as std::int64_t");
+
+/// HDF5 may have been built without locks of its own, as that of the program for Windows, and a run writes frames of
+/// points and of the mesh in two threads. So one thread at a time is in a function of Hdf5File.
+using Hdf5Turn = Turn<Hdf5File>;
 
 class Id {
  public:
@@ -228,6 +233,7 @@ hid_t open_existing(const std::string& path, bool change)
 
 hid_t open_file(const std::string& path, Hdf5File::Mode mode, std::int64_t n_reserved)
 {
+  const Hdf5Turn turn;
   static const herr_t without_exit_handler =
       H5dont_atexit();  // at exit HDF5 1.10 would close once more, and crash on, a file whose closing failed
   static_cast<void>(without_exit_handler);
@@ -260,11 +266,13 @@ Hdf5File::Hdf5File(std::string path, Mode mode, std::int64_t n_reserved)
 
 Hdf5File::~Hdf5File()
 {
+  const Hdf5Turn turn;
   if (file_ >= 0) H5Fclose(file_);
 }
 
 void Hdf5File::close()
 {
+  const Hdf5Turn turn;
   checked(H5Fflush(file_, H5F_SCOPE_LOCAL), "write", path_);
   const hid_t file = std::exchange(file_, -1);
   checked(H5Fclose(file), "write", path_);
@@ -272,12 +280,14 @@ void Hdf5File::close()
 
 void Hdf5File::make_group_of(const std::string& name)
 {
+  const Hdf5Turn turn;
   const std::string group = name.substr(0, name.rfind('/'));
   if (!group.empty() && group != name && !exists(group)) create_group(group);
 }
 
 void Hdf5File::create_group(const std::string& name)
 {
+  const Hdf5Turn turn;
   make_group_of(name);
   const Id properties = without_time(H5P_GROUP_CREATE);
   H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
@@ -285,10 +295,15 @@ void Hdf5File::create_group(const std::string& name)
   checked<hid_t>(group, "create", path_, name);
 }
 
-bool Hdf5File::exists(const std::string& name) const { return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0; }
+bool Hdf5File::exists(const std::string& name) const
+{
+  const Hdf5Turn turn;
+  return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
+}
 
 std::vector<std::string> Hdf5File::members(const std::string& group) const
 {
+  const Hdf5Turn turn;
   const Id opened{checked(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), "open", path_, group), H5Gclose};
   std::vector<std::string> names;
   const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
@@ -303,6 +318,7 @@ template <class T>
 void Hdf5File::write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values,
     std::int64_t first_row, Layout layout)
 {
+  const Hdf5Turn turn;
   const auto make = [&] {
     make_group_of(name);
     const Id properties = without_time(H5P_DATASET_CREATE);
@@ -326,6 +342,7 @@ void Hdf5File::write(const std::string& name, const std::vector<std::int64_t>& s
 template <class T>
 std::vector<T> Hdf5File::read(const std::string& name) const
 {
+  const Hdf5Turn turn;
   const Id dataset = open_to_read(file_, sizeof(T), path_, name);
   const Id space{H5Dget_space(dataset), H5Sclose};
   std::vector<T> values;
@@ -336,6 +353,7 @@ std::vector<T> Hdf5File::read(const std::string& name) const
 
 void Hdf5File::check_values() const
 {
+  const Hdf5Turn turn;
   std::vector<std::string> names;
   const auto add = [](hid_t, const char* name, const H5O_info_t* info, void* list) -> herr_t {
     if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(list)->emplace_back(name);
@@ -355,6 +373,7 @@ void Hdf5File::check_values() const
 
 std::vector<std::int64_t> Hdf5File::shape(const std::string& name) const
 {
+  const Hdf5Turn turn;
   const Id dataset = open_dataset(file_, path_, name);
   const auto extent = extent_of(Id{H5Dget_space(dataset), H5Sclose});
   return {extent.begin(), extent.end()};
@@ -362,12 +381,14 @@ std::vector<std::int64_t> Hdf5File::shape(const std::string& name) const
 
 bool Hdf5File::holds_reals(const std::string& name) const
 {
+  const Hdf5Turn turn;
   const Id dataset = open_dataset(file_, path_, name);
   return H5Tget_class(Id{H5Dget_type(dataset), H5Tclose}) == H5T_FLOAT;
 }
 
 void Hdf5File::set_text(const std::string& object, const std::string& attribute, const std::string& value)
 {
+  const Hdf5Turn turn;
   const Id type{H5Tcopy(H5T_C_S1), H5Tclose};  // ASCII, fixed length
   H5Tset_size(type, std::max<std::size_t>(1, value.size()));
   H5Tset_strpad(type, H5T_STR_NULLPAD);
@@ -376,6 +397,7 @@ void Hdf5File::set_text(const std::string& object, const std::string& attribute,
 
 void Hdf5File::set_real(const std::string& object, const std::string& attribute, Real value)
 {
+  const Hdf5Turn turn;
   const Id space{H5Screate(H5S_SCALAR), H5Sclose};
   write_attribute(file_, path_, object, attribute, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, space, &value);
 }
@@ -383,6 +405,7 @@ void Hdf5File::set_real(const std::string& object, const std::string& attribute,
 void Hdf5File::set_integers(
     const std::string& object, const std::string& attribute, const std::vector<std::int64_t>& values)
 {
+  const Hdf5Turn turn;
   const Id space = values.size() == 1 ? make_space({}) : make_space({values.size()});
   write_attribute(file_, path_, object, attribute, H5T_STD_I64LE, H5T_NATIVE_INT64, space, values.data());
 }
@@ -416,6 +439,7 @@ T read_single(hid_t file, const std::string& path, const std::string& object, co
 
 std::string Hdf5File::text(const std::string& object, const std::string& attribute) const
 {
+  const Hdf5Turn turn;
   const Id opened = open_attribute(file_, path_, object, attribute);
   const Id type{H5Aget_type(opened), H5Tclose};
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || count_values(opened) != 1)
@@ -427,11 +451,13 @@ std::string Hdf5File::text(const std::string& object, const std::string& attribu
 
 Real Hdf5File::real(const std::string& object, const std::string& attribute) const
 {
+  const Hdf5Turn turn;
   return read_single<Real>(file_, path_, object, attribute);
 }
 
 std::vector<std::int64_t> Hdf5File::integers(const std::string& object, const std::string& attribute) const
 {
+  const Hdf5Turn turn;
   const Id opened = open_attribute(file_, path_, object, attribute);
   std::vector<std::int64_t> values(count_values(opened));
   checked(H5Aread(opened, H5T_NATIVE_INT64, values.data()), "read", path_, attribute);
@@ -440,6 +466,7 @@ std::vector<std::int64_t> Hdf5File::integers(const std::string& object, const st
 
 std::int64_t Hdf5File::integer(const std::string& object, const std::string& attribute) const
 {
+  const Hdf5Turn turn;
   return read_single<std::int64_t>(file_, path_, object, attribute);
 }
 

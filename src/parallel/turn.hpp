@@ -1,0 +1,15 @@
+// One thread at a time, for what the system or a library does not lock.
+#pragma once
+
+#include <mutex>
+
+namespace terp {
+
+/// While an object of Turn<Of> lives, other threads wait to make one. A thread may make several.
+template <class Of>
+class Turn {
+  static inline std::recursive_mutex one_at_a_time;
+  std::lock_guard<std::recursive_mutex> lock{one_at_a_time};
+};
+
+}  // namespace terp
