@@ -103,19 +103,61 @@ bool list_soils(const SchemeContext& context, const CellGroup<Quad4>& group, Ind
   return known;
 }
 
-/// The two soils with most volume.
-std::array<Index, 2> largest_two(Soils soils)
+/// Puts the two soils with most volume first.
+void sort_by_volume(Soils& soils)
 {
-  const auto all = soils.all();
-  std::ranges::stable_sort(all, [](const Soil& a, const Soil& b) { return a.weight > b.weight; });
-  return {all[0].material, all[1].material};
+  std::ranges::stable_sort(soils.all(), [](const Soil& a, const Soil& b) { return a.weight > b.weight; });
 }
 
-void find_slips_of_cell(const SchemeContext& context, const CellGroup<Quad4>& group, Index cell)
+/// Area of the part of a polygon above d, with the heights of its corners.
+Real area_above(const std::array<Vec<2>, 4>& x, const std::array<Real, 4>& height, Real d)
 {
+  std::array<Vec<2>, 8> part;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4;
+    if (height[i] > d) part[n++] = x[i];
+    if ((height[i] > d) == (height[j] > d)) continue;
+    const Real f = (d - height[i]) / (height[j] - height[i]);
+    part[n++] = {x[i][0] + f * (x[j][0] - x[i][0]), x[i][1] + f * (x[j][1] - x[i][1])};
+  }
+  Real twice = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec<2>&a = part[i], &b = part[(i + 1) % n];
+    twice += a[0] * b[1] - a[1] * b[0];
+  }
+  return 0.5 * twice;
+}
+
+/// Where a quadratic function that falls from f0 at 0 over f_half to f1 at 1 is zero.
+Real zero_of(Real f0, Real f_half, Real f1)
+{
+  const Real curve = 2.0 * (f0 - 2.0 * f_half + f1), slope = f1 - f0 - curve;
+  const Real root = std::sqrt(std::max(slope * slope - 4.0 * curve * f0, 0.0)) - slope;
+  return root > 0.0 ? std::clamp(2.0 * f0 / root, 0.0, 1.0) : 0.5;
+}
+
+/// Of two soils with n towards a: their border, and the slip of the one with the lower shear stress, the new soil a.
+Kink kink_between(const CellGroup<Quad4>& group, int c, Vec<2> n, const Soil& a, const Soil& b, const BlockSlip& unit)
+{
+  const Real tau_a = a.tau(unit), tau_b = b.tau(unit);
+  if (std::abs(tau_b) < std::abs(tau_a)) return kink_between(group, c, {-n[0], -n[1]}, b, a, unit);
+  Kink kink{.along = {n[1], -n[0]}, .share = a.weight / (a.weight + b.weight), .slipped = (tau_b - tau_a) / a.G};
+  kink.above = above_border(group.mesh, group.cells[c], n, kink.share);
+  const auto& force = group.corners[c].internal_force;
+  for (std::size_t i = 0; i < 4; ++i)
+    kink.force += kink.above[i] * (kink.along[0] * force[0][i] + kink.along[1] * force[1][i]);
+  return kink;
+}
+
+void find_slips_of_cell(const SchemeContext& context, const CellGroup<Quad4>& group, int c)
+{
+  const Index cell = group.cells[c];
   Soils soils;
   if (!list_soils(context, group, cell, soils)) return;
-  const Vec<2> n = across_border(group.mesh, group.points, cell, largest_two(soils));
+  sort_by_volume(soils);
+  const Soil &a = soils.of[0], &b = soils.of[1];
+  const Vec<2> n = across_border(group.mesh, group.points, cell, {a.material, b.material});
   const BlockSlip unit{.normal = n[0] * n[1], .shear = 0.5 * (n[1] * n[1] - n[0] * n[0])};
   if (!unit.acts()) return;
   Real volume = 0.0, yielding = 0.0, held = 0.0;
@@ -132,6 +174,7 @@ void find_slips_of_cell(const SchemeContext& context, const CellGroup<Quad4>& gr
     slip.held = (held / yielding - soil.tau(unit)) / soil.G;
     slip.rate = volume / (soil.G * yielding) - 1.0;
   });
+  group.slips[group.points.first_block(cell)].kink = kink_between(group, c, n, a, b, unit);
 }
 
 }  // namespace
@@ -157,10 +200,32 @@ Vec<2> across_border(const Mesh<2>& mesh, const PointBlocks<2>& points, Index ce
   return {slope_x / length, slope_y / length};
 }
 
+std::array<Real, 4> above_border(const Mesh<2>& mesh, Index cell, Vec<2> n, Real share)
+{
+  std::array<Vec<2>, 4> x;
+  std::array<Real, 4> height, sorted, area;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (int d = 0; d < 2; ++d) x[i][d] = mesh.nodes[mesh.cells[cell][i]][d] - mesh.centres[cell][d];
+    height[i] = n[0] * x[i][0] + n[1] * x[i][1];
+  }
+  sorted = height;
+  std::ranges::sort(sorted);
+  // Between the heights of two corners the area falls as a quadratic function.
+  const Real whole = area_above(x, height, sorted[0] - 1.0), wanted = share * whole;
+  for (std::size_t k = 1; k < 3; ++k) area[k] = area_above(x, height, sorted[k]) - wanted;
+  area[0] = whole - wanted;
+  area[3] = -wanted;
+  const std::size_t k = area[1] < 0.0 ? 0 : area[2] < 0.0 ? 1 : 2;
+  const Real half = area_above(x, height, 0.5 * (sorted[k] + sorted[k + 1])) - wanted;
+  const Real border = sorted[k] + zero_of(area[k], half, area[k + 1]) * (sorted[k + 1] - sorted[k]);
+  for (Real& value : height) value = std::max(value - border, 0.0);
+  return height;
+}
+
 void find_slips(const SchemeContext& context, const CellGroup<Quad4>& group)
 {
-  for (const Index cell : group.cells)
-    if (has_several_soils(group.points, cell)) find_slips_of_cell(context, group, cell);
+  for (int c = 0; c < group.n(); ++c)
+    if (has_several_soils(group.points, group.cells[c])) find_slips_of_cell(context, group, c);
 }
 
 }  // namespace terp

@@ -1,14 +1,16 @@
 // Cells that a border between soils cuts: the soils slip along it, so that the shear stress on it is the same on both
-// sides (docs/methods.md, section 3; decision 0059). Their mean strain stays that of the cell.
+// sides, and the corners move with them, k by soil a (docs/methods.md, section 3; decision 0059).
 //
-//   d_eps_m = d_eps + g_m (t n + n t)/2,   sum_m V_m g_m = 0
-//   g_m     = (tau - tau_m)/G_m + d_gamma (V/(G_m sum_k V_k/G_k) - 1),   tau = sum_k V_k tau_k/G_k / sum_k V_k/G_k
+//   d_eps_m = B (du_i - k s_i t) + g_m (t n + n t)/2
+//   g_m     = (tau - tau_m)/G_m + d_gamma (V/(G_m sum_k V_k/G_k) - 1) + k c_a
+//   tau     = sum_k V_k tau_k/G_k / sum_k V_k/G_k,   d_gamma = 2 t.B(du_i - k s_i t).n + k c_a
 #pragma once
 
 #include "schemes/block_slip.hpp"
 #include "schemes/cell_group.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace terp {
 
@@ -33,6 +35,9 @@ void find_slips(const SchemeContext& context, const CellGroup<Quad4>& group);
 /// show none.
 Vec<2> across_border(const Mesh<2>& mesh, const PointBlocks<2>& points, Index cell, std::array<Index, 2> materials);
 
+/// Distance of the corners of a cell to the line across n above which the cell has this share of its area [m]; 0 below.
+std::array<Real, 4> above_border(const Mesh<2>& mesh, Index cell, Vec<2> n, Real share);
+
 /// Slip g of a soil in one step.
 template <class Element, class R>
 R slip_of(R normal, R shear, R held, R rate, const GaussStrain<Element, R>& strain)
@@ -52,6 +57,48 @@ void add_slip(R normal, R shear, R g, GaussStrain<Element, R>& strain)
     strain.d_eps[3][k] += g * shear;
     strain.d_spin[k] -= R(0.5) * g;
   }
+}
+
+/// The kink that a cell takes: what slipped in the step before, but no more than what would move the corners as they
+/// move now, and none when they go back. across: the shear of the cell that a kink of 1 makes.
+inline Real kink_of(const Kink& kink, Real d_gamma, Real across)
+{
+  const Real most = d_gamma / std::max(across, 1e-6);
+  return std::clamp(kink.slipped, std::min(most, 0.0), std::max(most, 0.0));
+}
+
+/// Displacements of the corners less what the soils of the cut cells slipped past each other, for the strain that both
+/// sides of the border have. The work of the corners with the rest is booked as lost on the border. moved: room for
+/// them where there are such cells.
+template <class Element>
+const GroupVectors<Element>& without_kinks(
+    const CellGroup<Element>& group, const GroupVectors<Element>& du, GroupVectors<Element>& moved, Real& lost)
+{
+  if (group.slips.empty()) return du;
+  const auto kink_at = [&](int c) -> const Kink& { return group.slips[group.points.first_block(group.cells[c])].kink; };
+  bool any = false;
+  for (int c = 0; c < group.n(); ++c) any |= kink_at(c).slipped != 0.0;
+  if (!any) return du;
+  moved = du;
+  for (int c = 0; c < group.n(); ++c) {
+    const Kink& kink = kink_at(c);
+    if (kink.slipped == 0.0) continue;
+    const Vec<2> t = kink.along, n{-t[1], t[0]};
+    Real d_gamma = 0.0, across = 0.0;
+    for (int i = 0; i < Element::n_corners; ++i) {
+      const auto& gradient = group.mesh.geometry(group.cells[c]).centre_gradient[i];
+      const Real of_n = gradient[0] * n[0] + gradient[1] * n[1], of_t = gradient[0] * t[0] + gradient[1] * t[1];
+      d_gamma += of_n * (t[0] * du[c][0][i] + t[1] * du[c][1][i]) + of_t * (n[0] * du[c][0][i] + n[1] * du[c][1][i]);
+      across += of_n * kink.above[i];
+    }
+    const Real k = kink_of(kink, d_gamma, across);
+    for (int d = 0; d < Element::dim; ++d)
+      for (int i = 0; i < Element::n_corners; ++i) moved[c][d][i] -= k * kink.above[i] * t[d];
+    lost += k * kink.force;
+    for_each_block(group.points, group.cells[c],
+        [&](const auto&, Index b) { group.slips[b].held += k * kink.share * (1.0 + group.slips[b].rate); });
+  }
+  return moved;
 }
 
 /// Strain of the soil of block b: that of the cell, and what it slips. slipped: room for it where it does.

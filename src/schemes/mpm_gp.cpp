@@ -21,7 +21,9 @@ struct MpmGp {
   static void update_stress(
       const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
-    const GaussStrain<Element, Pack> lanes = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    GroupVectors<Element> room;
+    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.plastic_work);
+    const GaussStrain<Element, Pack> lanes = strain_of_group(group, moved, context.method.b_bar);  // Step 2
     const auto strain = strain_by_cell(lanes);
     sums.plastic_work += lost_on_borders(group, lanes);
     GaussStrain<Element> slipped;
@@ -49,7 +51,9 @@ struct MpmGp {
   static void leave_strain(
       const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
-    const auto strain = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    GroupVectors<Element> room;
+    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.plastic_work);
+    const auto strain = strain_of_group(group, moved, context.method.b_bar);  // Step 2
     sums.plastic_work += lost_on_borders(group, strain);
     for_each_layer(group, [&](const BlockLayer& layer) {
       LeftRows<Element> rows;

@@ -30,7 +30,9 @@ struct MpmMixed {
   static void update_stress(
       const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
-    const GaussStrain<Element, Pack> lanes = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    GroupVectors<Element> room;
+    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.plastic_work);
+    const GaussStrain<Element, Pack> lanes = strain_of_group(group, moved, context.method.b_bar);  // Step 2
     const auto strain = strain_by_cell(lanes);
     sums.plastic_work += lost_on_borders(group, lanes);
     GaussStrain<Element, Pack> slipped_lanes;
@@ -83,7 +85,9 @@ struct MpmMixed {
   static void leave_strain(
       const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
-    const GaussStrain<Element, Pack> of_cells = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    GroupVectors<Element> room;
+    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.plastic_work);
+    const GaussStrain<Element, Pack> of_cells = strain_of_group(group, moved, context.method.b_bar);  // Step 2
     sums.plastic_work += lost_on_borders(group, of_cells);
     for_each_layer(group, [&](const BlockLayer& layer) {
       GaussStrain<Element, Pack> slipped;

@@ -3,6 +3,7 @@
 #include "schemes/cut_cells.hpp"
 
 #include "materials/material.hpp"
+#include "simulation/cell_passes.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
@@ -179,6 +180,151 @@ TEST(BorderOfTwoSoils, IsNoneWhereTheyAreMixed)
     EXPECT_EQ(normal[1], 0.0);
   }
   EXPECT_GT(shared, 2);
+}
+
+TEST(BorderInACell, LiesWhereItLeavesEachSoilItsShareOfTheArea)
+{
+  Case c = two_soils("mpm_gp", Shares::point, {2.625, 2.375}, 30.0);
+  Simulation s(c);
+  const Mesh<2>& mesh = *s.model.mesh;
+  const Index cell = s.state.points.occupied()[0];
+  const Vec<2>& centre = mesh.centres[cell];
+  constexpr int n_lines = 200;
+  for (Real degrees = -180.0; degrees < 180.0; degrees += 33.0)
+    for (const Real share : {0.02, 0.3, 0.5, 0.77, 0.99}) {
+      const Real angle = degrees * std::numbers::pi / 180.0;
+      const Vec<2> n{std::cos(angle), std::sin(angle)};
+      const std::array<Real, 4> above = above_border(mesh, cell, n, share);
+      const auto height = [&](Vec<2> x) { return n[0] * (x[0] - centre[0]) + n[1] * (x[1] - centre[1]); };
+      Real border = 1.0;
+      for (std::size_t i = 0; i < 4; ++i)
+        if (above[i] > 0.0) border = height(mesh.nodes[mesh.cells[cell][i]]) - above[i];
+      for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_NEAR(above[i], std::max(height(mesh.nodes[mesh.cells[cell][i]]) - border, 0.0), 1e-14);
+      int n_above = 0;
+      for (int i = 0; i < n_lines * n_lines; ++i) {
+        const Real x = (i % n_lines + 0.5) / n_lines - 0.5, y = (i / n_lines + 0.5) / n_lines - 0.5;
+        n_above += height({centre[0] + 0.25 * x, centre[1] + 0.25 * y}) > border ? 1 : 0;
+      }
+      EXPECT_NEAR(n_above / Real{n_lines * n_lines}, share, 0.006) << degrees;
+    }
+}
+
+TEST(KinkOfACell, IsWhatSlippedButNoMoreThanTheCornersMove)
+{
+  const Kink kink{.slipped = 0.02};
+  EXPECT_EQ(kink_of(kink, 0.1, 0.25), 0.02);
+  EXPECT_DOUBLE_EQ(kink_of(kink, 0.001, 0.25), 0.004);
+  EXPECT_EQ(kink_of(kink, -0.001, 0.25), 0.0);
+  EXPECT_EQ(kink_of(kink, 0.0, 0.25), 0.0);
+  EXPECT_DOUBLE_EQ(kink_of({.slipped = -0.02}, -0.003, 0.25), -0.012);
+  EXPECT_EQ(kink_of({.slipped = -0.02}, 0.003, 0.25), 0.0);
+}
+
+/// Corners that follow a shear of the soil above the border alone: the soil below has no strain.
+TEST(CutCellsWithAKink, StrainTheSoilThatShearsAndNotTheOther)
+{
+  constexpr Real k = 1e-3;
+  Case c = two_soils("mpm_gp", Shares::point, {2.6, 2.4}, 30.0, 6);
+  c.materials[1] = elastic(soft, 0.3, 2000.0);
+  c.materials[1].name = "hard rock";
+  Simulation s(c);
+  const auto cells = s.state.points.occupied();
+  const auto n_cells = static_cast<Index>(cells.size());
+  const Vec<2> t{std::cos(std::numbers::pi / 6.0), std::sin(std::numbers::pi / 6.0)}, n{-t[1], t[0]};
+  int n_cut = 0;
+  for (Index first = 0; first < n_cells; first += pack_width) {
+    const CellGroup<Quad4> group = view_group(s.model, s.state, s.work, first, std::min(first + pack_width, n_cells));
+    GroupVectors<Quad4> du{};
+    for (int lane = 0; lane < group.n(); ++lane) {
+      const Index b = s.state.points.first_block(group.cells[lane]);
+      if (s.state.points.block(b).next < 0) continue;
+      Kink kink{.along = {n[1], -n[0]}, .share = 0.4, .slipped = k};
+      kink.above = above_border(group.mesh, group.cells[lane], n, kink.share);
+      for (std::size_t d = 0; d < 2; ++d)
+        for (std::size_t i = 0; i < 4; ++i)
+          du[lane][d][static_cast<int>(i)] = k * kink.above[i] * kink.along[static_cast<int>(d)];
+      const BlockSlip unit{.normal = n[0] * n[1], .shear = 0.5 * (n[1] * n[1] - n[0] * n[0])};
+      for (const Index of : {b, s.state.points.block(b).next}) {
+        group.slips[of] = unit;
+        group.slips[of].held = s.state.points.block(of).material == 1 ? 0.6 * k : -0.4 * k;
+      }
+      group.slips[b].kink = kink;
+      ++n_cut;
+    }
+    Real lost = 0.0;
+    GroupVectors<Quad4> room;
+    GaussStrain<Quad4> slipped;
+    const auto strain = strain_by_cell(strain_of_group(group, without_kinks(group, du, room, lost), true));
+    for (int lane = 0; lane < group.n(); ++lane)
+      for_each_block(s.state.points, group.cells[lane], [&](const auto& block, Index b) {
+        if (!group.slips[b].acts()) return;
+        const auto own = with_slip(group, b, strain[lane], slipped);
+        const Real sheared = block.material == 1 ? k : 0.0;
+        for (std::size_t g = 0; g < 4; ++g) {
+          EXPECT_NEAR(own.d_eps[0][g], sheared * n[0] * n[1], 1e-9 * k);
+          EXPECT_NEAR(own.d_eps[1][g], -sheared * n[0] * n[1], 1e-9 * k);
+          EXPECT_NEAR(own.d_eps[3][g], 0.5 * sheared * (n[1] * n[1] - n[0] * n[0]), 1e-9 * k);
+          EXPECT_NEAR(own.d_spin[g], -0.5 * sheared, 1e-9 * k);
+        }
+      });
+  }
+  EXPECT_GT(n_cut, 8);
+}
+
+constexpr Real layer_length = 20.0, layer_strength = 8.0e3, layer_speed = 0.04;
+
+/// A weak layer of 2 m on cells of 1 m that are turned by 30 degrees, between blocks of ten times its strength.
+Case sheared_layer(const Way& way, CutCells cut_cells)
+{
+  constexpr Real half = 15.0, angle = std::numbers::pi / 6.0;
+  const Real strong = 10.0 * layer_strength;
+  Case c = free_box(way.scheme, {0.0, -3.0}, {layer_length, 5.0},
+      clay({.poisson_ratio = 0.45, .su_peak = strong, .su_residual = strong}));
+  c.materials.push_back(clay({.poisson_ratio = 0.45, .su_peak = layer_strength, .su_residual = layer_strength}));
+  c.materials[1].name = "weak";
+  c.bodies.push_back(body("weak", {0.0, 0.0}, {layer_length, 2.0}));
+  for (BodyCase& part : c.bodies) part.points_per_cell = {4, 4};
+  const auto corner = [&](Real x, Real y) {
+    return Vec<2>{0.5 * layer_length + half * (std::cos(angle) * x - std::sin(angle) * y),
+        1.0 + half * (std::sin(angle) * x + std::cos(angle) * y)};
+  };
+  const Vec<2> low = corner(-1.0, -1.0), right = corner(1.0, -1.0), high = corner(1.0, 1.0), left = corner(-1.0, 1.0);
+  c.mesh = {};
+  c.mesh.kind = MeshKind::mapped;
+  c.mesh.cells = {30, 30};
+  c.mesh.sides = {{{low, right}, {right, high}, {left, high}, {low, left}}};
+  for (const Real side : {-1.0, 1.0}) {
+    FootingCase block{.name = side < 0.0 ? "lower" : "upper", .low = {-50.0, 3.5}, .high = {100.0, 50.0}};
+    if (side < 0.0) block.low[1] = -50.0, block.high[1] = -1.5;
+    block.velocity = {side * layer_speed, 0.0};
+    block.ramp = 0.5;
+    c.footings.push_back(block);
+  }
+  c.forces.local_damping = 0.2;
+  c.time.end = 5.0;
+  c.method.shares = way.shares;
+  c.method.cut_cells = cut_cells;
+  return c;
+}
+
+/// Mean force on the layer over its strength until a slip, from half of it [m].
+Real force_of_layer(Simulation& s, Real slip)
+{
+  const auto time_of = [](Real at) { return 0.25 + 0.5 * at / layer_speed; };
+  s.advance_to(time_of(0.5 * slip));
+  const Real work = s.state.work.boundary, start = s.state.time;
+  s.advance_to(time_of(slip));
+  return (s.state.work.boundary - work) / (2.0 * layer_speed * (s.state.time - start) * layer_length * layer_strength);
+}
+
+TEST_P(SoilsOfACutCell, CarryNoMoreThanTheWeakerOneHoweverFarTheySlip)
+{
+  Simulation slip(sheared_layer(GetParam(), CutCells::slip)), mean(sheared_layer(GetParam(), CutCells::mean));
+  EXPECT_GT(force_of_layer(mean, 0.1), 1.15);
+  EXPECT_NEAR(force_of_layer(slip, 0.1), 1.0, 0.05);
+  EXPECT_NEAR(force_of_layer(slip, 0.2), 1.0, 0.05);
+  EXPECT_LT(summarise(slip.model, slip.state).energy_balance_error, 0.002);
 }
 
 /// Two clays that collapse and mix, one ten times as strong as the other.
