@@ -39,6 +39,8 @@ std::string advice_on_opening(const std::string& why)
     return "Another library that it needs is not installed; `ldd` lists what it needs.";
   if (why.find("invalid ELF header") != std::string::npos || why.find("file too short") != std::string::npos)
     return "This is no shared library. Build it with `-shared -fPIC`, as in docs/user_laws.md.";
+  if (why.find("LoadLibrary") != std::string::npos)  // Windows
+    return "Build it with `-static`, so that it needs no other: gfortran -O2 -shared -static LAW.f90 -o LAW.dll";
   return "Build it on this machine with `-shared -fPIC`, as in docs/user_laws.md.";
 }
 

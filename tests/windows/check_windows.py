@@ -232,7 +232,7 @@ def test_solves_a_study_goes_on_and_begins_anew(place):
 
 def test_calls_a_law_of_the_user(place):
     folder = place.home / "cases/user_law"
-    header = ["-O2", "-ffp-contract=off", "-shared", "-I", ROOT / "src/user_laws", folder / "elastic.c", "-o"]
+    header = ["-O2", "-ffp-contract=off", "-shared", folder / "elastic.c", "-o"]  # terp_law.h lies beside it
     subprocess.run([COMPILER, *header, folder / "elastic.dll"], check=True)
     subprocess.run(["gcc", "-fPIC", *header, folder / "elastic.so"], check=True)
     lines = (folder / "column.toml").read_text(encoding="utf-8").splitlines()
@@ -248,6 +248,23 @@ def test_calls_a_law_of_the_user(place):
     worst = largest_difference(rows(place.home / "runs/dll/ledger.csv"), rows(place.home / "runs/so/ledger.csv"))
     expect(worst < 1e-9, f"the ledgers differ by {worst:.1e}")
     return f"ledger beside Linux: {worst:.1e}"
+
+
+def test_says_why_a_law_cannot_be_opened(place):
+    folder = place.home / "cases/user_law"
+    (folder / "other.c").write_text("__declspec(dllexport) void other(void) {}\n")
+    (folder / "needs.c").write_text("void other(void);\n__declspec(dllexport) void umat_(void) { other(); }\n")
+    subprocess.run([COMPILER, "-shared", "other.c", "-o", "other.dll"], cwd=folder, check=True)
+    subprocess.run([COMPILER, "-shared", "needs.c", "other.dll", "-o", "needs.dll"], cwd=folder, check=True)
+    (folder / "other.dll").unlink()
+    shutil.copy(folder / "needs.c", folder / "text.dll")
+    for name, why in (("needs.dll", "Another library that it needs was not found"),
+                      ("text.dll", "This is no library for 64-bit Windows")):
+        case = (folder / "one_cell.toml").read_text(encoding="utf-8").replace("tresca.so", name)
+        (folder / "opened.toml").write_text(case, encoding="utf-8")
+        said = expect_done(place.terp("check", "cases/user_law/opened.toml"), 2)
+        expect(why in said and "-shared -static" in said, said)
+    return "error 126 and 193, in words"
 
 
 def test_writes_the_report_page(place):
