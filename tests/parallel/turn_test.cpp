@@ -1,25 +1,31 @@
 // Threads that take turns.
 #include "parallel/turn.hpp"
 #include "support/test.hpp"
+#include <atomic>
+#include <chrono>
 #include <thread>
 
 namespace turn_test {
 
-struct Counting {};
+struct Waiting {};
 
 TEST(Turn, IsOfOneThreadAtATime)
 {
-  int n = 0;  // no atomic: only turns keep the additions apart
-  const auto count = [&n] {
-    for (int k = 0; k < 100000; ++k) {
-      const Turn<Counting> turn, again;
-      n = n + 1;
-    }
-  };
-  std::thread other(count);
-  count();
+  std::atomic<bool> tries = false, had_its_turn = false;
+  std::thread other;
+  {
+    const Turn<Waiting> turn, again;
+    other = std::thread([&] {
+      tries = true;
+      const Turn<Waiting> its_own;
+      had_its_turn = true;
+    });
+    while (!tries) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_FALSE(had_its_turn);
+  }
   other.join();
-  EXPECT_EQ(n, 200000);
+  EXPECT_TRUE(had_its_turn);
 }
 
 }  // namespace turn_test
