@@ -70,7 +70,7 @@ std::vector<KeyInfo> method_keys()
           .meaning = "strain of the soils in a cell that their border cuts: all have that of the cell, which then has "
                      "the mean of their strengths (mean), or they also slip along the border until the shear stress "
                      "on it is the same on both sides (slip; decision 0059)",
-          .equation = "d_eps_m = d_eps + g_m sym(t n),  sum_m V_m g_m = 0,  tau_m = t.sigma_m.n equal in all soils"},
+          .equation = "d_eps_m = B (du_i - k s_i t) + g_m sym(t n),  tau_m = t.sigma_m.n equal in all soils"},
   };
 }
 
