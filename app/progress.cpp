@@ -52,15 +52,20 @@ void ProgressLine::progress(const Progress& p)
   }
 }
 
-void ProgressLine::show_search(const Progress& p)
+std::string search_text(const Progress& p)
 {
   constexpr Index enough = 20;  // steps from which a time follows
   const std::string eta =
       p.step < enough ? "" : fmt::format("  ETA {}{}", p.at_most ? "at most " : "", readable_duration(p.eta_s));
-  const std::string line =
-      label_ +
-      fmt::format("search for equilibrium: out of balance {:.1e} of the weight, limit {:.1e}  step {} of at most {}{}",
-          p.out_of_balance, p.limit, p.step, p.n_steps, eta);
+  return fmt::format(
+      "search for equilibrium: out of balance {:.1e} of the weight, limit {:.1e}{}  step {} of at most {}{}",
+      p.out_of_balance, p.limit, p.out_of_balance <= p.limit ? " reached, the soil still moves" : "", p.step, p.n_steps,
+      eta);
+}
+
+void ProgressLine::show_search(const Progress& p)
+{
+  const std::string line = label_ + search_text(p);
   if (terminal_) {
     show(stdout, "\r\033[K" + line);
     open_ = true;

@@ -15,6 +15,10 @@ std::string readable_duration(double seconds);
 /// dropped.
 void show(std::FILE* to, const std::string& text);
 
+/// How far the search for equilibrium has come. A time is named where it is known how the search goes on; before that
+/// it says how many steps it may take.
+std::string search_text(const Progress& p);
+
 class ProgressLine : public Observer {
  public:
   /// quiet: says nothing at all. label: what stands before each line; later_s: what comes after this run, with which

@@ -91,9 +91,18 @@ bool SearchWindows::runs_away() const
 std::optional<std::int64_t> SearchWindows::more_steps(Real out_of_balance, Real limit) const
 {
   const std::size_t n = out_of_balance_.size();
-  if (n < 2 || !(out_of_balance_[n - 1] < out_of_balance_[n - 2]) || !(out_of_balance > limit)) return std::nullopt;
-  const Real per_window = std::log(out_of_balance_[n - 2] / out_of_balance_[n - 1]);
-  return std::llround(static_cast<Real>(steps_) * std::log(out_of_balance / limit) / per_window);
+  Real windows = 0.0;
+  if (out_of_balance > limit) {
+    if (n < 2 || !(out_of_balance_[n - 1] < out_of_balance_[n - 2])) return std::nullopt;
+    windows = std::log(out_of_balance / limit) / std::log(out_of_balance_[n - 2] / out_of_balance_[n - 1]);
+  }
+  if (!at_rest()) {
+    if (n < 3) return std::nullopt;
+    const Real now = std::abs(moved_in(0)), before = std::abs(moved_in(1));
+    if (!(now < before)) return std::nullopt;
+    windows = std::max(windows, std::ceil(std::log(now / still_) / std::log(before / now)));  // judged at its end
+  }
+  return std::llround(static_cast<Real>(steps_) * windows);
 }
 
 }  // namespace terp

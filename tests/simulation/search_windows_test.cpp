@@ -40,4 +40,21 @@ TEST(SearchWindows, SoilThatMovesFasterWhileTheForceFallsMayStillComeToRest)
   EXPECT_TRUE(after(rises).runs_away()) << "and if it rises again, it does not";
 }
 
+TEST(SearchWindows, SayHowManyStepsAreLeftToTheLimitAndToRest)
+{
+  constexpr Real limit = 1e-4;
+  const SearchWindows falls = after({{0.0, 8e-4}, {0.0, 4e-4}});
+  EXPECT_EQ(falls.more_steps(4e-4, limit), 2 * falls.steps()) << "the force halves with each window";
+  EXPECT_EQ(falls.more_steps(limit, limit), 0) << "below the limit and at rest";
+  EXPECT_EQ(after({{0.0, 4e-4}, {0.0, 8e-4}}).more_steps(8e-4, limit), std::nullopt);
+  const SearchWindows moves = after({{0.4, 1e-5}, {0.4, 1e-5}, {0.2, 1e-5}});
+  const auto left = moves.more_steps(1e-5, limit);
+  ASSERT_TRUE(left.has_value()) << "the limit is passed, and the soil comes to rest";
+  EXPECT_EQ(*left % moves.steps(), 0) << "which is judged at the end of a window";
+  const auto from_less = after({{0.4, 1e-5}, {0.2, 1e-5}, {0.1, 1e-5}}).more_steps(1e-5, limit);
+  EXPECT_EQ(*left - from_less.value_or(0), moves.steps()) << "half of the motion: one window less";
+  EXPECT_EQ(after({{0.4, 1e-5}, {0.2, 1e-5}, {0.2, 1e-5}}).more_steps(1e-5, limit), std::nullopt) << "no slower";
+  EXPECT_EQ(after({{0.4, 1e-5}, {0.2, 1e-5}}).more_steps(1e-5, limit), std::nullopt) << "not known yet";
+}
+
 }  // namespace search_windows_test
