@@ -153,8 +153,12 @@ class GroundFill {
       if (up != 0.0) moved.emplace_back(cell, up);
     }
     for (const auto& [cell, volume] : moved) {
-      of_cell_[static_cast<std::size_t>(cell)].volume += volume;
-      of_cell_[static_cast<std::size_t>(upright_neighbour(mesh_, cell, 1, false))].volume -= volume;
+      CellContent& upper = of_cell_[static_cast<std::size_t>(cell)];
+      CellContent& lower = of_cell_[static_cast<std::size_t>(upright_neighbour(mesh_, cell, 1, false))];
+      const CellContent& source = volume > 0.0 ? lower : upper;
+      const Real sheared = source.volume > 0.0 ? volume * source.sheared / source.volume : 0.0;
+      upper.volume += volume, lower.volume -= volume;
+      upper.sheared += sheared, lower.sheared -= sheared;
     }
   }
 

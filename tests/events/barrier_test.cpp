@@ -130,6 +130,15 @@ TEST(Barrier, SinksWithTheGroundAndNotByRowsOfPoints)  // by points of which eac
       }
 }
 
+TEST(Barrier, SoilThatAllShearedIsNotIntactWhateverTheShapeOfItsPoints)
+{
+  Drawing thin;  // slivers on full cells, at whose height the level is
+  thin.box({0.0, 0.0}, {20.0, 3.0}, soil, 1.0);
+  for (int i = 0; i < 4 * n_x; ++i) thin.point({(i + 0.5) * 0.125, 3.01}, 0.125 * 0.02, soil, 1.0);
+  EXPECT_NEAR(thin.at(3.005).width, 20.0, 1e-9);
+  EXPECT_NEAR(thin.at(3.005).intact_width, 0.0, 1e-9);
+}
+
 TEST(Barrier, OfALevelLayerIsExactWhateverTheShapeOfItsPoints)
 {
   Drawing flat, thin;  // 2 x 4 points in a cell; a layer of 0.02 m on full cells
