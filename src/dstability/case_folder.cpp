@@ -369,7 +369,7 @@ class FolderMaker {
         .sets = stage_sets_,
         .is_held = options_.is_held,
         .trigger = trigger_};
-    if (options_.is_held) assumed_.push_back(held_sentence());
+    if (options_.is_held) doubts_.push_back(held_sentence());
     const std::vector<CaseTableText> stages = stage_tables(plan);
     text_.before.push_back(time_table(stages.empty()));
     text_.after.insert(text_.after.end(), stages.begin(), stages.end());

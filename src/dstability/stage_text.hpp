@@ -29,8 +29,7 @@ inline Sentence held_sentence()
       "The soil is held until it is at rest: strengths are doubled, then taken back to those of the file. It would "
       "not stand otherwise.",
       "De grond wordt vastgehouden tot hij in rust is: sterktes zijn verdubbeld en dan weer die van het bestand. "
-      "Anders "
-      "zou hij niet blijven staan."};
+      "Anders zou hij niet blijven staan."};
 }
 
 /// In their order; none: the run is one of the analysed stage alone.
