@@ -50,15 +50,24 @@ struct NonlocalLaw : WrappedLaw<Law, P> {
               .scratch = true}});
   static constexpr std::size_t nonlocal_row = n_own, softening_row = n_own + 1, increment_row = n_own + 2;
 
+  P whole = law.softened_strain();  ///< eps_95
+
   template <class R, int Dim>
   R update(SymTensor<R, Dim>& sigma, std::array<R, n_own + 3>& at, const SymTensor<R, Dim>& d_eps, Real dt) const
   {
+    const auto may_soften = R(whole) < R(std::numeric_limits<Real>::infinity());
+    if constexpr (requires { law.stays_elastic(sigma, at[softening_row], d_eps); }) {
+      SymTensor<R, Dim> trial = sigma;
+      if (law.stays_elastic(trial, at[softening_row], d_eps)) {
+        sigma = trial;
+        at[increment_row] = select(may_soften, R(0.0), R(-1.0));
+        return R(0.0);
+      }
+    }
     std::array<R, n_own> own = Wrapped::own_state(at);
     const R work = law.softened_at(at[softening_row]).update(sigma, own, d_eps, dt);
-    const R whole(law.softened_strain());
-    const R part = (own[strain_row] - at[strain_row]) / whole;
-    const auto may_soften = whole < R(std::numeric_limits<Real>::infinity());
-    const auto softens_on = at[softening_row] < R(softened_out) * whole;
+    const R part = (own[strain_row] - at[strain_row]) / R(whole);
+    const auto softens_on = at[softening_row] < R(softened_out) * R(whole);
     at[increment_row] = select(may_soften, select(softens_on, part, R(0.0)), R(-1.0));
     std::copy_n(own.begin(), n_own, at.begin());
     return work;
@@ -68,12 +77,11 @@ struct NonlocalLaw : WrappedLaw<Law, P> {
   template <class R>
   void soften(std::array<R, n_own + 3>& at, R spread, const SofteningOptions& options) const
   {
-    const R whole(law.softened_strain());
-    const auto may_soften = whole < R(std::numeric_limits<Real>::infinity());
+    const auto may_soften = R(whole) < R(std::numeric_limits<Real>::infinity());
     const R m(options.over_nonlocal);
     const R part = m * spread + (R(1.0) - m) * at[increment_row];
     at[nonlocal_row] =
-        select(may_soften, at[nonlocal_row] + R(options.band_scale()) * (whole * part), at[nonlocal_row]);
+        select(may_soften, at[nonlocal_row] + R(options.band_scale()) * (R(whole) * part), at[nonlocal_row]);
     const R now = options.halo ? at[nonlocal_row] : min(at[nonlocal_row], R(options.band_scale()) * at[strain_row]);
     at[softening_row] = max(at[softening_row], now);
   }

@@ -50,6 +50,25 @@ TEST(Nonlocal, TheStrengthIsThatOfTheDriverAndStaysWithinAStep)
   EXPECT_NEAR(point.state[increment], (point.state[eps] - 0.3) * 50.0 / 3.0, 1e-12);  // over the strain of 95 %
 }
 
+TEST(Nonlocal, YieldsAsSoonAsTheStressIsBeyondTheStrengthOfTheDriver)
+{
+  const Real su = 2e3 + 6e3 * std::exp(-2.5), e = 0.001;  // driver 0.05, beyond the point's own strain
+  for (const Real part : {0.5, 1.0 - 1e-6, 1.0 + 1e-6, 1.5}) {
+    Probe point(tresca(), clay);
+    point.state = {e, 0.0, 0.05, 0.7};
+    Probe beside_others = point;
+    const Stress d_eps{{0.0, 0.0, 0.0, part * su / (2.0 * 2e6)}};
+    point.strain_in_all_lanes(d_eps);
+    beside_others.strain(d_eps);
+    EXPECT_EQ(point.sigma.c, beside_others.sigma.c);
+    EXPECT_EQ(point.state, beside_others.state);
+    EXPECT_NEAR(point.sigma[3], std::min(part, 1.0) * su, 1e-9 * su);
+    EXPECT_EQ(point.state[eps] > e, part > 1.0);
+    EXPECT_EQ(point.state[increment] > 0.0, part > 1.0);
+    EXPECT_EQ(point.state[driver], 0.05);
+  }
+}
+
 TEST(Nonlocal, TheDriverIsTheOverNonlocalStrainAndNeverFalls)
 {
   Probe point(tresca(), clay);

@@ -107,6 +107,31 @@ TEST(TrescaSoftening, IsNeverSoftenedWhereNothingSoftens)
   EXPECT_EQ(softened_strain({.su_residual = 8e3, .su_remoulded = 100.0, .eta_remoulding = 2.0}), 1.5);
 }
 
+/// The bound that spares elastic points the whole answer lies below the strength at any strain.
+TEST(TrescaSoftening, YieldsAsSoonAsTheStressIsBeyondTheStrength)
+{
+  const Soil once, twice{.su_remoulded = 400.0, .eta_remoulding = 2.0}, never{.su_residual = 8e3};
+  for (const Soil& soil : {once, twice, never})
+    for (const Real e : {0.0, 1e-3, 0.01, 0.03, 0.1, 0.2, 1.0, 5.0})
+      for (const Zz zz : {Zz::major, Zz::middle, Zz::minor})
+        for (const Real middle : {-0.9, 0.0, 0.9}) {
+          const auto strain_after = [&](Real part) {
+            const Real su = part * soil.su_after(e, 0.0), p = -5e4;
+            const Stress trial = stress_of({p + su, p + middle * su, p - su}, zz);
+            Probe point = soil.probe();
+            point.sigma = trial;
+            point.state[0] = e;
+            point.strain_in_all_lanes(Stress{});
+            const Probe beside_others = returned_from(soil, trial, e);
+            EXPECT_EQ(point.sigma.c, beside_others.sigma.c);
+            EXPECT_EQ(point.state, beside_others.state);
+            return point.state[0];
+          };
+          EXPECT_GT(strain_after(1.0 + 1e-6), e) << e << ", zz at " << int(zz);
+          EXPECT_EQ(strain_after(1.0 - 1e-6), e) << e << ", zz at " << int(zz);
+        }
+}
+
 TEST(TrescaSoftening, Eq5_RunsFromPeakToResidual)
 {
   auto point = Soil{}.probe();
