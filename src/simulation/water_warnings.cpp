@@ -395,6 +395,8 @@ void find_idle_water(const Model& model, std::vector<Problem>& warnings)
 {
   const Case& whole = model.whole ? *model.whole : model.description;
   const WaterCase& water = whole.water;
+  const auto changes_water = [](const StageCase& stage) { return !stage.water.empty(); };
+  const bool stays = whole.stages.size() > 1 && !water.standing && std::ranges::none_of(whole.stages, changes_water);
   for (std::size_t k = 0; k < water.situations.size(); ++k) {
     const WaterSituation& situation = water.situations[k];
     const std::string path = fmt::format("water.situation[{}]", k);
@@ -403,6 +405,12 @@ void find_idle_water(const Model& model, std::vector<Problem>& warnings)
       warnings.push_back({path, fmt::format("nothing asks for the water{}", called),
           fmt::format("Give water = \"{}\" in a stage, or time = T in s.", situation.name), "water.situation", true,
           {"water", "stage"}});
+    else if (std::isnan(situation.time) && stays)
+      warnings.push_back({path, fmt::format("no stage takes the water{}", called),
+          fmt::format("A strength asks for it, but the water of the start acts in all {} stages.\n"
+                      "Give water = \"{}\" in the stage in which it comes.",
+              whole.stages.size(), situation.name),
+          "stage.water", false, {"water", "stage"}});
     if (situation.time > whole.time.end)
       warnings.push_back({path + ".time", fmt::format("the run ends before the water{} is reached", called),
           fmt::format(

@@ -5,6 +5,7 @@
 #include "support/cases.hpp"
 #include "support/problems.hpp"
 #include "support/simulations.hpp"
+#include "support/stages.hpp"
 #include "support/test.hpp"
 
 namespace water_warnings_test {
@@ -97,6 +98,23 @@ TEST(WaterWarnings, ALoadUnderFreeWaterIsTold)
                                   "At x = 0.75 m the ground is at 1 m, 0.3 m below the water.")));
   c.loads[0].from = 3.0, c.loads[0].to = 3.5;
   EXPECT_THAT(warnings_of(c), IsEmpty());
+}
+
+TEST(WaterWarnings, StagesThatTakeNoWaterWhereAStrengthAsksForSomeAreTold)
+{
+  Case c = wet({{0.0, 0.8}});
+  c.materials[0] = clay();
+  c.bodies[0].material = c.materials[0].name;
+  c.water.situations = {{.name = "high", .phreatic_line = {{0.0, 0.9}}}};
+  c.materials[0].fields = {{2, [](const PlaceInSoil&) { return 1e4; }}};
+  c.materials[0].fields[0].needs.situations = {"high"};
+  EXPECT_THAT(warnings_of(c), IsEmpty()) << "a run without stages has the water of the start";
+  const auto nothing = [](Case&) {};
+  EXPECT_THAT(warnings_of(staged(c, {{stage("daily", 1.0), nothing}, {stage("flood", 1.0), nothing}})),
+      ElementsAre(told("water.situation[0]", "no stage takes the water `high`", HasSubstr("all 2 stages"))));
+  StageCase flood = stage("flood", 1.0);
+  flood.water = "high";
+  EXPECT_THAT(warnings_of(staged(c, {{stage("daily", 1.0), nothing}, {flood, nothing}})), IsEmpty());
 }
 
 TEST(WaterWarnings, HeadsThatLookSwappedAreTold)
