@@ -98,9 +98,9 @@ std::optional<std::int64_t> SearchWindows::more_steps(Real out_of_balance, Real 
   }
   if (!at_rest()) {
     if (n < 3) return std::nullopt;
-    const Real now = std::abs(moved_in(0)), before = std::abs(moved_in(1));
-    if (!(now < before)) return std::nullopt;
-    windows = std::max(windows, std::ceil(std::log(now / still_) / std::log(before / now)));  // judged at its end
+    const Real now = moved_in(0), fall = moved_in(1) / now;  // below 0: it swings, and two windows tell no fall
+    if (!(fall > 1.0)) return std::nullopt;
+    windows = std::max(windows, std::ceil(std::log(std::abs(now) / still_) / std::log(fall)));  // judged at its end
   }
   return std::llround(static_cast<Real>(steps_) * windows);
 }

@@ -27,8 +27,8 @@ class SearchWindows {
   bool runs_away() const;
   /// What 99 % of the points moved less than, by the end of the last window [m].
   Real moved() const { return moved_.empty() ? 0.0 : moved_.back(); }
-  /// Steps to the limit and to rest if force and motion go on falling as in the last window; none: they do not, or
-  /// nothing is known.
+  /// Steps to the limit and to rest if force and motion go on falling as in the last window; none: they do not,
+  /// the soil swings, or nothing is known.
   std::optional<std::int64_t> more_steps(Real out_of_balance, Real limit) const;
 
  private:

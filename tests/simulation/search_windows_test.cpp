@@ -54,6 +54,7 @@ TEST(SearchWindows, SayHowManyStepsAreLeftToTheLimitAndToRest)
   const auto from_less = after({{0.4, 1e-5}, {0.2, 1e-5}, {0.1, 1e-5}}).more_steps(1e-5, limit);
   EXPECT_EQ(*left - from_less.value_or(0), moves.steps()) << "half of the motion: one window less";
   EXPECT_EQ(after({{0.4, 1e-5}, {0.2, 1e-5}, {0.2, 1e-5}}).more_steps(1e-5, limit), std::nullopt) << "no slower";
+  EXPECT_EQ(after({{0.4, 1e-5}, {-0.3, 1e-5}, {0.2, 1e-5}}).more_steps(1e-5, limit), std::nullopt) << "it swings";
   EXPECT_EQ(after({{0.4, 1e-5}, {0.2, 1e-5}}).more_steps(1e-5, limit), std::nullopt) << "not known yet";
 }
 
