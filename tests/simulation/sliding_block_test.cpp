@@ -1,7 +1,9 @@
 // A stiff elastic block on a contact base, against the motion of a rigid one.
+#include "simulation/equilibrium.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
 #include "support/test.hpp"
+#include <atomic>
 
 namespace sliding_block_test {
 
@@ -93,6 +95,18 @@ TEST_P(SeparatingContact, SoilAtRestGainsNoEnergy)
   s.step(static_cast<std::int64_t>(6.0 / s.model.dt));
   EXPECT_LT(s.state.work.boundary, 1e-9);                  // a floor that stays does no work
   EXPECT_LT(kinetic_energy(points_by_id(s.state)), 0.01);  // of 24 J elastic
+}
+
+TEST_P(SlidingBlock, SoilAtRestOnAnAdhesiveSlopeGainsNoEnergy)
+{
+  Case c = block(GetParam(), base(SideKind::contact_bilateral, 20000.0, 0.0), {5.0, -9.81});
+  c.initial.stress = InitialStress::equilibrium;
+  Simulation s(c);
+  const std::atomic<bool> stop{false};
+  ASSERT_TRUE(find_equilibrium(s.model, s.state, stop).reached);
+  s.step(static_cast<std::int64_t>(4.0 / s.model.dt));
+  EXPECT_LT(std::abs(s.state.work.boundary), 1e-6);
+  EXPECT_LT(kinetic_energy(points_by_id(s.state)), 0.01);
 }
 
 /// A block that slides under pure FLIP rings, and a bilateral base meets only the pushes with friction: 10 % PIC keeps
