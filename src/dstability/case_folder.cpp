@@ -143,7 +143,7 @@ class FolderMaker {
         *water = water_below(layout_);
         assumed_.push_back(filled<told::water_beneath>(in_quotes(stage->label)));
       }
-    situation_ = has_start ? key_of_name(stage_.label) + "_water" : "";
+    situation_ = has_start ? key_of_name(stage_.label, "stage") + "_water" : "";
     if (situation_ == raised_water) situation_ += "_2";
     phreatic_ = now.phreatic;
     const auto unit = CaseLine{
@@ -278,7 +278,7 @@ class FolderMaker {
     const std::string key = fmt::format("{}/{}/{}", piece.soil, piece.zone, preload);
     if (const auto known = uses_.find(key); known != uses_.end()) return known->second.name;
     std::string name = key_of_name(soil.name) + (piece.zone == 1 ? "_below" : piece.zone == 2 ? "_above" : "");
-    if (names_.contains(name)) name += "_" + key_of_name(layer_of(piece.region.drawn).label);
+    if (names_.contains(name)) name += "_" + key_of_name(layer_of(piece.region.drawn).label, "layer");
     for (int k = 2; names_.contains(name); ++k) name = key_of_name(soil.name) + fmt::format("_{}", k);
     names_.insert(name);
     const std::string where = piece.zone == 0 ? ""

@@ -14,6 +14,19 @@ namespace {
 
 constexpr std::size_t most_columns = 120, comment_column = 41;
 
+constexpr std::string_view minus_signs[] = {"-", "−", "–"};  // of a keyboard, of print, and a dash
+
+/// The letters of Latin-1 as those of a key; empty: no such letter.
+std::string without_accent(std::string_view letter)
+{
+  constexpr std::pair<std::string_view, const char*> plain[] = {{"àáâãäåÀÁÂÃÄÅ", "a"}, {"æÆ", "ae"}, {"çÇ", "c"},
+      {"èéêëÈÉÊË", "e"}, {"ìíîïÌÍÎÏ", "i"}, {"ñÑ", "n"}, {"òóôõöøÒÓÔÕÖØ", "o"}, {"ß", "ss"}, {"ùúûüÙÚÛÜ", "u"},
+      {"ýÿÝ", "y"}};
+  for (const auto& [letters, word] : plain)
+    if (letter.size() == 2 && letters.find(letter) != std::string_view::npos) return word;
+  return "";
+}
+
 std::string comment_text(const std::string& raw)
 {
   const std::string comment = printable(raw);
@@ -122,18 +135,34 @@ std::string places_text(const std::vector<Vec<2>>& places, std::size_t indent, s
   return list_text(rows, indent, first_column);
 }
 
-std::string key_of_name(const std::string& name)
+std::string key_of_name(const std::string& name, const std::string& otherwise)
 {
   std::string key;
-  for (const char c : name) {
-    const auto letter = static_cast<unsigned char>(c);
-    if (letter < 128 && std::isalnum(letter))
-      key += static_cast<char>(std::tolower(letter));
+  const auto add_word = [&key](const char* word) {
+    if (!key.empty() && key.back() != '_') key += '_';
+    key += word;
+  };
+  const std::string text = as_utf8(name);
+  for (std::size_t at = 0, n = 0; at < text.size(); at += n) {
+    n = utf8_length(std::string_view(text).substr(at));
+    const std::string letter = text.substr(at, n);
+    const char next = at + n < text.size() ? text[at + n] : ' ', before = at == 0 ? ' ' : text[at - 1];
+    const bool is_number_next = next >= '0' && next <= '9';
+    const bool is_sign = is_number_next && (std::string_view(" (=:~").find(before) != std::string_view::npos ||
+                                               key == "nap" || key.ends_with("_nap"));
+    if (const auto c = static_cast<unsigned char>(letter[0]); c < 128 && std::isalnum(c))
+      key += static_cast<char>(std::tolower(c));
+    else if (is_sign && std::ranges::find(minus_signs, letter) != std::end(minus_signs))
+      add_word("minus_");
+    else if (is_sign && letter == "+")
+      add_word("plus_");
+    else if (const std::string plain = without_accent(letter); !plain.empty())
+      key += plain;
     else if (!key.empty() && key.back() != '_')
       key += '_';
   }
   while (key.ends_with('_')) key.pop_back();
-  return key.empty() ? "soil" : key;
+  return key.empty() ? otherwise : key;
 }
 
 void name_bodies(std::vector<CaseBodyText>& bodies)

@@ -64,8 +64,9 @@ std::string list_text(const std::vector<std::vector<Real>>& rows, std::size_t in
 /// The same of places.
 std::string places_text(const std::vector<Vec<2>>& places, std::size_t indent, std::size_t first_column);
 
-/// A name that TOML takes as a key: lower case letters, digits, _.
-std::string key_of_name(const std::string& name);
+/// A name that TOML takes as a key: lower case letters without accents, digits, _. Signs before numbers are the words
+/// minus and plus; `otherwise` if nothing is left. Two names may have one key.
+std::string key_of_name(const std::string& name, const std::string& otherwise = "soil");
 
 /// A folder that is to be written.
 struct CaseFolder {

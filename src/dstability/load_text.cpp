@@ -42,7 +42,7 @@ LoadTexts load_texts(const StixStage& stage, const StixStage* first, const Secti
   for (const StixUniformLoad& load : stage.loads) {
     const Vec<2> ends{std::max(std::min(load.start, load.end), layout.low[0]),
         std::min(std::max(load.start, load.end), layout.high[0])};
-    const std::string wanted = load.label.empty() ? "load" : key_of_name(load.label);
+    const std::string wanted = key_of_name(load.label, "load");
     std::string label = wanted;
     for (int k = 2; !labels.insert(label).second; ++k) label = fmt::format("{}_{}", wanted, k);
     if (!(ends[1] > ends[0]) || !(load.magnitude > 0.0)) {

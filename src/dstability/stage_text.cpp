@@ -77,13 +77,13 @@ std::vector<CaseTableText> stage_tables(const StagePlan& plan)
   };
   if (!plan.first.empty()) {
     tables.push_back(stage_until_rest(
-        own_name(key_of_name(plan.first)), fmt::format("Stage {} of the file", in_quotes(plan.first)), "20.0"));
+        own_name(key_of_name(plan.first, "stage")), fmt::format("Stage {} of the file", in_quotes(plan.first)), "20.0"));
     add_sets({"\"forces.damping.local\" = 0.5"}, tables.back());
   } else if (plan.is_held) {
     tables.push_back(stage_until_rest(own_name("held"), "", "20.0"));
   }
   if (plan.is_held) hold(tables.back());
-  tables.push_back(analysed_stage(plan, own_name(key_of_name(plan.analysed))));
+  tables.push_back(analysed_stage(plan, own_name(key_of_name(plan.analysed, "stage"))));
   if (is_triggered) tables.push_back(trigger_stage(plan.trigger, own_name(plan.trigger.name)));
   return tables;
 }

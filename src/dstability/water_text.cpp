@@ -128,7 +128,7 @@ WaterSituation as_lines(
   if (lines.phreatic_line.empty() || (water.reference_lines.empty() && !with_lines)) return lines;
   std::vector<std::string> names;
   for (std::size_t k = 0; k < water.head_lines.size(); ++k) {
-    const std::string key = key_of_name(water.head_lines[k].label);
+    const std::string key = key_of_name(water.head_lines[k].label, "head");
     names.push_back(k == *water.phreatic ? std::string(phreatic_head) : fmt::format("{}_{}", key, k + 1));
     if (k == *water.phreatic) continue;
     lines.head_lines.push_back({names.back(), places_of(water.head_lines[k].line)});

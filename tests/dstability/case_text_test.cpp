@@ -20,6 +20,26 @@ TEST(SectionTextOf, NamesAreKeys)
   EXPECT_EQ(in_quotes("a \"b\" \\ c\n"), R"("a \"b\" \\ c ")");
 }
 
+TEST(SectionTextOf, SignsOfNumbersStayInKeys)
+{
+  EXPECT_EQ(key_of_name("river at -2.00 m"), "river_at_minus_2_00_m");
+  EXPECT_EQ(key_of_name("river at +2.00 m"), "river_at_plus_2_00_m");
+  EXPECT_EQ(key_of_name("river at 2.00 m"), "river_at_2_00_m");
+  EXPECT_EQ(key_of_name("NAP-0,40"), "nap_minus_0_40");
+  EXPECT_EQ(key_of_name("-3"), "minus_3");
+  EXPECT_EQ(key_of_name("−3 (–4)"), "minus_3_minus_4");  // the minus of print, and a dash
+  EXPECT_EQ(key_of_name("Clay L1-2, 2020-2021 - 3"), "clay_l1_2_2020_2021_3");
+}
+
+TEST(SectionTextOf, OddNamesAreKeys)
+{
+  EXPECT_EQ(key_of_name("Veen, geïnundeerd; één ß"), "veen_geinundeerd_een_ss");
+  EXPECT_EQ(key_of_name("γ = 3 砂"), "3");
+  EXPECT_EQ(key_of_name("砂", "stage"), "stage");
+  EXPECT_EQ(key_of_name("\xFF\xC3", "layer"), "layer");
+  EXPECT_EQ(key_of_name("", "load"), "load");
+}
+
 TEST(SectionTextOf, BodiesHaveNamesOfTheirOwnThatAreNoNumbers)
 {
   std::vector<CaseBodyText> bodies(4);

@@ -34,6 +34,16 @@ TEST(LoadText, ThatTheFirstStageDoesNotHaveIsPutOnInTheLast)
   EXPECT_THAT(load_texts(loaded(), &same, layout).sets, IsEmpty());
 }
 
+TEST(LoadText, HasANameOfItsOwnWhateverTheFileCallsIt)
+{
+  StixStage stage = loaded();
+  stage.loads.resize(4, stage.loads[0]);
+  for (std::size_t k = 0; const char* label : {"q -1", "q 1", "砂", "γ"}) stage.loads[k++].label = label;
+  std::vector<std::string> names;
+  for (const CaseTableText& table : load_texts(stage, nullptr, layout).tables) names.push_back(table.lines[0].value);
+  EXPECT_THAT(names, ElementsAre("\"q_minus_1\"", "\"q_1\"", "\"load\"", "\"load_2\""));
+}
+
 TEST(LoadText, BesideTheSectionIsLeftOut)
 {
   StixStage stage = loaded();

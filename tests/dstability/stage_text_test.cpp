@@ -45,6 +45,10 @@ TEST(StageText, NoTwoStagesHaveOneNameWhateverTheFileCallsThem)
     for (const CaseTableText& table : tables) names.push_back(table.lines[0].value);
     return names;
   };
+  const auto signs = stage_tables({.first = "River at 2.00 m", .analysed = "River at -2.00 m"});
+  const auto odd = stage_tables({.first = "砂", .analysed = "γ"});
+  EXPECT_THAT(names_in(signs), testing::ElementsAre("\"river_at_2_00_m\"", "\"river_at_minus_2_00_m\""));
+  EXPECT_THAT(names_in(odd), testing::ElementsAre("\"stage\"", "\"stage_2\""));
   EXPECT_THAT(names_in(one), testing::ElementsAre("\"held\"", "\"held_2\"", "\"weaker_soil\""));
   EXPECT_THAT(names_in(two), testing::ElementsAre("\"weaker_soil\"", "\"weaker_soil_2\"", "\"weaker_soil_3\""));
   EXPECT_THAT(names_in(three), testing::ElementsAre("\"weaker_soil\"", "\"weaker_soil_2\"", "\"weaker_soil_3\""));
