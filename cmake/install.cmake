@@ -11,6 +11,9 @@ target_compile_features(terp_core PUBLIC cxx_std_20)
 target_compile_options(terp_core INTERFACE $<INSTALL_INTERFACE:-Wno-psabi>)  # packs of eight in the headers
 install(TARGETS terp_core EXPORT terpTargets ARCHIVE INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/terp)
 install(TARGETS terp)
+if(TARGET terp_openturns)
+  install(TARGETS terp_openturns LIBRARY DESTINATION lib/terp)
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/terp
         FILES_MATCHING PATTERN "*.hpp" PATTERN "*.def" PATTERN "*.h")
 install(EXPORT terpTargets NAMESPACE terp:: DESTINATION ${TERP_PACKAGE_FOLDER})

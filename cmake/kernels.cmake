@@ -28,7 +28,7 @@ set(TERP_FLAGS_sse2 -march=x86-64)
 # everywhere. GCC 12.2 itself fails in its pass ipa-cp there.
 if(TERP_SANITIZE OR TERP_TSAN)
   set(options -O2)
-  if(TERP_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     list(APPEND options -fno-sanitize-address-use-after-scope -fno-ipa-cp)
   endif()
   set_source_files_properties(${TERP_KERNEL_SOURCES} ${TERP_SHARED_KERNEL_SOURCES}

@@ -1,5 +1,6 @@
 // How it thinks: the event is a function of independent standard normal variables, so that OpenTURNS has nothing to
-// transform. It asks for the function in blocks. Built only where CMake finds OpenTURNS (else no_openturns.cpp).
+// transform. It asks for the function in blocks. A library of its own, built where CMake finds OpenTURNS; it calls
+// nothing of Terp but the limit state.
 
 #include "study/reliability.hpp"
 
@@ -145,18 +146,17 @@ ReliabilityResult find(const ReliabilityRule& rule, const LimitState& limit)
 }
 
 }  // namespace
+}  // namespace terp
 
-bool has_openturns() { return true; }
-
-ReliabilityResult find_probability(const ReliabilityRule& rule, const LimitState& limit)
+/// What reliability.cpp asks for. Throws MethodFault, and what `limit` throws.
+extern "C" __attribute__((visibility("default"))) void terp_find_probability(
+    const terp::ReliabilityRule& rule, const terp::LimitState& limit, terp::ReliabilityResult& result)
 {
   OT::Log::Show(OT::Log::NONE);
   OT::RandomGenerator::SetSeed(static_cast<OT::UnsignedInteger>(rule.seed));
   try {
-    return find(rule, limit);
+    result = terp::find(rule, limit);
   } catch (const OT::Exception& error) {
-    throw MethodFault(std::string("OpenTURNS ended the method: ") + error.what());
+    throw terp::MethodFault(std::string("OpenTURNS ended the method: ") + error.what());
   }
 }
-
-}  // namespace terp

@@ -45,9 +45,10 @@ struct ReliabilityResult {
   bool converged = true;                ///< FORM found a design point on the limit state
 };
 
+/// The library of openturns.cpp lies beside the program, or where `cmake --install` puts it.
 bool has_openturns();
 
-/// Throws what `limit` throws, MethodFault, and CaseError where this build has no OpenTURNS.
+/// Throws what `limit` throws, MethodFault, and CaseError where there is no OpenTURNS.
 ReliabilityResult find_probability(const ReliabilityRule& rule, const LimitState& limit);
 
 }  // namespace terp

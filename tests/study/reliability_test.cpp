@@ -7,6 +7,8 @@
 #include "support/test.hpp"
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -135,6 +137,19 @@ TEST(ReliabilityWithoutOpenTurns, SaysWhatToInstall)
 }
 
 const std::string form_study = changed(column_study, "kind = \"monte_carlo\"", "kind = \"form\"\nevent = \"slide\"");
+
+TEST_F(Reliability, ALibraryThatCannotBeOpenedIsNamed)
+{
+  const ScratchFolder folder;
+  const std::string copy = folder.path() + "/terp", study = write_study(folder.path(), form_study);
+  std::filesystem::copy_file(program(), copy);
+  write_file_atomically(folder.path() + "/terp_openturns.so", "no library");
+  const std::string command = copy + " study run " + study + " -o " + folder.path() + "/s > " + copy + ".txt 2>&1";
+  EXPECT_NE(std::system(command.c_str()), 0);
+  EXPECT_THAT(
+      read_file(copy + ".txt"), AllOf(HasSubstr("`form` needs OpenTURNS, which cannot be opened. The system says: "),
+                                    HasSubstr("terp_openturns.so"), HasSubstr("tools/install-dependencies --study")));
+}
 
 struct Made {
   ScratchFolder folder;

@@ -1,0 +1,52 @@
+// OpenTURNS and the ninety libraries that it brings are opened by the first study that asks for them. Linked to the
+// program they took four fifths of the time that each start needs.
+
+#include "study/reliability.hpp"
+
+#include "input/case_file.hpp"
+#include "parallel/shared_library.hpp"
+#include "system/files.hpp"
+
+#include <filesystem>
+
+namespace terp {
+namespace {
+
+/// Empty: there is none.
+std::string openturns_library()
+{
+  std::error_code ignored;
+  const auto folder = std::filesystem::canonical(program_file(), ignored).parent_path();
+  for (const char* place : {"", "../lib/terp", ".."})  // as built, as installed, for the tests
+    if (const auto file = folder / place / "terp_openturns.so"; std::filesystem::exists(file, ignored))
+      return file.string();
+  return {};
+}
+
+std::string advice(const ReliabilityRule& rule, const std::string& reason)
+{
+  return "error: `" + std::string(info_of(rule.kind).name) + "` needs OpenTURNS, " + reason +
+         "\n  Install it with `tools/install-dependencies --study`, or libopenturns-dev of Debian, and build again.\n";
+}
+
+}  // namespace
+
+bool has_openturns() { return !openturns_library().empty(); }
+
+ReliabilityResult find_probability(const ReliabilityRule& rule, const LimitState& limit)
+{
+  using Find = void(const ReliabilityRule&, const LimitState&, ReliabilityResult&);
+  static const SharedLibrary* library = nullptr;  // never closed: its threads may live as long as the program
+  try {
+    if (library == nullptr && has_openturns()) library = new SharedLibrary(openturns_library());
+  } catch (const FileError& error) {
+    throw CaseError(advice(rule, std::string("which cannot be opened. ") + error.what()));
+  }
+  const auto find = library ? reinterpret_cast<Find*>(library->find("terp_find_probability")) : nullptr;
+  if (find == nullptr) throw CaseError(advice(rule, "which this terp was built without"));
+  ReliabilityResult result;
+  find(rule, limit, result);
+  return result;
+}
+
+}  // namespace terp
