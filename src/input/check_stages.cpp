@@ -194,7 +194,7 @@ void check_rest(const Node& root, const Case& values, Findings& findings)
 {
   const auto rests = [](const StageCase& stage) { return stage.until == Until::at_rest; };
   const bool any = values.time.until == Until::at_rest || std::ranges::any_of(values.stages, rests);
-  for (const char* key : {"time.rest_speed", "time.rest_time"})
+  for (const char* key : {"time.rest_by", "time.rest_speed", "time.rest_time"})
     if (!any && find_node(root, key) != nullptr)
       findings.warnings.push_back({key, fmt::format("`{}` has no effect", key + 5),
           "Nothing ends at rest: it counts with until = \"at_rest\".", key, true});

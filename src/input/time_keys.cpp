@@ -17,6 +17,13 @@ WordField until_field(Until& until)
   return {[&until] { return static_cast<int>(until); }, [&until](int word) { until = static_cast<Until>(word); }};
 }
 
+std::vector<std::string> rest_words() { return {"fastest", "mean"}; }  // in the order of RestBy
+
+WordField rest_field(RestBy& by)
+{
+  return {[&by] { return static_cast<int>(by); }, [&by](int word) { by = static_cast<RestBy>(word); }};
+}
+
 using Changes = std::vector<std::pair<std::string, std::string>>;
 
 OwnForm changes_field(Changes& changes)
@@ -59,6 +66,11 @@ std::vector<KeyInfo> time_keys()
           .usual = {1e-3, 1e4},
           .required_for = "until = \"at_rest\"",
           .meaning = "time at which a run ends that has not come to rest before"},
+      {.path = "time.rest_by",
+          .field = [](Case& c, std::size_t) { return rest_field(c.time.rest_by); },
+          .words = rest_words,
+          .meaning = "which motion counts for rest: fastest, the speed of the fastest node; mean, how far soil went "
+                     "in rest_time, so that soil that swings in place rests (docs/stages.md)"},
       {.path = "time.rest_speed",
           .field = [](Case& c, std::size_t) { return &c.time.rest_speed; },
           .unit = "m/s",

@@ -145,6 +145,7 @@ void begin_from(const Model& before, const std::string& stage_that_ended, Model&
   state.stage = n_done == 0 ? 0 : static_cast<std::int64_t>(n_done) - 1;
   state.stage_start = state.step;
   state.quiet_steps = 0;
+  state.rest_marks = {};
   state.rows_reported.clear();
   state.frames_reported = 0;
   model.first_step = state.first_step, model.first_time = state.first_time;

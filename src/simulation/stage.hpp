@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace terp {
 
@@ -20,11 +21,23 @@ struct Ramp {
   }
 };
 
-/// When soil is at rest: all nodes that hold soil have been slow for a time, and nothing is about to change.
+/// When soil is at rest: all nodes that hold soil have been slow for a time, or hardly any soil went far in that time;
+/// and nothing is about to change.
 struct RestRule {
   Real speed = 0.0;        ///< [m/s]
   std::int64_t steps = 0;  ///< in which all nodes are slower than that; 0: rest ends nothing
+  bool by_mean = false;    ///< it is the mean motion in these steps that counts
+  Real distance = 0.0;     ///< which soil may go in these steps, by_mean [m]
+  Real volume = 0.0;       ///< of soil that may go farther: a cell [m^2]
   Real last_change = 0.0;  ///< time of the last change of loads or water that the case orders [s]; infinite: no end
+};
+
+/// Where points were when soil was looked at for its mean motion, four times in the time of RestRule: as often it is
+/// looked at whether they went far.
+struct RestMarks {
+  static constexpr std::int64_t n = 4;
+  std::int64_t steps = 0;    ///< since the first of them
+  std::vector<Real> places;  ///< shape [n, n_ids, 2] [m]; empty: none so far
 };
 
 /// The water of a stage: on the way from one situation to another, by their numbers.

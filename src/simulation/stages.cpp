@@ -1,6 +1,7 @@
 #include "simulation/stages.hpp"
 
 #include "base/errors.hpp"
+#include "events/moved.hpp"
 #include "simulation/change_soil.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/loads.hpp"
@@ -55,6 +56,32 @@ void check_lengths(const Case& whole, Real dt)
         "the stage is shorter than a time step",
         fmt::format("Got {:.3g} s; the time step is {:.3g} s.", c.longest(), dt), "stage"});
   }
+}
+
+/// [m^2]
+Real mean_cell(const Mesh<2>& mesh)
+{
+  Real all = 0.0;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) all += mesh.geometry(cell).volume;
+  return all / static_cast<Real>(mesh.n_cells());
+}
+
+/// After each step in which nothing changes any more: enters where the soil is, at times, and compares with where it
+/// was `rest.steps` before.
+bool rests_by_mean(const RestRule& rest, State& state)
+{
+  RestMarks& marks = state.rest_marks;
+  const std::int64_t every = rest.steps / RestMarks::n, step = marks.steps++;
+  if (step % every != 0) return false;
+  const std::size_t n = state.x_initial.size();
+  marks.places.resize(static_cast<std::size_t>(RestMarks::n) * n);
+  const std::span<Real> mark(marks.places.data() + static_cast<std::size_t>(step / every % RestMarks::n) * n, n);
+  const bool rests = step >= rest.steps && find_moved(state.points, mark, rest.distance).volume < rest.volume;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    for (std::size_t d = 0; d < 2; ++d) mark[2 * id + d] = block.row(Rows::x + static_cast<int>(d))[lane];
+  });
+  return rests;
 }
 
 /// Displacement and strain are counted from now on.
@@ -142,10 +169,15 @@ void set_stage(const Case& whole, std::size_t number, Model& model)
     check_lengths(whole, model.dt);
   }
   if (until == Until::at_rest) {
-    const Real n = std::ceil(whole.time.rest_time / model.dt * (1.0 - 1e-12));
+    const bool by_mean = whole.time.rest_by == RestBy::mean;
+    const std::int64_t looks = by_mean ? RestMarks::n : 1;
+    const Real n = std::ceil(whole.time.rest_time / (looks * model.dt) * (1.0 - 1e-12));
     stage.rest = {.speed = whole.time.rest_speed,
-        .steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(n)),
+        .steps = looks * std::max<std::int64_t>(1, static_cast<std::int64_t>(n)),
+        .by_mean = by_mean,
         .last_change = last_change(model.description, stage.water)};
+    stage.rest.distance = stage.rest.speed * stage.rest.steps * model.dt;
+    stage.rest.volume = mean_cell(*model.mesh);
   }
 }
 
@@ -171,8 +203,11 @@ void watch_rest(const Model& model, const Workspace& work, State& state)
   const RestRule& rest = model.stage.rest;
   if (rest.steps == 0) return;
   const Real changes_until = std::max(rest.last_change, model.ramp.start + model.ramp.duration);
-  const bool quiet = work.fastest_node < rest.speed && state.time > changes_until;
-  state.quiet_steps = quiet ? state.quiet_steps + 1 : 0;
+  const bool may_rest = state.time > changes_until;
+  if (rest.by_mean)
+    state.quiet_steps = may_rest && rests_by_mean(rest, state) ? rest.steps : 0;
+  else
+    state.quiet_steps = may_rest && work.fastest_node < rest.speed ? state.quiet_steps + 1 : 0;
 }
 
 bool ends_now(const Model& model, const Workspace& work, State& state)
@@ -226,6 +261,7 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   ++state.stage;
   state.stage_start = state.step;
   state.quiet_steps = 0;
+  state.rest_marks = {};
   model = model_for(std::move(next), state);
   if (model.description.stages[model.stage.number].reset_displacement) {
     for (const ActiveFollower& active : state.followers) active.follower->count_displacement_anew(model, state);

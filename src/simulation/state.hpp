@@ -51,6 +51,7 @@ struct State {
   std::int64_t stage = 0;                ///< number of the stage that the run is in
   std::int64_t stage_start = 0;          ///< step with which it began
   std::int64_t quiet_steps = 0;          ///< steps in a row in which no node was fast (Stage::rest)
+  RestMarks rest_marks;                  ///< of rest by mean motion
   std::vector<StageRecord> stages_done;  ///< in their order
   std::int64_t clamped = 0;              ///< points that ever had to be put back at a wall
   std::vector<bool> put_back;            ///< which, by id

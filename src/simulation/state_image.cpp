@@ -234,6 +234,10 @@ std::vector<ArraySource> arrays_of(const State& state)
     arrays.copy("stage", std::vector<std::int64_t>{state.stage, state.stage_start, state.quiet_steps});
     arrays.copy("stages_done", values_of(state.stages_done));
   }
+  if (!state.rest_marks.places.empty()) {
+    arrays.refer("rest_marks", state.rest_marks.places);
+    arrays.copy("rest_steps", std::vector<std::int64_t>{state.rest_marks.steps});
+  }
   if (state.mass_placed != 0.0 || state.mass_removed != 0.0)
     arrays.copy("mass_of_bodies", std::vector<Real>{state.mass_placed, state.mass_removed});
   if (state.work.outer != OuterWork{})
@@ -332,6 +336,9 @@ State restore(const Model& model, const StateImage& image)
     if (state.stage < 0 || state.stage >= n || state.stage_start < 0 || state.stage_start > state.step)
       throw FileError("the checkpoint does not fit this case: it is of a stage that the case does not have");
   }
+  if (arrays.has("rest_marks"))
+    state.rest_marks = {std::max<std::int64_t>(0, arrays.wholes("rest_steps", 1)[0]),
+        arrays.reals("rest_marks", static_cast<std::size_t>(RestMarks::n) * state.x_initial.size())};
   if (arrays.has("mass_of_bodies")) {
     const auto& mass = arrays.reals("mass_of_bodies", 2);
     state.mass_placed = mass[0], state.mass_removed = mass[1];

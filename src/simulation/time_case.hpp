@@ -14,13 +14,17 @@ struct Case;
 
 enum class Until { end, at_rest };
 
+/// Which soil must be slow where something ends at rest: the fastest node, or soil in its mean motion over `rest_time`.
+enum class RestBy { fastest, mean };
+
 struct TimeCase {
   Real end = 0.0;            ///< [s]; of a run that ends at rest, or with stages: the latest time that it may come to
   Until until = Until::end;  ///< of a run without stages
   Real at_most = 0.0;        ///< of a run that ends at rest: the same as `end` [s]
-  Real rest_speed = 1e-3;    ///< speed below which all nodes must stay [m/s]
-  Real rest_time = 0.5;      ///< for this long [s]
-  Real courant = 0.98;       ///< dt = courant * min(L_e) / c_p, reading R19
+  RestBy rest_by = RestBy::fastest;
+  Real rest_speed = 1e-3;  ///< speed below which all nodes, or points in their mean, must stay [m/s]
+  Real rest_time = 0.5;    ///< for this long [s]
+  Real courant = 0.98;     ///< dt = courant * min(L_e) / c_p, reading R19
 };
 
 /// A part of a run with values of its own for some keys.

@@ -50,6 +50,10 @@ def children_of(pid):
         return []
 
 
+def grandchildren_of(pid):
+    return [grandchild for child in children_of(pid) for grandchild in children_of(child)]
+
+
 def kill(pid):
     """True: it was there."""
     try:
@@ -125,10 +129,11 @@ class Trial:
         mpirun = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(N_RANKS),
                   *(["--enable-recovery"] if recovers else [])]
         process = self.start(*mpirun, *self.words("-o", name))
+        while process.poll() is None and not grandchildren_of(process.pid):  # seconds, on a machine with other work
+            time.sleep(0.1)
         for _ in range(self.chance.randint(1, 3)):
-            time.sleep(self.chance.uniform(0.5, 1.2))
-            ranks = sorted(children_of(process.pid))
-            workers = [worker for rank in ranks for worker in children_of(rank)]
+            time.sleep(self.chance.uniform(0.2, 1.0))
+            ranks, workers = sorted(children_of(process.pid)), grandchildren_of(process.pid)
             if process.poll() is not None or not workers:
                 break
             what = self.chance.choices(["worker", "rank", "rank 0", "mpirun"], [6, 2, 1, 1])[0]
@@ -164,15 +169,19 @@ class Trial:
             self.count("task", bool(found) and kill(self.chance.choice(found)))
         slurm.wait_for(lambda: not slurm.jobs(), "an end of the array", 120)
 
+    def workers_under(self, name):
+        ranks = processes_with(f"^{self.terp} study run study.toml -q -o {name}$")
+        return [worker for rank in ranks for worker in children_of(rank)]
+
     def kill_steps(self, slurm):
-        """Ranks of srun: a worker is killed in each job."""
+        """Ranks of srun: a worker is killed in each job, unless it ends first."""
         name = "srun"
-        for _ in range(3):
+        while self.number_of("worker of srun") < 3:
             process = subprocess.Popen(["srun", "-n", str(N_RANKS), *self.words("-o", name)], cwd=self.folder,
                                        env=slurm.environment, stderr=subprocess.DEVNULL)
-            time.sleep(self.chance.uniform(0.5, 1.0))
-            ranks = processes_with(f"^{self.terp} study run study.toml -q -o {name}$")
-            workers = [worker for rank in ranks for worker in children_of(rank)]
+            slurm.wait_for(lambda: process.poll() is not None or self.workers_under(name), "a worker of srun", 120)
+            time.sleep(self.chance.uniform(0.0, 0.3))
+            workers = self.workers_under(name)
             self.count("worker of srun", bool(workers) and kill(self.chance.choice(workers)))
             if process.wait() != 0:
                 sys.exit("srun failed, though a worker alone was killed")

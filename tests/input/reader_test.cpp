@@ -130,6 +130,7 @@ Case read_every_key() { return read_case_text(every_key, "folder/all.toml").valu
 const std::string other_keys = R"([time]
 until = "at_rest"
 at_most = 9.0
+rest_by = "mean"
 rest_speed = 2e-3
 rest_time = 0.25
 [[stage]]

@@ -83,6 +83,48 @@ TEST(Stages, ARunThatDoesNotComeToRestEndsWithItsTimeAndSaysSo)
   EXPECT_EQ(summarise(s.model, s.state).stages.size(), 1u);
 }
 
+/// Soil that flies on as it is, or swings on: nothing damps it.
+Case undamped(Case c, Real rest_time)
+{
+  c.forces.local_damping = 0.0;
+  c.time = {.end = 5.0, .until = Until::at_rest, .at_most = 5.0, .rest_by = RestBy::mean, .rest_time = rest_time};
+  return c;
+}
+
+TEST(Stages, SoilRestsByItsMeanMotionWhereItGoesLessFarThanItsSpeedAllows)
+{
+  Case c = undamped(free_box("mpm_gp", {0.5, 0.0}, {2.5, 1.0}, elastic(2e6, 0.3, 2000.0)), 1.0);
+  c.forces.gravity = {0.0, 0.0};
+  c.time.rest_speed = 0.1;
+  c.bodies[0].velocity = {0.099, 0.0};
+  Simulation slow(c);
+  slow.run();
+  EXPECT_TRUE(slow.state.stages_done.at(0).at_rest);
+  EXPECT_NEAR(slow.state.time, 1.0, 5.0 * slow.model.dt);  // the first step, and four whole parts of rest_time
+  EXPECT_NEAR(slow.state.stages_done[0].fastest, 0.099, 1e-9);
+  c.bodies[0].velocity = {0.101, 0.0};
+  c.time.end = c.time.at_most = 2.0;
+  Simulation fast(c);
+  fast.run();
+  EXPECT_FALSE(fast.state.stages_done.at(0).at_rest);
+}
+
+TEST(Stages, SoilThatSwingsInPlaceRestsByItsMeanMotionAlone)
+{
+  const Real period = 4.0 / std::sqrt(2e6 * 3.5 / 2000.0);  // 4 H / c_p of the column: c_p^2 = 3.5 G / rho
+  Case c = undamped(settling(), 4.0 * period);
+  c.time.rest_speed = 5e-3;  // 1.4 mm in that time; the top swings by 2.9 mm, with up to g H / c_p = 0.17 m/s
+  Simulation swings(c);
+  swings.run();
+  EXPECT_TRUE(swings.state.stages_done.at(0).at_rest);
+  EXPECT_LT(swings.state.time, 5.0 * period);
+  c.time.rest_by = RestBy::fastest;
+  c.time.end = c.time.at_most = 1.0;
+  Simulation by_nodes(c);
+  by_nodes.run();
+  EXPECT_FALSE(by_nodes.state.stages_done.at(0).at_rest);
+}
+
 TEST(Stages, RestWaitsForRampsAndLoadsThatAreToCome)
 {
   Case c = settling();
@@ -95,6 +137,11 @@ TEST(Stages, RestWaitsForRampsAndLoadsThatAreToCome)
   EXPECT_GT(s.state.time, 2.5);
   EXPECT_LT(s.state.time, 6.0);
   EXPECT_NEAR(stress_at_base(s.state), -(2000.0 * 10.0 * 0.875 + 5e3), 250.0);
+  c.time.rest_by = RestBy::mean;
+  Simulation by_mean(c);
+  by_mean.run();
+  EXPECT_GT(by_mean.state.time, 2.6);
+  EXPECT_LE(by_mean.state.time, s.state.time);
 }
 
 // A dike is not at rest before the river comes.
@@ -307,14 +354,17 @@ TEST(Stages, GoOnFromACheckpointWithTheSameBits)
   second.ramp = 0.2;
   const Case chain = staged(
       c, {{stage("a", 0.2), {}}, {second, [](Case& now) { now.loads[0].pressure = 8e3; }}, {resting("c", 1.0), {}}});
-  for (const Real t : {0.1, 0.2, 0.31, 0.8}) {
-    Simulation whole(chain), first(chain), second_half(chain);
-    whole.run();
-    first.advance_to(t);
-    second_half.restore(first.save());
-    second_half.run();
-    EXPECT_EQ(first_difference(whole.save(), second_half.save()), "") << t;
-  }
+  for (const RestBy by : {RestBy::fastest, RestBy::mean})
+    for (const Real t : {0.1, 0.2, 0.31, 0.8}) {
+      Case now = chain;
+      now.time.rest_by = by;
+      Simulation whole(now), first(now), second_half(now);
+      whole.run();
+      first.advance_to(t);
+      second_half.restore(first.save());
+      second_half.run();
+      EXPECT_EQ(first_difference(whole.save(), second_half.save()), "") << t;
+    }
 }
 
 TEST(Stages, ShorterThanAStepAreRefused)
