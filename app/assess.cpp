@@ -157,9 +157,11 @@ class Reach {
       note_fault(section, k, fmt::format("was ended by {}", end.killed_by));
     else if (end.status != 0 && section.record.fault.empty())
       note_fault(section, k, fmt::format("ended with status {}", end.status));
-    ++n_done_, seconds_done_ += seconds, ++n_solved_here_;
-    clear_line();
     const std::string& fault = section.record.fault;
+    ++n_done_;
+    if (fault.empty())
+      seconds_done_ += seconds, ++n_solved_here_;  // what is refused at once says nothing of the others
+    clear_line();
     const std::string done = command_.estimate ? "checked" : "solved";
     show(stdout, printable(fmt::format("[{}/{}] {}  {}{}\n", n_done_, plan_.size(), section.name,
                      fault.empty() ? fmt::format("{} in {}", done, readable_duration(seconds))

@@ -8,6 +8,7 @@
 #include "output/files.hpp"
 #include "output/section_svg.hpp"
 #include "progress.hpp"
+#include "results/import_changes.hpp"
 #include "simulation/flood_level.hpp"
 #include "simulation/ground_section.hpp"
 #include "simulation/loads.hpp"
@@ -293,6 +294,8 @@ void print_check(const CaseFile& file, Simulation& simulation, const RunOptions&
   print_sides(model);
   for (const std::string& note : std::set<std::string>(file.notes.begin(), file.notes.end()))  // parts of a soil share
     fmt::print("  read as        {}\n", printable(note));
+  for (const Sentence& change : changes_since_import(file.source.root, file.values.folder))
+    fmt::print("  changed        {}\n", printable(change.en));
   print_profiles(options, model, state);
   print_strength_beside(model, state);
   if (softens_point_by_point(model))

@@ -43,8 +43,9 @@ void refuse_import(const std::string& path, const InputError& error)
 {
   std::string text;
   for (const Problem& problem : error.problems())
-    text += fmt::format("error: {}{}: {}\n{}", problem.key.starts_with(path) ? "" : path + ": ", problem.key,
-        problem.what, problem.detail.empty() ? "" : fmt::format("  {}\n", problem.detail));
+    text += fmt::format("error: {}{}{}{}\n{}", problem.key.starts_with(path) ? "" : path + ": ", problem.key,
+        problem.key.empty() ? "" : ": ", problem.what,
+        problem.detail.empty() ? "" : fmt::format("  {}\n", problem.detail));
   throw CaseError(printable(text));
 }
 

@@ -86,7 +86,7 @@ int export_run(const ExportCommand& command)
   Frames frames = read_run(command.run).frames();
   const std::string folder = command.folder.empty() ? path_in(command.run, command.format) : command.folder;
   const auto paths = export_frames(frames, {command.fields, command.frames, folder});
-  for (const auto& warning : frames.warnings()) fmt::print(stderr, "warning: {}\n", warning);
+  for (const auto& warning : frames.warnings()) fmt::print(stderr, "warning: {}\n", warning.en);
   fmt::print("{} frames in {}, listed in {}\n", paths.size() - 1, folder, paths.back());
   return solved;
 }

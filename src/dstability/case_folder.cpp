@@ -28,7 +28,7 @@
 namespace terp {
 namespace {
 
-constexpr const char* raised_water = "raised_water";
+constexpr const char *raised_water = "raised_water", *record = "imported.toml";
 
 /// One body before it is text.
 struct Piece {
@@ -80,11 +80,13 @@ class FolderMaker {
     if (!part_.empty()) text_.before.back().comment += "\n" + part_;
     make_time();
     for (CaseTableText& table : common_tables(layout_)) text_.after.push_back(std::move(table));
-    if (!doubts_.empty() || !assumed_.empty()) text_.after.push_back(doubts_table(doubts_, assumed_));
+    text_.after.push_back(doubts_table(doubts_, assumed_, record));
     for (CaseTableText& table : reference_texts(project_, options_.scenario, options_.stage, options_.basis))
       text_.after.push_back(std::move(table));
     CaseFolder folder;
-    folder.files.push_back({"case.toml", text_of(text_)});
+    const std::string written = text_of(text_);
+    folder.files.push_back({"case.toml", written});
+    folder.files.push_back({record, written});
     for (auto& file : files_) folder.files.push_back(std::move(file));
     folder.files.push_back({"report.md", printable(report())});
     folder.notes = notes_;

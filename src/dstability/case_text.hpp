@@ -2,7 +2,7 @@
 // Not for: where the values come from (case_folder.hpp, drawing_folder.hpp).
 #pragma once
 
-#include "dstability/sentence.hpp"
+#include "base/sentence.hpp"
 #include "points/polygon.hpp"
 
 #include <string>

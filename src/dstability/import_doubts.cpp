@@ -352,7 +352,8 @@ std::vector<Sentence> doubts_of_outlines(
   return doubts;
 }
 
-CaseTableText doubts_table(const std::vector<Sentence>& doubts, const std::vector<Sentence>& assumed)
+CaseTableText doubts_table(
+    const std::vector<Sentence>& doubts, const std::vector<Sentence>& assumed, const std::string& imported)
 {
   CaseTableText table{"[reference]",
       doubts.empty()
@@ -365,6 +366,8 @@ CaseTableText doubts_table(const std::vector<Sentence>& doubts, const std::vecto
     table.lines.push_back({key, list_of_sentences(*sentences, &Sentence::en), ""});
     table.lines.push_back({fmt::format("{}_nl", key), list_of_sentences(*sentences, &Sentence::nl), ""});
   }
+  if (!imported.empty())
+    table.lines.push_back({"imported", in_quotes(imported), "this case as it was imported, to name what you change"});
   return table;
 }
 

@@ -5,7 +5,7 @@
 #include "dstability/case_text.hpp"
 #include "dstability/preload.hpp"
 #include "dstability/section_layout.hpp"
-#include "dstability/sentence.hpp"
+#include "base/sentence.hpp"
 
 #include <string>
 #include <vector>
@@ -39,7 +39,9 @@ std::vector<Sentence> doubts_of_preload(const StixSection& section, const std::v
 std::vector<Sentence> doubts_of_outlines(
     const CleanSection& clean, const std::vector<DrawnRegion>& drawn, const std::vector<CleanRegion>& fills, Real cell);
 
-/// [reference] with the doubts, which each command then repeats, and with what was assumed, which the page shows.
-CaseTableText doubts_table(const std::vector<Sentence>& doubts, const std::vector<Sentence>& assumed);
+/// [reference] with the doubts, which each command then repeats, with what was assumed, which the page shows, and with
+/// the file of the case as it was imported, if it has a name.
+CaseTableText doubts_table(
+    const std::vector<Sentence>& doubts, const std::vector<Sentence>& assumed, const std::string& imported = "");
 
 }  // namespace terp

@@ -5,7 +5,7 @@
 #include "dstability/case_text.hpp"
 #include "dstability/project.hpp"
 #include "dstability/section_layout.hpp"
-#include "dstability/sentence.hpp"
+#include "base/sentence.hpp"
 
 namespace terp {
 

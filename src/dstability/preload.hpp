@@ -4,7 +4,7 @@
 
 #include "drawing/clean_regions.hpp"
 #include "dstability/section.hpp"
-#include "dstability/sentence.hpp"
+#include "base/sentence.hpp"
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dstability/section.hpp"
-#include "dstability/sentence.hpp"
+#include "base/sentence.hpp"
 
 #include <string>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dstability/ground_column.hpp"
-#include "dstability/sentence.hpp"
+#include "base/sentence.hpp"
 #include "dstability/soil_strength.hpp"
 #include "dstability/water_column.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "dstability/case_text.hpp"
 #include "dstability/section.hpp"
-#include "dstability/sentence.hpp"
+#include "base/sentence.hpp"
 #include "dstability/soil_defaults.hpp"
 
 #include <optional>

@@ -76,8 +76,8 @@ std::vector<CaseTableText> stage_tables(const StagePlan& plan)
     return own;
   };
   if (!plan.first.empty()) {
-    tables.push_back(stage_until_rest(
-        own_name(key_of_name(plan.first, "stage")), fmt::format("Stage {} of the file", in_quotes(plan.first)), "20.0"));
+    tables.push_back(stage_until_rest(own_name(key_of_name(plan.first, "stage")),
+        fmt::format("Stage {} of the file", in_quotes(plan.first)), "20.0"));
     add_sets({"\"forces.damping.local\" = 0.5"}, tables.back());
   } else if (plan.is_held) {
     tables.push_back(stage_until_rest(own_name("held"), "", "20.0"));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dstability/case_text.hpp"
-#include "dstability/sentence.hpp"
+#include "base/sentence.hpp"
 
 namespace terp {
 

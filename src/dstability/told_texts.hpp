@@ -3,7 +3,7 @@
 // assumed.
 #pragma once
 
-#include "dstability/sentence.hpp"
+#include "base/sentence.hpp"
 
 namespace terp::told {
 

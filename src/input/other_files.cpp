@@ -41,6 +41,7 @@ std::vector<std::pair<std::string, Node*>> find_file_keys(Node& root)
   if (Node* bodies = find_item(root, "body"))
     for (std::size_t k = 0; bodies->kind == NodeKind::list && k < bodies->items.size(); ++k)
       add(fmt::format("body[{}]", k), bodies->items[k], "points");
+  if (Node* reference = find_item(root, "reference")) add("reference", *reference, "imported");
   for (const char* section : {"material", "water"})
     if (Node* table = find_item(root, section)) add_named_files(section, *table, found);
   if (Node* stages = find_item(root, "stage"))
@@ -50,6 +51,7 @@ std::vector<std::pair<std::string, Node*>> find_file_keys(Node& root)
 }
 
 bool is_table_of_values(const std::string& path) { return path.ends_with(".csv"); }
+bool is_record_of_import(const std::string& path) { return path == "reference.imported"; }
 bool is_library(const std::string& path) { return path.ends_with(".library"); }
 
 std::string fault_of_file(const fs::path& path)
@@ -86,18 +88,22 @@ void check_files(const Node& root, const std::string& folder, std::vector<Proble
     const fs::path file = fs::path(folder) / node->text;
     const std::string fault = fault_of_file(file);
     if (fault.empty()) continue;
-    const std::string ending = path == "mesh.file" ? ".msh" : is_library(path) ? ".so" : ".csv";
+    const std::string ending = path == "mesh.file"         ? ".msh"
+                               : is_library(path)          ? ".so"
+                               : is_record_of_import(path) ? ".toml"
+                                                           : ".csv";
     std::error_code ignored;
     const std::string similar = fs::exists(file, ignored) ? "" : similar_file(file.string(), ending);
     std::string detail =
         similar.empty() ? "" : fmt::format("Did you mean `{}`?\n", fs::path(similar).filename().string());
+    if (is_record_of_import(path)) detail += "Without the record of the import take `imported` out of [reference].\n";
     detail +=
         fmt::format("Looked for {}; names are relative to the case file.", absolute_path(folder, node->text).string());
     problems.push_back({path, fault, detail,
-        path == "mesh.file"        ? path
-        : is_table_of_values(path) ? "field"
-        : is_library(path)         ? "library"
-                                   : "body.points"});
+        path == "mesh.file" || is_record_of_import(path) ? path
+        : is_table_of_values(path)                       ? "field"
+        : is_library(path)                               ? "library"
+                                                         : "body.points"});
   }
 }
 
@@ -106,10 +112,11 @@ bool name_copies(Node& root, const std::string& folder, std::vector<InputFile>& 
   bool changed = false;
   int n_points = 0, n_values = 0, n_libraries = 0;
   for (const auto& [path, node] : find_file_keys(root)) {
-    const std::string copy = path == "mesh.file"        ? copy_of_mesh(node->text)
-                             : is_table_of_values(path) ? fmt::format("values_{}.csv", ++n_values)
-                             : is_library(path)         ? fmt::format("library_{}.so", ++n_libraries)
-                                                        : fmt::format("points_{}.csv", ++n_points);
+    const std::string copy = path == "mesh.file"         ? copy_of_mesh(node->text)
+                             : is_table_of_values(path)  ? fmt::format("values_{}.csv", ++n_values)
+                             : is_library(path)          ? fmt::format("library_{}.so", ++n_libraries)
+                             : is_record_of_import(path) ? std::string(copy_of_import)
+                                                         : fmt::format("points_{}.csv", ++n_points);
     files.push_back({path_of(folder, node->text), copy});
     changed |= node->text != copy;
     node->text = copy;

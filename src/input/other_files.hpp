@@ -1,4 +1,5 @@
-// The other files that a case names: mesh.file, body.points and the `csv` of fields, relative to the case file.
+// The other files that a case names: mesh.file, body.points, reference.imported and the `csv` of fields, relative to
+// the case file.
 // Not for: what is in them (mesh, points).
 #pragma once
 

@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <fmt/format.h>
 
 namespace terp {
@@ -119,6 +122,25 @@ bool read_doubts(const Entry& entry, Findings& findings)
   return true;
 }
 
+/// The name of a file with TOML in it, which must be there (other_files).
+bool read_imported(const Entry& entry, const std::string& folder, Findings& findings)
+{
+  if (entry.node.kind != NodeKind::text)
+    return refuse(entry, entry.path, "`imported` must be text: the name of a file",
+        fmt::format("Got {}.", describe_value(entry.node)), findings);
+  std::ifstream file(std::filesystem::path(folder) / entry.node.text, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  try {
+    static_cast<void>(parse_toml(text));
+  } catch (const SyntaxError& error) {
+    return refuse(entry, entry.path, fmt::format("`{}` is not valid TOML", entry.node.text),
+        fmt::format("{}, line {}. It is the case as terp import wrote it: change case.toml and leave this file.",
+            error.what(), error.place.line),
+        findings);
+  }
+  return true;
+}
+
 KeyInfo texts_key(const char* path, const char* meaning)
 {
   return {.path = path,
@@ -140,6 +162,16 @@ std::vector<KeyInfo> reference_keys()
       texts_key("reference.doubts_nl",
           "the texts of `reference.doubts` in Dutch, for the page in Dutch: as many, in the same order. Else the page "
           "has those in English"),
+      {.path = "reference.imported",
+          .field =
+              [](Case& c, std::size_t) {
+                return OwnForm{"text",
+                    [&folder = c.folder](const Entry& e, Findings& f) { return read_imported(e, folder, f); },
+                    [] { return std::string(); }};
+              },
+          .meaning = "name of the file with the case as `terp import` wrote it, beside this one: `terp check` and the "
+                     "report page name each value that you changed since",
+          .default_text = "none"},
       {.path = "reference.doubts",
           .field =
               [](Case&, std::size_t) {

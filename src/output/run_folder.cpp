@@ -83,7 +83,7 @@ void remove_files(const std::string& folder, Meant&& is_meant)
 
 bool is_copy_of_input(std::string_view name)
 {
-  if (std::ranges::find(mesh_copies, name) != std::end(mesh_copies)) return true;
+  if (name == copy_of_import || std::ranges::find(mesh_copies, name) != std::end(mesh_copies)) return true;
   const auto is_numbered = [&](std::string_view begin, std::string_view end) {
     return name.starts_with(begin) && name.ends_with(end) && name.size() > begin.size() + end.size() &&
            std::all_of(

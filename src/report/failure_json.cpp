@@ -57,13 +57,12 @@ Json events_json(const Summary& s, const FirstGround& first)
 
 }  // namespace
 
-Json failure_json(const RunResults& run, const FirstGround& first, const std::vector<std::string>& warnings)
+Json failure_json(const RunResults& run, const FirstGround& first)
 {
   const Summary& s = run.summary.values;
   Json passes = Json::array();
   for (const PassTime& pass : s.passes) passes.push_back({{"name", pass.name}, {"seconds", pass.seconds}});
-  return {{"passes", std::move(passes)}, {"events", summary_is_behind(run) ? Json() : events_json(s, first)},
-      {"warnings", warnings}};
+  return {{"passes", std::move(passes)}, {"events", summary_is_behind(run) ? Json() : events_json(s, first)}};
 }
 
 }  // namespace terp

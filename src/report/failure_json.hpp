@@ -5,8 +5,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <span>
-#include <string>
-#include <vector>
 
 namespace terp {
 
@@ -17,8 +15,7 @@ struct FirstGround {
   Real column = 0.0;               ///< width of the columns in which crests are seen [m]
 };
 
-/// An object with the keys passes, events and warnings.
-nlohmann::ordered_json failure_json(
-    const RunResults& run, const FirstGround& first, const std::vector<std::string>& warnings);
+/// An object with the keys passes and events.
+nlohmann::ordered_json failure_json(const RunResults& run, const FirstGround& first);
 
 }  // namespace terp

@@ -11,6 +11,7 @@
 #include "report/layers.hpp"
 #include "report/shown.hpp"
 #include "results/compare.hpp"
+#include "results/import_changes.hpp"
 #include "simulation/setup_mesh.hpp"
 
 #include <algorithm>
@@ -58,8 +59,22 @@ struct Source {
   std::string name;
   std::optional<CaseFile> case_read;  ///< none if the case can no longer be read
   std::optional<Mesh<2>> mesh;
-  std::vector<std::string> warnings;
+  std::vector<Sentence> warnings;
 };
+
+constexpr SentenceForm no_case{
+    "The case file of this run can no longer be read: the page shows no mesh and no outline.",
+    "Het invoerbestand van deze berekening is niet meer te lezen: de pagina toont geen rekennet en geen omtrek."};
+constexpr SentenceForm no_mesh{"The background mesh cannot be built again and is not shown: {}",
+    "Het rekennet kan niet opnieuw worden gemaakt en is niet getekend: {}"};
+
+/// Sentences by language.
+Json sentences_json(const std::vector<Sentence>& sentences)
+{
+  Json json{{"en", Json::array()}, {"nl", Json::array()}};
+  for (const Sentence& sentence : sentences) json["en"].push_back(sentence.en), json["nl"].push_back(sentence.nl);
+  return json;
+}
 
 /// Texts of [reference] by language: `doubts`, what speaks against an imported section, or `assumed`. Doubts that a
 /// user took out in one language alone are those in English.
@@ -74,6 +89,16 @@ Json texts_json(const std::string& case_toml, const std::string& key)
   return json;
 }
 
+/// What a person changed in an imported case.
+std::vector<Sentence> changes_of(const RunResults& run)
+{
+  try {
+    return changes_since_import(parse_toml(run.case_toml), run.folder);
+  } catch (const SyntaxError&) {
+    return {};  // a warning says that the case cannot be read
+  }
+}
+
 Source open_source(const std::string& folder, const std::string& name)
 {
   RunResults run = read_run(folder);
@@ -84,11 +109,9 @@ Source open_source(const std::string& folder, const std::string& name)
     source.case_read = read_case(path_in(folder, case_file));
     source.mesh = build_mesh(source.case_read->values);
   } catch (const CaseError&) {
-    source.warnings.push_back(
-        "The case file of this run can no longer be read: the page shows no mesh and no outline.");
+    source.warnings.push_back(filled<no_case>());
   } catch (const std::exception& error) {
-    source.warnings.push_back(
-        fmt::format("The background mesh cannot be built again and is not shown: {}", error.what()));
+    source.warnings.push_back(filled<no_mesh>(std::string(error.what())));
   }
   return source;
 }
@@ -377,10 +400,12 @@ Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   json["slip_planes"] = slip_planes_json(source);
   if (source.case_read)
     for (const char* const key : {"assumed", "doubts"}) json[key] = texts_json(source.run.case_toml, key);
+  json["changed"] = sentences_json(changes_of(source.run));
   json["histories"] = histories_json(chunks, source.run);
   json["series"] = table_json(chunks, source.run.ledger);
   const Real column = source.mesh ? typical_cell_size(*source.mesh) : 0.0;
-  json.update(failure_json(source.run, {surfaces.first(), outline, column}, source.warnings));
+  json.update(failure_json(source.run, {surfaces.first(), outline, column}));
+  json["warnings"] = sentences_json(source.warnings);
   json["summary"] = Json::parse(source.run.summary.text);
   return json;
 }
@@ -441,7 +466,7 @@ Payload make_payload(const std::vector<std::string>& folders, const ReportOption
   for (std::size_t k = 0; k < sources.size(); ++k) {
     document["runs"].push_back(run_json(chunks, sources[k], shown[k]));
     payload.notes.push_back(note_on(names[k], shown[k]));
-    const auto& left_out = sources[k].frames.warnings();
+    const auto left_out = in_english(sources[k].frames.warnings());
     payload.warnings.insert(payload.warnings.end(), left_out.begin(), left_out.end());
   }
   document["comparison"] = comparison_of(sources);

@@ -21,6 +21,9 @@ using vtkhdf::root;
 const std::string point_data = root + "/PointData";
 constexpr std::int64_t known_version = 1;  // the first number of the version; the second adds what may be passed over
 
+constexpr SentenceForm is_missing{"{} is missing", "{} ontbreekt"};
+constexpr SentenceForm frame_left_out{"{} is left out: {}", "{} is weggelaten: {}"};
+
 /// The fields of a frame. Throws FileError if one is no table of numbers per point.
 std::vector<ResultField> read_fields(const Hdf5File& file, std::int64_t n_points)
 {
@@ -44,19 +47,19 @@ Frames::Frames(const std::string& folder) : folder_(folder)
   std::int64_t next = 0;
   for (const std::int64_t number : list_frames(folder, point_frames)) {
     for (; next < number; ++next)
-      warnings_.push_back(fmt::format("{} is missing", path_in(folder, frame_file(point_frames, next))));
+      warnings_.push_back(filled<is_missing>(path_in(folder, frame_file(point_frames, next))));
     ++next;
     add_frame(number);
   }
   if (numbers_.empty())
     throw FileError(fmt::format("{}: it holds no frame that can be read; there is nothing to show{}{}", folder,
-        warnings_.empty() ? "" : "\n  ", fmt::join(warnings_, "\n  ")));
+        warnings_.empty() ? "" : "\n  ", fmt::join(in_english(warnings_), "\n  ")));
   if (n_points_ == 0) throw FileError(fmt::format("{}: it holds no points; there is nothing to show", folder));
 }
 
 void Frames::leave_out(const std::string& path, const std::string& why)
 {
-  warnings_.push_back(fmt::format("{} is left out: {}", path, why));
+  warnings_.push_back(filled<frame_left_out>(path, why));
 }
 
 void Frames::add_frame(std::int64_t number)

@@ -2,6 +2,7 @@
 // Not for: writing them (output/point_frames).
 #pragma once
 
+#include "base/sentence.hpp"
 #include "output/frame_files.hpp"
 
 #include <string>
@@ -39,7 +40,7 @@ class Frames {
   /// Reads every value once and leaves out the frames that turn out to be damaged.
   void leave_out_damaged();
   /// A sentence for each frame that was left out.
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<Sentence>& warnings() const { return warnings_; }
 
  private:
   const ResultField* find(std::string_view name) const;
@@ -54,7 +55,7 @@ class Frames {
   std::vector<Real> times_;
   std::vector<std::int64_t> steps_;
   std::vector<ResultField> fields_;
-  std::vector<std::string> warnings_;
+  std::vector<Sentence> warnings_;
 };
 
 /// Size of a vector in each row of a field, shape [n_rows] (of a scalar: its absolute value).

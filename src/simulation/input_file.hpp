@@ -15,4 +15,7 @@ struct InputFile {
 /// of libraries library_1.so, library_2.so, ...
 inline constexpr std::string_view mesh_copies[] = {"mesh.msh", "mesh.unv", "mesh.bdf", "mesh.nas", "mesh.vtk"};
 
+/// What the copy of `reference.imported` is called.
+inline constexpr std::string_view copy_of_import = "imported.toml";
+
 }  // namespace terp

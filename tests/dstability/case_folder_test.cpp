@@ -99,6 +99,7 @@ TEST_P(Sample, GivesACaseThatIsReadAndWeighsWhatItsPolygonsWeigh)
   const Real near = from.excavations.empty() ? 1e-9 : 1e-7;  // the edge of a pit may move by 1 mm
   EXPECT_NEAR(weight_of_case(file.values), weight, near * weight);
   EXPECT_EQ(folder.files.front().first, "case.toml");
+  EXPECT_EQ(folder.files[1], std::pair(std::string("imported.toml"), folder.files[0].second));
   EXPECT_EQ(folder.files.back().first, "report.md");
   for (const MaterialCase& material : file.values.materials) EXPECT_GT(material.density, 900.0);
 }

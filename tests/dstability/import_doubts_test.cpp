@@ -5,6 +5,9 @@
 #include "input/case_file.hpp"
 #include "input/document.hpp"
 #include "sections.hpp"
+#include "support/paths.hpp"
+
+#include <fstream>
 
 namespace import_doubts_test {
 
@@ -280,7 +283,9 @@ TEST(ImportDoubts, StandInTheCaseAndAreRepeatedByWhatReadsIt)
   StixProject project = project_of({clay_on_sand()});
   project.scenarios[0].stages[0].layers[0].label = "clay \"a\" \\ b";
   const std::string text = folder_of(project).files.front().second;
-  const CaseFile file = read_case_text(text, "case.toml");
+  const ScratchFolder folder;
+  std::ofstream(folder.path() + "/imported.toml") << text;
+  const CaseFile file = read_case_text(text, folder.path() + "/case.toml");
   ASSERT_EQ(file.warnings.size(), 1u);
   EXPECT_EQ(file.warnings[0].key, "reference.doubts");
   EXPECT_THAT(file.warnings[0].detail, HasSubstr("The layer `clay (clay \"a\" \\ b)` has SHANSEP strength, but no"));

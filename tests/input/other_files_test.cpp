@@ -47,4 +47,23 @@ TEST(OtherFiles, AreNamedAsTheirCopiesAreCalled)
   EXPECT_EQ(find_node(root, "mesh.file")->text, "mesh.unv");
 }
 
+TEST(OtherFiles, WithTheRecordOfAnImportAreTomlAndKeepTheirName)
+{
+  const ScratchFolder folder;
+  const std::string text =
+      small_case_on("size = [6.0, 3.0]\ncell = 1.0") + "\n[reference]\nimported = \"import.toml\"\n";
+  const auto message = [&] { return refusal<CaseError>([&] { read_case_text(text, folder.path() + "/case.toml"); }); };
+  EXPECT_THAT(message(), AllOf(HasSubstr("there is no such file"), HasSubstr("take `imported` out of [reference]")));
+  std::ofstream(folder.path() + "/import.toml") << "a = = 1";
+  EXPECT_THAT(message(), AllOf(HasSubstr("`import.toml` is not valid TOML"), HasSubstr("line 1")));
+  std::ofstream(folder.path() + "/import.toml") << "a = 1";
+  const CaseFile file = read_case_text(text, folder.path() + "/case.toml");
+  ASSERT_EQ(file.inputs.size(), 1);
+  EXPECT_EQ(file.inputs[0].copy, "imported.toml");
+  EXPECT_THAT(refusal<CaseError>([&] {
+    read_case_text(std::string(text).replace(text.find("\"import.toml\""), 13, "3"), folder.path() + "/case.toml");
+  }),
+      HasSubstr("must be text: the name of a file"));
+}
+
 }  // namespace other_files_test

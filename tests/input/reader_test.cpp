@@ -172,6 +172,8 @@ contact = "smooth"
 holes = []
 region = "core"
 points = "points.csv"
+[reference]
+imported = "imported.toml"
 )";
 
 TEST(Reader, TheSamplesHoldEveryDeclaredKey)

@@ -35,10 +35,10 @@ TEST(RunFolder, ForceRemovesTheFilesOfARunAndNoOthers)
 {
   const ScratchFolder scratch;
   std::filesystem::create_directory(scratch.path() + "/frames");
-  for (const char* name :
-      {"case.toml", "results.vtkhdf.series", "mesh.vtkhdf", "history.csv", "ledger.csv", "summary.json",
-          "summary.json.tmp", "checkpoint_000000100.h5", "checkpoint_1234567890.h5", "failed_000000200.h5", "mesh.msh",
-          "points_12.csv", "values_3.csv", "frames/points_00000.vtkhdf", "frames/mesh_00001.vtkhdf.tmp"}) {
+  for (const char* name : {"case.toml", "results.vtkhdf.series", "mesh.vtkhdf", "history.csv", "ledger.csv",
+           "summary.json", "summary.json.tmp", "checkpoint_000000100.h5", "checkpoint_1234567890.h5",
+           "failed_000000200.h5", "mesh.msh", "points_12.csv", "values_3.csv", "imported.toml",
+           "frames/points_00000.vtkhdf", "frames/mesh_00001.vtkhdf.tmp"}) {
     write_file_atomically(path_in(scratch.path(), name), "old");
   }
   const std::vector<std::string> foreign = {"notes.txt", "checkpoint_mine.h5", "checkpoint_.h5", "points_.csv",

@@ -156,12 +156,29 @@ TEST_F(PayloadTest, SaysWhatSpeaksAgainstAnImport)
   EXPECT_EQ(alone["runs"][0]["assumed"], (json{{"en", {"K0."}}, {"nl", {"K0 aangenomen."}}}));
 }
 
+TEST_F(PayloadTest, SaysWhatWasChangedSinceTheImport)
+{
+  const std::string path = scratch.path() + "/gp/case.toml", text = read_file(path);
+  const std::string density =
+      text.substr(text.find("density"), text.find('\n', text.find("density")) - text.find("density"));
+  write_file_atomically(scratch.path() + "/gp/imported.toml",
+      std::string(text).replace(text.find(density), density.size(), "density = 1234.5"));
+  write_file_atomically(path, text + "\n[reference]\nimported = \"imported.toml\"\n");
+  const json alone = json::parse(make_payload({scratch.path() + "/gp"}, {}).json);
+  ASSERT_EQ(alone["runs"][0]["changed"]["en"].size(), 1);
+  EXPECT_THAT(
+      alone["runs"][0]["changed"]["en"][0].get<std::string>(), HasSubstr("weight was 1234.5 kg/m^3 in the import"));
+  EXPECT_THAT(
+      alone["runs"][0]["changed"]["nl"][0].get<std::string>(), HasSubstr("gewicht was bij het inlezen 1234,5 kg/m^3"));
+}
+
 TEST_F(PayloadTest, ACaseThatCannotBeReadCostsTheMeshAndSaysSo)
 {
   write_file_atomically(scratch.path() + "/gp/case.toml", "title = ");
   const json alone = json::parse(make_payload({scratch.path() + "/gp"}, {}).json);
   EXPECT_EQ(alone["runs"][0]["mesh"]["edges"]["count"], 0);
-  EXPECT_THAT(alone["runs"][0]["warnings"].dump(), HasSubstr("can no longer be read"));
+  EXPECT_THAT(alone["runs"][0]["warnings"]["en"].dump(), HasSubstr("can no longer be read"));
+  EXPECT_THAT(alone["runs"][0]["warnings"]["nl"].dump(), HasSubstr("niet meer te lezen"));
   EXPECT_TRUE(alone["comparison"].is_null());
 }
 

@@ -86,7 +86,7 @@ TEST_F(FramesTest, ThatAreMissingOrCutAreNamedAndLeftOut)
   const Frames frames(folder);
   EXPECT_THAT(frames.steps(), ElementsAre(200));
   EXPECT_EQ(frames.places(0), sample_frame(2).x);
-  EXPECT_THAT(frames.warnings(),
+  EXPECT_THAT(in_english(frames.warnings()),
       ElementsAre(path_of(0) + " is missing", StartsWith(path_of(1) + " is left out: cannot read " + path_of(1))));
 }
 
@@ -108,7 +108,7 @@ TEST_F(FramesTest, WithAFlippedBitInAFieldFailWhenItIsReadAndCanBeLeftOut)
   EXPECT_EQ(frames.places(1), sample.x);
   frames.leave_out_damaged();
   EXPECT_THAT(frames.steps(), ElementsAre(0, 200));
-  EXPECT_THAT(frames.warnings(), ElementsAre(HasSubstr(path_of(1) + " is left out: ")));
+  EXPECT_THAT(in_english(frames.warnings()), ElementsAre(HasSubstr(path_of(1) + " is left out: ")));
 }
 
 TEST_F(FramesTest, OfAnotherFormatAreNamedWithItsVersion)
@@ -134,7 +134,8 @@ TEST_F(FramesTest, ThatDoNotHoldWhatTheOthersHoldAreLeftOut)
   writer_from(1).append(other);
   const Frames frames(folder);
   EXPECT_THAT(frames.steps(), ElementsAre(0, 200));
-  EXPECT_THAT(frames.warnings(), ElementsAre(HasSubstr("its points or fields are not those of the other frames")));
+  EXPECT_THAT(
+      in_english(frames.warnings()), ElementsAre(HasSubstr("its points or fields are not those of the other frames")));
 }
 
 TEST(Magnitudes, AreLengthsOfVectorsAndSizesOfNumbers)

@@ -189,9 +189,10 @@ export interface RunMeta {
   series: TableMeta | null;
   passes: { name: string; seconds: number }[];
   events: Events | null;
-  warnings: string[]; // of the writer; the rest follows from the summary
+  warnings: Record<string, string[]>; // of the writer, by language; the rest follows from the summary
   assumed?: Record<string, string[]>; // by language: what the import of the section took that its file does not say
   doubts?: Record<string, string[]>; // the same of what speaks against the section
+  changed?: Record<string, string[]>; // the same of what a person changed in it since the import
   summary: Record<string, unknown>;
 }
 

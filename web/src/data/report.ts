@@ -8,7 +8,7 @@ export const FORMAT = 1;
 
 /** What a run may leave out. */
 const ABSENT = { mesh: null, outline: null, surfaces: null, water: null, layers: [], loads: [], slip_planes: [],
-  histories: [], series: null, passes: [], events: null, warnings: [], summary: {}, case_path: "", case_digits: "" };
+  histories: [], series: null, passes: [], events: null, warnings: {}, summary: {}, case_path: "", case_digits: "" };
 
 export class Report {
   readonly runs: Run[];

@@ -316,7 +316,7 @@ export function listWarnings(run: Run): string[] {
   }
   const told = new Set([say("check_end"), say("check_energy"), say("check_clamped")]);
   const failed = listChecks(run).filter((check) => !check.passed && !told.has(check.name));
-  return [...warnings, ...meta.warnings, ...(meta.doubts?.[currentLanguage()] ?? []),
+  return [...warnings, ...(meta.warnings[currentLanguage()] ?? []), ...(meta.doubts?.[currentLanguage()] ?? []),
     ...failed.map(({ name, value }) => say("warn_check", { name, value }))];
 }
 

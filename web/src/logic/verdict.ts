@@ -4,7 +4,7 @@ import type { Flood } from "../data/format";
 import type { Run } from "../data/run";
 import { metres } from "./numbers";
 import { restDoubt, sideDoubts } from "./story";
-import { say } from "./texts";
+import { currentLanguage, say } from "./texts";
 
 export type Kind = "running" | "none" | "stands" | "damaged" | "floods";
 
@@ -20,7 +20,8 @@ export function doubts(run: Run): string[] {
   const { water_in_gap: depth } = run.meta;
   const holds = run.meta.events?.flood && kindOf(run) !== "floods";
   const margin = run.meta.events?.flood?.margin;
-  return [...restDoubt(run), ...sideDoubts(run),
+  const changed = run.meta.changed?.[currentLanguage()]?.length ?? 0;
+  return [...restDoubt(run), ...sideDoubts(run), changed > 0 ? say("note_changed", { n: changed }) : "",
     typeof margin === "number" ? say("note_margin", { margin: metres(margin) }) : "",
     depth && holds ? say("note_gap", { depth: metres(depth) }) : ""]
     .filter(Boolean);

@@ -131,7 +131,7 @@ function comparisonText(report: Report): HTMLElement {
 function storyOf(run: Run): HTMLElement {
   return element("section", { class: "story story-of" },
     element("h3", {}, say("in_words_of", { scheme: schemeLabel(run.meta.scheme) })),
-    ...tellStory(run).map((text) => element("p", {}, text)), warnings(run), assumed(run));
+    ...tellStory(run).map((text) => element("p", {}, text)), warnings(run), changed(run), assumed(run));
 }
 
 /** The stories of several runs, side by side. */
@@ -142,7 +142,7 @@ export function storiesSection(report: Report, store: Store): HTMLElement | null
     element("h2", { id: "stories-title" }, say("run_by_run")),
     element("div", { class: "cards" }, ...report.runs.map((run) => element("article", { class: "card story-of" },
       coloured(element("h3", {}, labels[run.index]!), run, store),
-        ...tellStory(run).map((text) => element("p", {}, text)), warnings(run), assumed(run)))));
+        ...tellStory(run).map((text) => element("p", {}, text)), warnings(run), changed(run), assumed(run)))));
 }
 
 /** Warnings of a run, and checks that it did not pass. */
@@ -152,6 +152,15 @@ function warnings(run: Run): HTMLElement | null {
   return element("div", { class: "notice" },
     element("h4", {}, texts.length === 1 ? say("a_warning") : say("warnings", { n: texts.length })),
     element("ul", {}, ...texts.map((text) => element("li", {}, text))));
+}
+
+/** In what an imported section is not that of its file any more. */
+function changed(run: Run): HTMLElement | null {
+  const texts = run.meta.changed?.[currentLanguage()] ?? [];
+  if (texts.length === 0) return null;
+  return element("div", { class: "notice changed" },
+    element("h4", {}, say("changed", { n: texts.length })),
+    element("ul", {}, ...texts.map((text) => element("li", {}, withSoilName(text, run.meta.materials)))));
 }
 
 /** What is not in the file of an imported section: folded, as it is long. */

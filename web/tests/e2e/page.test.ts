@@ -310,7 +310,7 @@ describe("the page", () => {
   });
 
   it("says that only some of many points are shown, that a run is under way, and what to beware of", async () => {
-    const { page, errors } = await open(browser, examplePage(20, 1, (report) => Object.assign(report.runs[0]!, { n_points: 4000, finished: false, warnings: ["Beware."] })));
+    const { page, errors } = await open(browser, examplePage(20, 1, (report) => Object.assign(report.runs[0]!, { n_points: 4000, finished: false, warnings: { en: ["Beware."] } })));
     expect(await page.locator(".see").textContent()).toContain("One material point in 10 is shown: 400 of 4000.");
     expect(await page.locator(".beside").textContent()).toMatch(/has not reached its end.*up to 3.s.*Beware\./);
     expect(errors).toEqual([]);

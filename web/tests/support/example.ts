@@ -87,7 +87,8 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
       flood: { verdict: k ? "floods" : "damaged", residual_height: BASE + (k ? 0.6 : 1.4), freeboard: k ? -0.4 : 0.4,
         width_at_level: k ? 0 : 1.2, intact_width: k ? 0 : 0.7, first_time_damaged: 0.2, first_time_below: k ? 1.1 : null },
     },
-    warnings: k ? [] : ["Only an example </script> & <b>no</b> physics."],
+    warnings: k ? {} : { en: ["Only an example </script> & <b>no</b> physics."],
+      nl: ["Slechts een voorbeeld </script> & <b>geen</b> fysica."] },
     summary: { terp_version: "0.1.0", cells: 1024, steps: 3000, dt: 0.001, instructions: "avx2" },
   };
 }

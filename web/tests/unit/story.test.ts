@@ -13,7 +13,7 @@ function sampleRun(events: object = {}, summary: object = {}, kinetic = [0, 1, 0
   const columns = [{ name: "time", unit: "s" }, { name: "kinetic", unit: "kJ/m" }];
   return {
     meta: {
-      finished: true, scheme: "mpm_gp", n_points: 500, times: [0, 4], warnings: [], slip_planes: [],
+      finished: true, scheme: "mpm_gp", n_points: 500, times: [0, 4], warnings: {}, slip_planes: [],
       events: { facing: "right", front_x: 13.06, run_out: 5.07, moved_volume: 6.47, moved_fraction: 0.404, moved_distance: 0.1,
         remaining_crest: { x: 4.1, y: 1.96 }, slides: [], ...events },
       summary: { ...summary },
@@ -161,7 +161,7 @@ describe("warnings and checks", () => {
   it("name what is not as it should be, each once", () => {
     const run = sampleRun({}, { energy_balance_error: 0.06, clamped_points: 3, points_left: 7, points_su_rose: 2 });
     run.meta.finished = false;
-    run.meta.warnings = ["A frame is missing."];
+    run.meta.warnings = { en: ["A frame is missing."], nl: ["Een beeld ontbreekt."] };
     expect(plain(listWarnings(run))).toEqual(["The run has not reached its end: the last row of its ledger is at 4 s.",
       "The energy balance is off by 6 % of the energy exchanged.", "3 points had to be put back at a wall of the mesh.",
       "7 points left the mesh through open sides.", "A frame is missing.", "Check not passed: Points whose strength ever rose: 2."]);
