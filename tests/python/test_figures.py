@@ -10,6 +10,8 @@ import numpy as np
 from terp import curves, figures, geometry, plot, sections, style
 from terp.pairs import read_pair
 
+style.PNG_DPI = style.PDF_DPI = 50  # tests look at what is drawn, not at how finely
+
 
 def pair_of(model=2, end=4.0):
     return read_pair(support.synthetic_run("mpm_mixed", model, end), support.synthetic_run("mpm_gp", model, end))
