@@ -85,13 +85,13 @@ Sentence word_of_owner(const std::string& owner)
 
 // -------------------------------------------------------------------------------------------------------------- values
 
-struct Value {
+struct ImportedValue {
   std::string owner, key;  ///< "body[Clay]", "material"
   std::string path;        ///< in the file
   const Node* node;
 };
 
-bool is_left_out(const std::string& path, const Node& item)
+bool does_not_count(const std::string& path, const Node& item)
 {
   return path == "title" || path == "reference" || path == "output" || item.name == "color" || item.name == "csv" ||
          item.name == "library";
@@ -104,11 +104,11 @@ bool is_list_of_tables(const Node& node)
 
 /// Tables of a list go by their `name`, as a person may add one in front of the others.
 void collect(const Node& table, const std::string& path, const std::string& owner, const std::string& key,
-    std::vector<Value>& values)
+    std::vector<ImportedValue>& values)
 {
   for (const Node& item : table.items) {
     const std::string at = join_path(path, item.name), below = key.empty() ? item.name : join_path(key, item.name);
-    if (is_left_out(at, item)) continue;
+    if (does_not_count(at, item)) continue;
     if (is_list_of_tables(item)) {
       for (std::size_t k = 0; k < item.items.size(); ++k) {
         const Node* const name = find_item(item.items[k], "name");
@@ -130,7 +130,7 @@ void collect(const Node& table, const std::string& path, const std::string& owne
 }
 
 /// S, m and OCR stand in a field of stresses and have no unit.
-std::string unit_of(const Value& value)
+std::string unit_of(const ImportedValue& value)
 {
   for (const char* const name : {".shansep.S", ".shansep.m", ".ocr"})
     if (value.path.ends_with(name)) return "-";
@@ -138,14 +138,14 @@ std::string unit_of(const Value& value)
 }
 
 /// 8e3 and "8 kPa" are the same.
-bool is_same(const Value& a, const Value& b)
+bool is_equal_value(const ImportedValue& a, const ImportedValue& b)
 {
   if (const auto x = number_of(*a.node, unit_of(a)), y = number_of(*b.node, unit_of(b)); x && y) return *x == *y;
   return toml_value(*a.node) == toml_value(*b.node);
 }
 
 /// As it stands in the file, with the unit of a plain number.
-Sentence words_of(const Value& value)
+Sentence value_words(const ImportedValue& value)
 {
   constexpr std::size_t most = 60;
   const Node& node = *value.node;
@@ -197,34 +197,35 @@ Sentence line_sentence(
   return filled<said::line_moved>(owner, key, elevation_at(before, at), elevation_at(now, at), at);
 }
 
-Sentence sentence_on(const Value& before, const Value& now)
+Sentence change_sentence(const ImportedValue& before, const ImportedValue& now)
 {
   const Sentence owner = word_of_owner(now.owner), key = word_of_key(now.key);
   const std::vector<Vec<2>> first = places_of(*before.node), second = places_of(*now.node);
-  if (first.empty() || second.empty()) return filled<said::changed>(owner, key, words_of(before), words_of(now));
+  if (first.empty() || second.empty()) return filled<said::changed>(owner, key, value_words(before), value_words(now));
   if (now.owner.starts_with("body[")) return outline_sentence(owner, first, second);
   return line_sentence(owner, key, first, second);
 }
 
-const Value* find_value(const std::vector<Value>& values, const Value& wanted)
+const ImportedValue* find_value(const std::vector<ImportedValue>& values, const ImportedValue& wanted)
 {
   const auto found = std::ranges::find_if(
-      values, [&](const Value& value) { return value.owner == wanted.owner && value.key == wanted.key; });
+      values, [&](const ImportedValue& value) { return value.owner == wanted.owner && value.key == wanted.key; });
   return found == values.end() ? nullptr : &*found;
 }
 
 /// Values of one case that the other one does not have; a table as a whole in one sentence.
 template <const SentenceForm& of_value, const SentenceForm& of_table>
-void add_of_one(const std::vector<Value>& values, const std::vector<Value>& other, std::vector<Sentence>& sentences)
+void add_of_one(
+    const std::vector<ImportedValue>& values, const std::vector<ImportedValue>& other, std::vector<Sentence>& sentences)
 {
   std::set<std::string> known, told;
-  for (const Value& value : other) known.insert(value.owner);
-  for (const Value& value : values) {
+  for (const ImportedValue& value : other) known.insert(value.owner);
+  for (const ImportedValue& value : values) {
     const Sentence owner = word_of_owner(value.owner);
     if (!known.contains(value.owner)) {
       if (told.insert(value.owner).second) sentences.push_back(filled<of_table>(owner));
     } else if (find_value(other, value) == nullptr) {
-      sentences.push_back(filled<of_value>(owner, word_of_key(value.key), words_of(value)));
+      sentences.push_back(filled<of_value>(owner, word_of_key(value.key), value_words(value)));
     }
   }
 }
@@ -233,13 +234,15 @@ void add_of_one(const std::vector<Value>& values, const std::vector<Value>& othe
 
 std::vector<Sentence> import_changes(const Node& imported, const Node& now)
 {
-  std::vector<Value> before, after;
+  std::vector<ImportedValue> before, after;
   collect(imported, "", "", "", before);
   collect(now, "", "", "", after);
   std::vector<Sentence> sentences;
-  for (const Value& value : after)
-    if (const Value* const first = find_value(before, value); first != nullptr && !is_same(*first, value))
-      if (Sentence sentence = sentence_on(*first, value); !sentence.empty()) sentences.push_back(std::move(sentence));
+  for (const ImportedValue& value : after)
+    if (const ImportedValue* const first = find_value(before, value);
+        first != nullptr && !is_equal_value(*first, value))
+      if (Sentence sentence = change_sentence(*first, value); !sentence.empty())
+        sentences.push_back(std::move(sentence));
   add_of_one<said::added, said::table_added>(after, before, sentences);
   add_of_one<said::gone, said::table_gone>(before, after, sentences);
   return sentences;
