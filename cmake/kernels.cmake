@@ -6,6 +6,7 @@ file(GLOB TERP_KERNEL_SOURCES CONFIGURE_DEPENDS src/materials/*.cpp src/schemes/
 list(REMOVE_ITEM TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/materials/material.cpp
                                      ${PROJECT_SOURCE_DIR}/src/materials/soil_material.cpp
                                      ${PROJECT_SOURCE_DIR}/src/schemes/cut_cells.cpp
+                                     ${PROJECT_SOURCE_DIR}/src/schemes/soil_border.cpp
                                      ${PROJECT_SOURCE_DIR}/src/schemes/scheme.cpp)
 foreach(kernel parallel/machine simulation/kernel_table simulation/step simulation/totals)
   list(APPEND TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/${kernel}.cpp)
@@ -17,7 +18,7 @@ set(TERP_KERNEL_CHOICES src/parallel/instructions.cpp src/materials/material.cpp
                         src/simulation/kernels.cpp)
 # Compiled for each set, and once more for what calls them before the first step (seeding) and for their tests.
 set(TERP_SHARED_KERNEL_SOURCES src/mesh/locate.cpp src/points/move.cpp src/transfer/gauss_average.cpp
-                                src/transfer/overlap.cpp src/schemes/cut_cells.cpp)
+                                src/transfer/overlap.cpp src/schemes/cut_cells.cpp src/schemes/soil_border.cpp)
 
 set(TERP_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
 set(TERP_FLAGS_avx2 -march=x86-64-v3)

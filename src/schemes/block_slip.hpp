@@ -25,6 +25,7 @@ struct BlockSlip {
   SymTensor<Real, 2> sigma = {};   ///< its mean stress, with the pressure of Eq. (2) [Pa]
   Real normal = 0.0, shear = 0.0;  ///< xx = -yy and xy of (t n + n t)/2; both zero: the block does not slip
   Real held = 0.0, rate = 0.0;     ///< [-]
+  Real before = 0.0;               ///< mean t.sigma.n of its points before the update of the law [Pa]
   Kink kink = {};                  ///< of the cell, at its first block
 
   bool acts() const { return normal != 0.0 || shear != 0.0; }

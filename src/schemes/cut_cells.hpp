@@ -8,6 +8,7 @@
 
 #include "schemes/block_slip.hpp"
 #include "schemes/cell_group.hpp"
+#include "schemes/soil_border.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,13 +31,6 @@ void keep_mean_stress(const CellGroup<Element>& group, const BlockLayer& layer, 
 
 /// Sets the slip of all blocks of a group from their mean stress.
 void find_slips(const SchemeContext& context, const CellGroup<Quad4>& group);
-
-/// Direction across the border of two materials in a cell, from the points of both around its centre; zero where they
-/// show none.
-Vec<2> across_border(const Mesh<2>& mesh, const PointBlocks<2>& points, Index cell, std::array<Index, 2> materials);
-
-/// Distance of the corners of a cell to the line across n above which the cell has this share of its area [m]; 0 below.
-std::array<Real, 4> above_border(const Mesh<2>& mesh, Index cell, Vec<2> n, Real share);
 
 /// Slip g of a soil in one step.
 template <class Element, class R>
@@ -129,28 +123,52 @@ const GaussStrain<Element, Pack>& with_slips(const CellGroup<Element>& group, co
   return slipped;
 }
 
-/// What the slip of a block takes from the stress without any work of the nodes [J per m]: it is lost on the border, as
-/// the shear stress on both sides was not the same. strain: of the cell.
-template <class Element>
-Real lost_on_border(const CellGroup<Element>& group, Index b, const GaussStrain<Element>& strain)
+/// Mean shear stress of the points of a block on its border [Pa].
+template <int Dim>
+Real shear_on_border(const PointBlock<Dim>& block, const BlockSlip& slip)
 {
-  if (group.slips.empty() || !group.slips[b].acts()) return 0.0;
-  const BlockSlip& slip = group.slips[b];
-  const Real tau = slip.normal * (slip.sigma[0] - slip.sigma[1]) + 2.0 * slip.shear * slip.sigma[3];
-  return -slip.weight * tau * slip_of(slip.normal, slip.shear, slip.held, slip.rate, strain);
+  Pack sum_of_tau(0.0), volume(0.0);
+  for (Index p = 0; p < block.n; p += pack_width) {
+    const SymTensor<Pack, Dim> sigma = stress_of(block, p);
+    const Mask in_use = lane_numbers() < Pack(static_cast<Real>(block.n - p));
+    const Pack omega = select(in_use, Pack::load(block.row(PointRows<Dim>::volume) + p), Pack(0.0));
+    const Pack tau = Pack(slip.normal) * (sigma[0] - sigma[1]) + Pack(2.0 * slip.shear) * sigma[3];
+    sum_of_tau += omega * tau;
+    volume += omega;
+  }
+  return sum(sum_of_tau) / sum(volume);
 }
 
-/// The same of all blocks of a group.
+/// Fixes the slip g of all blocks of a group for this step, strain: of the cells. Returns what the slip takes from the
+/// stress of the start without any work of the nodes [J per m]: it is lost on the border, as the shear stress on both
+/// sides was not the same.
 template <class Element>
-Real lost_on_borders(const CellGroup<Element>& group, const GaussStrain<Element, Pack>& strain)
+Real fix_slips(const CellGroup<Element>& group, const GaussStrain<Element, Pack>& strain)
 {
   if (group.slips.empty()) return 0.0;
   const auto of_cells = strain_by_cell(strain);
   Real lost = 0.0;
   for (int c = 0; c < group.n(); ++c)
-    for_each_block(
-        group.points, group.cells[c], [&](const auto&, Index b) { lost += lost_on_border(group, b, of_cells[c]); });
+    for_each_block(group.points, group.cells[c], [&](const auto& block, Index b) {
+      BlockSlip& slip = group.slips[b];
+      if (!slip.acts()) return;
+      slip.held = slip_of(slip.normal, slip.shear, slip.held, slip.rate, of_cells[c]);
+      slip.rate = 0.0;
+      slip.before = shear_on_border(block, slip);
+      const Real tau = slip.normal * (slip.sigma[0] - slip.sigma[1]) + 2.0 * slip.shear * slip.sigma[3];
+      lost -= slip.weight * tau * slip.held;
+    });
   return lost;
+}
+
+/// The same of the half of what the law changed in the stress of a block since then: the stress of a step is the mean
+/// of its start and its end.
+template <class Element>
+Real lost_while_slipping(const CellGroup<Element>& group, Index b)
+{
+  if (group.slips.empty() || !group.slips[b].acts()) return 0.0;
+  const BlockSlip& slip = group.slips[b];
+  return -0.5 * slip.weight * (shear_on_border(group.points.block(b), slip) - slip.before) * slip.held;
 }
 
 }  // namespace terp

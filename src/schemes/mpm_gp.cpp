@@ -25,13 +25,14 @@ struct MpmGp {
     const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.plastic_work);
     const GaussStrain<Element, Pack> lanes = strain_of_group(group, moved, context.method.b_bar);  // Step 2
     const auto strain = strain_by_cell(lanes);
-    sums.plastic_work += lost_on_borders(group, lanes);
+    sums.plastic_work += fix_slips(group, lanes);
     GaussStrain<Element> slipped;
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
         update_excess(context, block, group.excess, b, share_of_cell_pressure(context.method), strain[c]);
         update_points(context, block, with_slip(group, b, strain[c], slipped), group.pressure[b], sums);
+        sums.plastic_work += lost_while_slipping(group, b);
       });
     }
   }
@@ -54,7 +55,7 @@ struct MpmGp {
     GroupVectors<Element> room;
     const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.plastic_work);
     const auto strain = strain_of_group(group, moved, context.method.b_bar);  // Step 2
-    sums.plastic_work += lost_on_borders(group, strain);
+    sums.plastic_work += fix_slips(group, strain);
     for_each_layer(group, [&](const BlockLayer& layer) {
       LeftRows<Element> rows;
       GaussStrain<Element, Pack> slipped;
@@ -89,6 +90,7 @@ struct MpmGp {
             });
         for (Index first = 0; first < block.n_padded(); first += strip_length)
           update_strip_from_patch(context, block, first, size, patch, {pressure, excess}, sums);
+        sums.plastic_work += lost_while_slipping(group, b);
       });
     }
   }

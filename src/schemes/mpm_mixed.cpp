@@ -34,7 +34,7 @@ struct MpmMixed {
     const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.plastic_work);
     const GaussStrain<Element, Pack> lanes = strain_of_group(group, moved, context.method.b_bar);  // Step 2
     const auto strain = strain_by_cell(lanes);
-    sums.plastic_work += lost_on_borders(group, lanes);
+    sums.plastic_work += fix_slips(group, lanes);
     GaussStrain<Element, Pack> slipped_lanes;
     GaussStrain<Element> slipped;
     for_each_layer(group, [&](const BlockLayer& layer) {
@@ -54,6 +54,7 @@ struct MpmMixed {
         const GaussStrain<Element>& own = with_slip(group, layer.block[c], strain[c], slipped);
         for (Index p = 0; p < block.n; p += pack_width)
           assign_to_points(sigma[c], rows, c, own, material, block, p);  // Step 4
+        sums.plastic_work += lost_while_slipping(group, layer.block[c]);
       }
     });
   }
@@ -88,7 +89,7 @@ struct MpmMixed {
     GroupVectors<Element> room;
     const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.plastic_work);
     const GaussStrain<Element, Pack> of_cells = strain_of_group(group, moved, context.method.b_bar);  // Step 2
-    sums.plastic_work += lost_on_borders(group, of_cells);
+    sums.plastic_work += fix_slips(group, of_cells);
     for_each_layer(group, [&](const BlockLayer& layer) {
       GaussStrain<Element, Pack> slipped;
       const GaussStrain<Element, Pack>& strain = with_slips(group, layer, of_cells, slipped);
@@ -122,7 +123,7 @@ struct MpmMixed {
   }
 
   static void update_from_patches(
-      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>&, StressSums&)
+      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>&, StressSums& sums)
   {
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
@@ -136,6 +137,7 @@ struct MpmMixed {
           with_shares(block, p, size,
               [&](const auto& shares) { take_values(context, patch, shares, block, p, kept); });  // Step 4
         kept.shift(block);
+        sums.plastic_work += lost_while_slipping(group, b);
       });
     }
   }

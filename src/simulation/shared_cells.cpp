@@ -35,7 +35,8 @@ std::vector<Real> shares_in_shared_cells(const Model& model, const State& state)
 
 void find_shared_layers(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
-  if (model.description.method.cut_cells == CutCells::slip) return;
+  if (model.slips_in_cut_cells()) return;
+  const char* remedy = looks_at(*model.scheme, "cut_cells") ? "method.cut_cells = \"slip\"" : "another scheme";
   const std::vector<Real> shares = shares_in_shared_cells(model, state);
   for (std::size_t m = 0; m < shares.size(); ++m) {
     const SoilMaterial& material = model.materials[m];
@@ -45,8 +46,8 @@ void find_shared_layers(const Model& model, const State& state, std::vector<Prob
         fmt::format(
             "Got {:.0f} % of its volume. Such a cell has the mean strength of its soils: between stronger soil, slip "
             "along a layer\nof two cells that lie askew takes up to 34 % more force, of four cells 5 %.\nUsual: "
-            "method.cut_cells = \"slip\", cells along the layer, or smaller ones (docs/limits.md, 4).",
-            100.0 * shares[m]),
+            "{}, cells along the layer, or smaller ones (docs/limits.md, 4).",
+            100.0 * shares[m], remedy),
         "mesh", false, {"mesh.cell", "mesh"}});
   }
 }

@@ -24,7 +24,7 @@ struct MethodOptions {
   Real pressure_relaxation = 0.1;  ///< share of p_e a point takes per step with PointPressure::relax [-]
   StateAveraging state_averaging = StateAveraging::as_declared;
   ObjectiveRate objective_rate = ObjectiveRate::none;
-  CutCells cut_cells = CutCells::mean;
+  CutCells cut_cells = CutCells::slip;
   RemapContact remap_contact = RemapContact::unused_strength;
   Real relaxation_time = 0.0;  ///< with which points lose the velocity that the mesh does not see; 0: never [s]
   Real flip = 1.0;             ///< 1: pure FLIP, 0: pure PIC [-]
