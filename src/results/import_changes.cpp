@@ -24,16 +24,15 @@ constexpr SentenceForm as_it_is{"`{}`", "`{}`"};
 constexpr SentenceForm soil{"{}", "{}"}, layer{"Layer `{}`", "Laag `{}`"}, load{"Load `{}`", "Belasting `{}`"},
     stage{"Stage `{}`", "Fase `{}`"}, situation{"Water `{}`", "Water `{}`"};
 constexpr SentenceForm first_water{"Water at the start", "Water aan het begin"}, flood{"Flood", "Overstroming"};
-constexpr SentenceForm changed{
-    "{}: {} was {} in the import, is {} here.", "{}: {} was bij het inlezen {}, is hier {}."};
+constexpr SentenceForm key_of{"{}: {}", "{}: {}"}, with_unit{"{:.10g} {}", "{:.10g} {}"};
+constexpr SentenceForm changed{"{} was {} in the import, is {} here.", "{} was bij het inlezen {}, is hier {}."};
 constexpr SentenceForm gone{
-    "{}: {} was {} in the import, is not given here.", "{}: {} was bij het inlezen {}, is hier niet gegeven."};
-constexpr SentenceForm added{
-    "{}: {} was not given by the import, is {} here.", "{}: {} gaf het inlezen niet, is hier {}."};
+    "{} was {} in the import, is not given here.", "{} was bij het inlezen {}, is hier niet gegeven."};
+constexpr SentenceForm added{"{} was not given by the import, is {} here.", "{} gaf het inlezen niet, is hier {}."};
 constexpr SentenceForm table_gone{"{} of the import is not here.", "{} van het inlezen is hier niet."};
 constexpr SentenceForm table_added{"{} is not of the import.", "{} is niet van het inlezen."};
-constexpr SentenceForm line_moved{"{}: {} was at {:.2f} m in the import, is at {:.2f} m here, at x = {:.2f} m.",
-    "{}: {} lag bij het inlezen op {:.2f} m, ligt hier op {:.2f} m, bij x = {:.2f} m."};
+constexpr SentenceForm line_moved{"{} was at {:.2f} m in the import, is at {:.2f} m here, at x = {:.2f} m.",
+    "{} lag bij het inlezen op {:.2f} m, ligt hier op {:.2f} m, bij x = {:.2f} m."};
 constexpr SentenceForm outline_moved{"{}: corners of its outline moved by up to {:.3g} m since the import.",
     "{}: hoekpunten van de omtrek zijn sinds het inlezen tot {:.3g} m verplaatst."};
 constexpr SentenceForm outline_changed{
@@ -90,6 +89,13 @@ struct ImportedValue {
   std::string path;        ///< in the file
   const Node* node;
 };
+
+/// "clay: weight"; keys at the top of the case have no owner.
+Sentence key_words(const ImportedValue& value)
+{
+  const Sentence key = word_of_key(value.key);
+  return value.owner.empty() ? key : filled<said::key_of>(word_of_owner(value.owner), key);
+}
 
 bool does_not_count(const std::string& path, const Node& item)
 {
@@ -161,6 +167,31 @@ Sentence value_words(const ImportedValue& value)
   return words;
 }
 
+/// The unit of a text like "8 kPa", as it was written; empty: it is another value.
+std::string written_unit(const ImportedValue& value)
+{
+  if (value.node->kind != NodeKind::text || !number_of(*value.node, unit_of(value))) return "";
+  return parse_quantity(value.node->text)->name;
+}
+
+/// In that unit, where it is a number and was written in another one.
+Sentence value_words_in(const std::string& unit, const ImportedValue& value)
+{
+  const auto number = number_of(*value.node, unit_of(value));
+  if (!number || unit.empty() || written_unit(value) == unit) return value_words(value);
+  Node one;
+  one.kind = NodeKind::text, one.text = "1 " + unit;
+  const auto scale = number_of(one, unit_of(value));
+  return scale ? filled<said::with_unit>(*number / *scale, unit) : value_words(value);
+}
+
+bool is_line(const std::string& key)
+{
+  return key == "phreatic_line" || key == "line" || key.starts_with("head_lines.");
+}
+
+bool is_outline(const std::string& key) { return key == "polygon" || key == "box"; }
+
 /// Places [m] of a line; empty: it is none.
 std::vector<Vec<2>> places_of(const Node& node)
 {
@@ -174,19 +205,19 @@ std::vector<Vec<2>> places_of(const Node& node)
   return places;
 }
 
+/// Empty if no corner moved: 0.5 and "50 cm" are the same.
 Sentence outline_sentence(const Sentence& owner, const std::vector<Vec<2>>& before, const std::vector<Vec<2>>& now)
 {
   Real moved = 0.0;
   for (std::size_t k = 0; k < before.size() && before.size() == now.size(); ++k)
     moved = std::max(moved, std::hypot(now[k][0] - before[k][0], now[k][1] - before[k][1]));
-  if (before.size() == now.size()) return filled<said::outline_moved>(owner, moved);
+  if (before.size() == now.size()) return moved > 0.0 ? filled<said::outline_moved>(owner, moved) : Sentence{};
   return filled<said::outline_changed>(
       owner, before.size(), std::abs(signed_area(before)), now.size(), std::abs(signed_area(now)));
 }
 
 /// Where the two lines differ most; empty if they are one.
-Sentence line_sentence(
-    const Sentence& owner, const Sentence& key, const std::vector<Vec<2>>& before, const std::vector<Vec<2>>& now)
+Sentence line_sentence(const Sentence& words, const std::vector<Vec<2>>& before, const std::vector<Vec<2>>& now)
 {
   Real most = 0.0, at = 0.0;
   for (const auto* line : {&before, &now})
@@ -194,16 +225,17 @@ Sentence line_sentence(
       if (const Real off = std::abs(elevation_at(now, place[0]) - elevation_at(before, place[0])); off > most)
         most = off, at = place[0];
   if (!(most > 0.0)) return {};
-  return filled<said::line_moved>(owner, key, elevation_at(before, at), elevation_at(now, at), at);
+  return filled<said::line_moved>(words, elevation_at(before, at), elevation_at(now, at), at);
 }
 
 Sentence change_sentence(const ImportedValue& before, const ImportedValue& now)
 {
-  const Sentence owner = word_of_owner(now.owner), key = word_of_key(now.key);
   const std::vector<Vec<2>> first = places_of(*before.node), second = places_of(*now.node);
-  if (first.empty() || second.empty()) return filled<said::changed>(owner, key, value_words(before), value_words(now));
-  if (now.owner.starts_with("body[")) return outline_sentence(owner, first, second);
-  return line_sentence(owner, key, first, second);
+  const bool are_places = !first.empty() && !second.empty();
+  if (are_places && is_outline(now.key)) return outline_sentence(word_of_owner(now.owner), first, second);
+  if (are_places && is_line(now.key)) return line_sentence(key_words(now), first, second);
+  const std::string imported = written_unit(before), unit = imported.empty() ? written_unit(now) : imported;
+  return filled<said::changed>(key_words(now), value_words_in(unit, before), value_words_in(unit, now));
 }
 
 const ImportedValue* find_value(const std::vector<ImportedValue>& values, const ImportedValue& wanted)
@@ -218,14 +250,13 @@ template <const SentenceForm& of_value, const SentenceForm& of_table>
 void add_of_one(
     const std::vector<ImportedValue>& values, const std::vector<ImportedValue>& other, std::vector<Sentence>& sentences)
 {
-  std::set<std::string> known, told;
+  std::set<std::string> known{""}, told;  // the top of a case is always there
   for (const ImportedValue& value : other) known.insert(value.owner);
   for (const ImportedValue& value : values) {
-    const Sentence owner = word_of_owner(value.owner);
     if (!known.contains(value.owner)) {
-      if (told.insert(value.owner).second) sentences.push_back(filled<of_table>(owner));
+      if (told.insert(value.owner).second) sentences.push_back(filled<of_table>(word_of_owner(value.owner)));
     } else if (find_value(other, value) == nullptr) {
-      sentences.push_back(filled<of_value>(owner, word_of_key(value.key), value_words(value)));
+      sentences.push_back(filled<of_value>(key_words(value), value_words(value)));
     }
   }
 }

@@ -1,4 +1,4 @@
-// What a person changed in an imported case since terp import wrote it: the case beside its record, imported.toml.
+// What changed in an imported case since terp import wrote it: the case beside its record, imported.toml.
 // Not for: in what the cases of two runs differ (compare).
 #pragma once
 

@@ -23,6 +23,19 @@ TEST(Check, TellsWhatWouldRun)
   EXPECT_TRUE(names_in(folder.path()).empty());
 }
 
+TEST(Check, NamesWhatChangedSinceTheImport)
+{
+  const ScratchFolder folder;
+  const std::string record = folder.path() + "/imported.toml";
+  std::ofstream(record) << text_of(test::column_file);
+  const std::vector<std::string> reference{"--set", "reference.imported=\"" + record + "\""};
+  const Finished f = test::terp(column_command("check", reference));
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(f.out, AllOf(HasSubstr("  changed        `mesh`: `cell` was 0.1 m in the import, is 0.5 m here.\n"),
+                         HasSubstr("  changed        `time`: `end` was 4 s in the import, is 0.2 s here.\n")));
+  EXPECT_THAT(test::terp(column_command("check")).out, Not(HasSubstr("  changed ")));
+}
+
 TEST(Check, QuietItPrintsWarningsAlone)
 {
   const Finished f = test::terp(column_command("check", {"-q", "--set", "body.0.box=[[0,0.5],[8,2]]"}));

@@ -192,7 +192,7 @@ export interface RunMeta {
   warnings: Record<string, string[]>; // of the writer, by language; the rest follows from the summary
   assumed?: Record<string, string[]>; // by language: what the import of the section took that its file does not say
   doubts?: Record<string, string[]>; // the same of what speaks against the section
-  changed?: Record<string, string[]>; // the same of what a person changed in it since the import
+  changed?: Record<string, string[]>; // the same of what changed in it since the import
   summary: Record<string, unknown>;
 }
 

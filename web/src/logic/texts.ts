@@ -322,9 +322,9 @@ export const TEXTS = {
   assumed: ["What the import assumed, as the file does not say it ({n})",
     "Wat bij het inlezen is aangenomen omdat het bestand het niet zegt ({n})"],
 
-  changed: ["Changed by hand since the import ({n})", "Met de hand veranderd na het inlezen ({n})"],
-  note_changed: ["Values of this case were changed by hand since its import ({n}): they are listed below.",
-    "Waarden van deze invoer zijn na het inlezen met de hand veranderd ({n}): zij staan hieronder."],
+  changed: ["Changed since the import ({n})", "Veranderd na het inlezen ({n})"],
+  note_changed: ["Values of this case were changed since its import ({n}): they are listed below.",
+    "Waarden van deze invoer zijn na het inlezen veranderd ({n}): zij staan hieronder."],
 
   // Warnings and checks
   a_warning: ["A warning", "Een waarschuwing"],

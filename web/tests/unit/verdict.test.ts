@@ -42,7 +42,7 @@ describe("the verdict", () => {
     const changed = runWith("stands", true);
     changed.meta.changed = { en: ["clay: S was 0.3 in the import, is 0.2 here.", "b"], nl: ["klei", "b"] };
     expect(doubts(changed)).toEqual([
-      "Values of this case were changed by hand since its import (2): they are listed below."]);
+      "Values of this case were changed since its import (2): they are listed below."]);
     changed.meta.changed = { en: [], nl: [] };
     expect(doubts(changed)).toEqual([]);
     const summary = { stages: [{ name: "daily", start: 0, end: 1, at_rest: false, fastest_node: 0.5 },
