@@ -117,7 +117,10 @@ Real Overburden::pore_pressure(Vec<2> x, const WaterSituation& situation, Real t
 
 Real Overburden::effective(Vec<2> x, const WaterSituation& situation, Real time) const
 {
-  return total(x, situation, time) - pore_pressure(x, situation, time);
+  const Real above = total(x, situation, time);  // once: it takes longer than the water
+  if (!situation.is_given()) return above;
+  const Real pressure = water_pressure(water_, situation, x, time);
+  return above - (is_known_ ? std::min(pressure, above) : pressure);
 }
 
 }  // namespace terp
