@@ -38,6 +38,31 @@ inline constexpr int n_registers = pack_width / register_width;
 using Reals = double __attribute__((vector_size(8 * register_width), may_alias));
 using Truths = long long __attribute__((vector_size(8 * register_width), may_alias));
 
+/// Truth values as comparisons give them: one bit each where there are registers of bits.
+#if defined(__AVX512F__)
+using Flags = __mmask8;
+#else
+using Flags = Truths;
+#endif
+
+inline Flags less(Reals a, Reals b)
+{
+#if defined(__AVX512F__)
+  return _mm512_cmp_pd_mask(__m512d(a), __m512d(b), _CMP_LT_OQ);
+#else
+  return Truths(a < b);
+#endif
+}
+
+inline Flags less_or_equal(Reals a, Reals b)
+{
+#if defined(__AVX512F__)
+  return _mm512_cmp_pd_mask(__m512d(a), __m512d(b), _CMP_LE_OQ);
+#else
+  return Truths(a <= b);
+#endif
+}
+
 inline Reals broadcast(Real a)
 {
 #if defined(__AVX512F__)
@@ -50,11 +75,13 @@ inline Reals broadcast(Real a)
 }
 
 /// a where m is true, b elsewhere. All bits of a truth value are equal.
-inline Reals choose(Truths m, Reals a, Reals b)
+inline Reals choose(Flags m, Reals a, Reals b)
 {
-#if defined(__AVX2__) && !defined(__AVX512F__)
+#if defined(__AVX512F__)
+  return Reals(_mm512_mask_blend_pd(m, __m512d(b), __m512d(a)));
+#elif defined(__AVX2__)
   return Reals(_mm256_blendv_pd(__m256d(b), __m256d(a), __m256d(m)));
-#elif defined(__SSE2__) && !defined(__AVX2__)
+#elif defined(__SSE2__)
   return Reals(_mm_or_pd(_mm_and_pd(__m128d(m), __m128d(a)), _mm_andnot_pd(__m128d(m), __m128d(b))));
 #else
   return m ? a : b;
@@ -62,10 +89,10 @@ inline Reals choose(Truths m, Reals a, Reals b)
 }
 
 /// Bit k is set where number k is true.
-inline unsigned bits_of(Truths m)
+inline unsigned bits_of(Flags m)
 {
-#if defined(__AVX512DQ__)
-  return _mm512_movepi64_mask(__m512i(m));
+#if defined(__AVX512F__)
+  return m;
 #elif defined(__AVX2__)
   return static_cast<unsigned>(_mm256_movemask_pd(__m256d(m)));
 #elif defined(__SSE2__)
@@ -101,6 +128,34 @@ inline Reals root(Reals a)
 #endif
 }
 
+/// a < b ? a : b in one instruction, which gives b as well where the two are equal or one is no number.
+inline Reals smaller(Reals a, Reals b)
+{
+#if defined(__AVX512F__)
+  return Reals(_mm512_maskz_min_pd(0xff, __m512d(a), __m512d(b)));
+#elif defined(__AVX2__)
+  return Reals(_mm256_min_pd(__m256d(a), __m256d(b)));
+#elif defined(__SSE2__)
+  return Reals(_mm_min_pd(__m128d(a), __m128d(b)));
+#else
+  return a < b ? a : b;
+#endif
+}
+
+/// a > b ? a : b, in the same way.
+inline Reals larger(Reals a, Reals b)
+{
+#if defined(__AVX512F__)
+  return Reals(_mm512_maskz_max_pd(0xff, __m512d(a), __m512d(b)));
+#elif defined(__AVX2__)
+  return Reals(_mm256_max_pd(__m256d(a), __m256d(b)));
+#elif defined(__SSE2__)
+  return Reals(_mm_max_pd(__m128d(a), __m128d(b)));
+#else
+  return a > b ? a : b;
+#endif
+}
+
 /// f(k) for each register k, as a Pack or Mask. Written out, not a loop: GCC keeps a pack in registers only if no
 /// loop runs over its parts when it decides.
 template <class Result, class F>
@@ -114,9 +169,9 @@ Result each_part(F&& f)
 
 }  // namespace detail
 
-/// Eight truth values; all bits of a lane are set where true.
+/// Eight truth values.
 struct Mask {
-  detail::Truths part[detail::n_registers];
+  detail::Flags part[detail::n_registers];
 };
 
 /// Aligned as `load` wants its numbers, whatever the registers of this copy: the numbers of a pack may go to a law of
@@ -189,31 +244,31 @@ inline Pack& Pack::operator-=(Pack b) { return *this = *this - b; }
 inline Pack& Pack::operator*=(Pack b) { return *this = *this * b; }
 inline Mask operator<(Pack a, Pack b)
 {
-  return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] < b.part[k]); });
+  return detail::each_part<Mask>([&](int k) { return detail::less(a.part[k], b.part[k]); });
 }
 inline Mask operator>(Pack a, Pack b)
 {
-  return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] > b.part[k]); });
+  return detail::each_part<Mask>([&](int k) { return detail::less(b.part[k], a.part[k]); });
 }
 inline Mask operator<=(Pack a, Pack b)
 {
-  return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] <= b.part[k]); });
+  return detail::each_part<Mask>([&](int k) { return detail::less_or_equal(a.part[k], b.part[k]); });
 }
 inline Mask operator>=(Pack a, Pack b)
 {
-  return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] >= b.part[k]); });
+  return detail::each_part<Mask>([&](int k) { return detail::less_or_equal(b.part[k], a.part[k]); });
 }
 inline Mask operator&(Mask a, Mask b)
 {
-  return detail::each_part<Mask>([&](int k) { return a.part[k] & b.part[k]; });
+  return detail::each_part<Mask>([&](int k) { return detail::Flags(a.part[k] & b.part[k]); });
 }
 inline Mask operator|(Mask a, Mask b)
 {
-  return detail::each_part<Mask>([&](int k) { return a.part[k] | b.part[k]; });
+  return detail::each_part<Mask>([&](int k) { return detail::Flags(a.part[k] | b.part[k]); });
 }
 inline Mask operator!(Mask a)
 {
-  return detail::each_part<Mask>([&](int k) { return ~a.part[k]; });
+  return detail::each_part<Mask>([&](int k) { return detail::Flags(~a.part[k]); });
 }
 
 /// a where the mask is true, b elsewhere.
@@ -224,11 +279,11 @@ inline Pack select(Mask m, Pack a, Pack b)
 inline Real select(bool m, Real a, Real b) { return m ? a : b; }
 inline Pack min(Pack a, Pack b)
 {
-  return detail::each_part<Pack>([&](int k) { return a.part[k] < b.part[k] ? a.part[k] : b.part[k]; });
+  return detail::each_part<Pack>([&](int k) { return detail::smaller(a.part[k], b.part[k]); });
 }
 inline Pack max(Pack a, Pack b)
 {
-  return detail::each_part<Pack>([&](int k) { return a.part[k] > b.part[k] ? a.part[k] : b.part[k]; });
+  return detail::each_part<Pack>([&](int k) { return detail::larger(a.part[k], b.part[k]); });
 }
 inline Real min(Real a, Real b) { return a < b ? a : b; }
 inline Real max(Real a, Real b) { return a > b ? a : b; }
@@ -244,8 +299,8 @@ inline unsigned to_bits(Mask m)
 }
 inline bool any_of(Mask m)
 {
-  detail::Truths any = m.part[0];
-  for (int k = 1; k < detail::n_registers; ++k) any |= m.part[k];
+  detail::Flags any = m.part[0];
+  for (int k = 1; k < detail::n_registers; ++k) any = detail::Flags(any | m.part[k]);
   return detail::bits_of(any) != 0;
 }
 inline bool any_of(bool m) { return m; }

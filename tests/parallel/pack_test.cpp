@@ -67,6 +67,30 @@ TEST(Pack, ComparisonsChooseLaneByLane)
   }
 }
 
+/// As a < b ? a : b does, alone and in a pack: the order of the two is a part of the bits.
+TEST(Pack, MinAndMaxGiveTheSecondNumberWhereNeitherIsLess)
+{
+  const std::array<Real, 8> first{0.0, -0.0, not_a_number, 1.0, not_a_number, 2.0, -0.0, 3.0};
+  const std::array<Real, 8> second{-0.0, 0.0, 1.0, not_a_number, -not_a_number, 2.0, -0.0, 4.0};
+  const Pack least = min(pack_of(first), pack_of(second)), most = max(pack_of(first), pack_of(second));
+  const auto bits = [](Real a) { return std::bit_cast<std::uint64_t>(a); };
+  for (int k = 0; k < 8; ++k) {
+    EXPECT_EQ(bits(least[k]), bits(k < 7 ? second[k] : first[k]));
+    EXPECT_EQ(bits(most[k]), bits(second[k]));
+    EXPECT_EQ(bits(least[k]), bits(min(first[k], second[k])));
+    EXPECT_EQ(bits(most[k]), bits(max(first[k], second[k])));
+  }
+}
+
+TEST(Pack, ComparisonsWithWhatIsNoNumberAreFalse)
+{
+  const Pack a = pack_of({not_a_number, 1.0, not_a_number, 1.0, not_a_number, 1.0, not_a_number, 1.0});
+  const Pack zero(0.0), two(2.0);
+  for (const Mask m : {a < two, a <= two, zero < a, zero <= a, a > zero, a >= zero, two > a, two >= a})
+    EXPECT_EQ(to_bits(m), 0b10101010u);
+  EXPECT_EQ(to_bits(!(a < two)), 0b01010101u);
+}
+
 TEST(Pack, RootAndFusedProductAreTheSameAsAlone)
 {
   const Pack a = pack_of(some), b = pack_of(other), c = pack_of({1e-17, -2.0, 0.25, 1e17, 3.0, -0.5, 1.0, 9.0});
