@@ -10,6 +10,19 @@
 namespace terp {
 namespace {
 
+std::string why_not_at_rest(const TimeCase& time, Real fastest)
+{
+  if (time.rest_by == RestBy::mean)
+    return fmt::format("more of it than a cell holds went farther than {:.2g} m within {:g} s",
+        time.rest_speed * time.rest_time, time.rest_time);
+  if (fastest < time.rest_speed)
+    return fmt::format(
+        "its fastest node was not slower than {:.2g} m/s for {:g} s after the last change of water and "
+        "loads",
+        time.rest_speed, time.rest_time);
+  return fmt::format("its fastest node moved with {:.2g} m/s, limit {:.2g} m/s", fastest, time.rest_speed);
+}
+
 /// Stages, or the run, that were to end at rest and did not; a verdict on soil that still moves.
 void warn_of_no_rest(const Summary& s, const Model& model, const std::string& folder)
 {
@@ -17,16 +30,11 @@ void warn_of_no_rest(const Summary& s, const Model& model, const std::string& fo
   for (const StageSummary& stage : s.stages) {
     const StageRecord& r = stage.record;
     if (r.at_rest || !std::isfinite(r.fastest)) continue;
-    const std::string why =
-        r.fastest < time.rest_speed
-            ? fmt::format("was not slower than {:.2g} m/s for {:g} s after the last change of water and loads",
-                  time.rest_speed, time.rest_time)
-            : fmt::format("moved with {:.2g} m/s, limit {:.2g} m/s", r.fastest, time.rest_speed);
     fmt::print(stderr,
-        "warning: {}: {} ended after {:.4g} s, at t = {:.4g} s, before the soil was at rest: its fastest node {}; see "
+        "warning: {}: {} ended after {:.4g} s, at t = {:.4g} s, before the soil was at rest: {}; see "
         "docs/stages.md#at-rest\n",
         folder, stage.name.empty() ? "the run" : fmt::format("the stage `{}`", stage.name), r.end - r.start, r.end,
-        why);
+        why_not_at_rest(time, r.fastest));
   }
   const bool ends_at_rest = !s.stages.empty() && std::isfinite(s.stages.back().record.fastest);
   if (!ends_at_rest && s.flood && s.flood->still_moves && s.flood->verdict != FloodVerdict::floods)

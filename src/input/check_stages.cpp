@@ -199,7 +199,8 @@ void check_rest(const Node& root, const Case& values, Findings& findings)
       findings.warnings.push_back({key, fmt::format("`{}` has no effect", key + 5),
           "Nothing ends at rest: it counts with until = \"at_rest\".", key, true});
   if (values.stages.empty() && any) check_what_goes_on(values, findings.warnings);
-  if (any && values.forces.local_damping == 0.0 && values.forces.viscous_damping == 0.0)
+  const bool damped = values.forces.local_damping > 0.0 || values.forces.viscous_damping > 0.0;
+  if (any && !damped && values.time.rest_by == RestBy::fastest)
     findings.warnings.push_back(
         {values.time.until == Until::at_rest ? "time.until" : "stage", "without damping soil hardly comes to rest",
             "Elastic soil then vibrates on. Give forces.damping.local, say 0.05, in the case or in the stage.",

@@ -128,7 +128,9 @@ bool read_imported(const Entry& entry, const std::string& folder, Findings& find
   if (entry.node.kind != NodeKind::text)
     return refuse(entry, entry.path, "`imported` must be text: the name of a file",
         fmt::format("Got {}.", describe_value(entry.node)), findings);
-  std::ifstream file(std::filesystem::path(folder) / entry.node.text, std::ios::binary);
+  const auto path = std::filesystem::path(folder) / entry.node.text;
+  if (!std::filesystem::is_regular_file(path)) return true;  // check_files says so
+  std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   try {
     static_cast<void>(parse_toml(text));

@@ -75,9 +75,10 @@ std::vector<KeyInfo> time_keys()
           .field = [](Case& c, std::size_t) { return &c.time.rest_speed; },
           .unit = "m/s",
           .range = positive,
-          .usual = {1e-5, 5e-3},
+          .usual = {1e-5, 2e-2},
           .meaning = "the soil is at rest when all nodes with soil are slower than this; those with less than 0.05 of "
-                     "the mass of a full cell do not count"},
+                     "the mass of a full cell do not count. With rest_by = \"mean\": when less soil than a cell holds "
+                     "goes farther than this times rest_time"},
       {.path = "time.rest_time",
           .field = [](Case& c, std::size_t) { return &c.time.rest_time; },
           .unit = "s",

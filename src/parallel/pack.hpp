@@ -39,10 +39,11 @@ using Reals = double __attribute__((vector_size(8 * register_width), may_alias))
 using Truths = long long __attribute__((vector_size(8 * register_width), may_alias));
 
 /// Truth values as comparisons give them: one bit each where there are registers of bits.
+using Flags =
 #if defined(__AVX512F__)
-using Flags = __mmask8;
+    __mmask8;
 #else
-using Flags = Truths;
+    Truths;
 #endif
 
 inline Flags less(Reals a, Reals b)

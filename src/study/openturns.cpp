@@ -148,6 +148,9 @@ ReliabilityResult find(const ReliabilityRule& rule, const LimitState& limit)
 }  // namespace
 }  // namespace terp
 
+extern "C" __attribute__((visibility("default"))) const std::size_t terp_reliability_layout;
+const std::size_t terp_reliability_layout = terp::reliability_layout;
+
 /// What reliability.cpp asks for. Throws MethodFault, and what `limit` throws.
 extern "C" __attribute__((visibility("default"))) void terp_find_probability(
     const terp::ReliabilityRule& rule, const terp::LimitState& limit, terp::ReliabilityResult& result)

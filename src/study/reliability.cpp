@@ -17,7 +17,8 @@ std::string openturns_library()
 {
   std::error_code ignored;
   const auto folder = std::filesystem::canonical(program_file(), ignored).parent_path();
-  for (const char* place : {"", "../lib/terp", ".."})  // as built, as installed, for the tests
+  if (folder.empty()) return {};
+  for (const char* place : {"", "../lib/terp"})  // as built, as installed
     if (const auto file = folder / place / "terp_openturns.so"; std::filesystem::exists(file, ignored))
       return file.string();
   return {};
@@ -42,8 +43,11 @@ ReliabilityResult find_probability(const ReliabilityRule& rule, const LimitState
   } catch (const FileError& error) {
     throw CaseError(advice(rule, std::string("which cannot be opened. ") + error.what()));
   }
-  const auto find = library ? reinterpret_cast<Find*>(library->find("terp_find_probability")) : nullptr;
-  if (find == nullptr) throw CaseError(advice(rule, "which this terp was built without"));
+  if (library == nullptr) throw CaseError(advice(rule, "which this terp was built without"));
+  const auto layout = static_cast<const std::size_t*>(library->find("terp_reliability_layout"));
+  const auto find = reinterpret_cast<Find*>(library->find("terp_find_probability"));
+  if (layout == nullptr || *layout != reliability_layout || find == nullptr)
+    throw CaseError(advice(rule, "and " + openturns_library() + " is that of another terp"));
   ReliabilityResult result;
   find(rule, limit, result);
   return result;

@@ -45,6 +45,9 @@ struct ReliabilityResult {
   bool converged = true;                ///< FORM found a design point on the limit state
 };
 
+/// A library of openturns.cpp with another one was built for another program.
+inline constexpr std::size_t reliability_layout = 1000 * sizeof(ReliabilityRule) + sizeof(ReliabilityResult);
+
 /// The library of openturns.cpp lies beside the program, or where `cmake --install` puts it.
 bool has_openturns();
 

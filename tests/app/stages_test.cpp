@@ -211,6 +211,8 @@ TEST(ARunUntilRest, EndsThereOrSaysThatItDidNot)
   EXPECT_EQ(summary_of(files.run("late")).at("stages").at(0).at("at_rest"), false);
   const Finished brief = files.solve("brief", {"--set", "time.at_most=0.1", "--set", "time.rest_speed=1e3"});
   EXPECT_THAT(brief.err, HasSubstr("its fastest node was not slower than 1e+03 m/s for 0.5 s after the last change"));
+  const Finished far = files.solve("far", {"--set", "time.at_most=0.1", "--set", "time.rest_by=\"mean\""});
+  EXPECT_THAT(far.err, HasSubstr("at rest: more of it than a cell holds went farther than 0.0005 m within 0.5 s; see"));
 }
 
 TEST(ARunWithAFixedEnd, WarnsOfAVerdictOnSoilThatStillMoves)

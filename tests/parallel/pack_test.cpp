@@ -86,7 +86,7 @@ TEST(Pack, ComparisonsWithWhatIsNoNumberAreFalse)
 {
   const Pack a = pack_of({not_a_number, 1.0, not_a_number, 1.0, not_a_number, 1.0, not_a_number, 1.0});
   const Pack zero(0.0), two(2.0);
-  for (const Mask m : {a < two, a <= two, zero < a, zero <= a, a > zero, a >= zero, two > a, two >= a})
+  for (const Mask m : {(a < two), (a <= two), (zero < a), (zero <= a), (a > zero), (a >= zero), (two > a), (two >= a)})
     EXPECT_EQ(to_bits(m), 0b10101010u);
   EXPECT_EQ(to_bits(!(a < two)), 0b01010101u);
 }

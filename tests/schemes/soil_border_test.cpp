@@ -110,12 +110,15 @@ TEST(BorderOfTwoSoils, IsNoneInAnInclusionThatIsAsLongAsWide)
 {
   for (const Real degrees : {0.0, 30.0}) {
     const Simulation s(strip({2.625, 2.375}, degrees, 0.25, 0.25));
+    int n = 0;
     for (const Index cell : s.state.points.occupied()) {
       const Vec<2>& at = s.model.mesh->centres[cell];
       if (std::hypot(at[0] - 2.625, at[1] - 2.375) > 0.01) continue;
+      ++n;
       EXPECT_EQ(find_border(*s.model.mesh, s.state.points, cell, {0, 1}).across[0], 0.0);
       EXPECT_EQ(find_border(*s.model.mesh, s.state.points, cell, {0, 1}).across[1], 0.0);
     }
+    EXPECT_EQ(n, 1) << degrees;
   }
 }
 
