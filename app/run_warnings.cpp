@@ -17,8 +17,7 @@ std::string why_not_at_rest(const TimeCase& time, Real fastest)
         time.rest_speed * time.rest_time, time.rest_time);
   if (fastest < time.rest_speed)
     return fmt::format(
-        "its fastest node was not slower than {:.2g} m/s for {:g} s after the last change of water and "
-        "loads",
+        "its fastest node was not slower than {:.2g} m/s for {:g} s after the last change of water and loads",
         time.rest_speed, time.rest_time);
   return fmt::format("its fastest node moved with {:.2g} m/s, limit {:.2g} m/s", fastest, time.rest_speed);
 }

@@ -89,7 +89,7 @@ Json texts_json(const std::string& case_toml, const std::string& key)
   return json;
 }
 
-/// What a person changed in an imported case.
+/// What changed in an imported case since the import.
 std::vector<Sentence> changes_of(const RunResults& run)
 {
   try {
