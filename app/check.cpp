@@ -13,7 +13,7 @@
 #include "simulation/ground_section.hpp"
 #include "simulation/loads.hpp"
 #include "simulation/output_costs.hpp"
-#include "simulation/setup_warnings.hpp"
+#include "warnings/setup_warnings.hpp"
 #include "simulation/side_shape.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/softening_scales.hpp"

@@ -9,7 +9,7 @@
 #include "output/summary_json.hpp"
 #include "progress.hpp"
 #include "simulation/setup_mesh.hpp"
-#include "simulation/setup_warnings.hpp"
+#include "warnings/setup_warnings.hpp"
 #include "simulation/turned_mesh.hpp"
 
 #include <algorithm>

@@ -18,7 +18,7 @@
 #include "simulation/library_watch.hpp"
 #include "simulation/no_equilibrium.hpp"
 #include "simulation/other_run.hpp"
-#include "simulation/setup_warnings.hpp"
+#include "warnings/setup_warnings.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/softening_scales.hpp"
 #include "simulation/stages.hpp"

@@ -6,7 +6,7 @@
 #include "input/case_record.hpp"
 #include "output/summary_json.hpp"
 #include "run_files.hpp"
-#include "simulation/setup_warnings.hpp"
+#include "warnings/setup_warnings.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/stages.hpp"
 

@@ -1,6 +1,6 @@
 // What single keys cannot show: keys that contradict each other, names that lead nowhere, a law's own limits.
 // Not for: geometry against the mesh (simulation/setup), nor quantities that are compared with the size of the soil
-// (simulation/scale_warnings).
+// (warnings/scale_warnings).
 #pragma once
 
 #include "input/document.hpp"

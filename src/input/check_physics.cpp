@@ -24,7 +24,7 @@ void check_gravity(const Case& values, Problems& warnings)
   const auto warn = [&](std::string what, std::string detail) {
     warnings.push_back({"forces.gravity", std::move(what), std::move(detail), "forces.gravity"});
   };
-  if (size == 0.0) return;  // simulation/scale_warnings looks for what else moves the soil
+  if (size == 0.0) return;  // warnings/scale_warnings looks for what else moves the soil
   if (g[1] > 0.0) {
     warn("gravity points upward",
         fmt::format("Got {} m/s^2. The y axis points up: usual is [0.0, -9.81].", vector_text(g)));

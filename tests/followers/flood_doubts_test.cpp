@@ -1,5 +1,5 @@
 // What [flood] says of a crest that the cells do not resolve, before a run.
-#include "simulation/flood_warnings.hpp"
+#include "warnings/flood_warnings.hpp"
 
 #include "followers/flood_dike.hpp"
 

@@ -1,6 +1,6 @@
 // The verdict on the water, of soil that is drawn anew at each row of the ledger.
 #include "followers/flood_dike.hpp"
-#include "simulation/flood_warnings.hpp"
+#include "warnings/flood_warnings.hpp"
 #include "simulation/other_run.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"

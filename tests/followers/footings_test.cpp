@@ -3,7 +3,7 @@
 #include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
-#include "simulation/setup_warnings.hpp"
+#include "warnings/setup_warnings.hpp"
 #include "simulation/state_image.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"

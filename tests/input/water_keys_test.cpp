@@ -3,7 +3,7 @@
 #include "input/other_files.hpp"
 #include "input/samples.hpp"
 #include "simulation/setup.hpp"
-#include "simulation/setup_warnings.hpp"
+#include "warnings/setup_warnings.hpp"
 #include "support/paths.hpp"
 #include "support/test.hpp"
 #include "water/water_pressure.hpp"

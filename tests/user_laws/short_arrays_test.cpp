@@ -1,5 +1,5 @@
 #include "user_laws/short_arrays.hpp"
-#include "simulation/library_warnings.hpp"
+#include "warnings/library_warnings.hpp"
 #include "simulation/simulation.hpp"
 #include "support/law_cases.hpp"
 #include "support/test.hpp"

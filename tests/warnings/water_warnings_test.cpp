@@ -1,6 +1,6 @@
 // Lines of water that do not fit the soil. Grids: input/water_keys_test.cpp; dry and lifted soil:
 // setup_warnings_test.cpp.
-#include "simulation/water_warnings.hpp"
+#include "warnings/water_warnings.hpp"
 
 #include "support/cases.hpp"
 #include "support/problems.hpp"

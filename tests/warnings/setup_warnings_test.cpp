@@ -1,5 +1,5 @@
 // What is told before a run, and what is not.
-#include "simulation/setup_warnings.hpp"
+#include "warnings/setup_warnings.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/paths.hpp"

@@ -5,7 +5,7 @@
 // where nothing else carries the body: caverns and overhangs have such a carrier. The area that is drawn is that of all
 // outlines together, cut into trapezoids as for the seeding (points/overlay.hpp).
 
-#include "simulation/setup_warnings.hpp"
+#include "warnings/setup_warnings.hpp"
 
 #include "boundary/conditions.hpp"
 #include "mesh/locate.hpp"

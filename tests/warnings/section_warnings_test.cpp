@@ -1,5 +1,5 @@
 // What a drawing hardly means is reported; what fits together is not.
-#include "simulation/setup_warnings.hpp"
+#include "warnings/setup_warnings.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"

@@ -1,7 +1,7 @@
 // Layers in cells that hold other soil as well.
-#include "simulation/shared_cells.hpp"
+#include "warnings/shared_cells.hpp"
 #include "simulation/setup.hpp"
-#include "simulation/setup_warnings.hpp"
+#include "warnings/setup_warnings.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,4 @@
-#include "simulation/library_warnings.hpp"
+#include "warnings/library_warnings.hpp"
 
 #include "user_laws/law_stiffness.hpp"
 #include "user_laws/short_arrays.hpp"

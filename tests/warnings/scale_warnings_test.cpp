@@ -1,5 +1,5 @@
 // Quantities off by a unit are compared with each other; soil as it is usually is not warned of.
-#include "simulation/setup_warnings.hpp"
+#include "warnings/setup_warnings.hpp"
 #include "simulation/soil_fields.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"

@@ -10,8 +10,7 @@
 namespace terp {
 
 /// All warnings: named places far from the soil, bodies without points, points with little volume, sides that move
-/// further than their cells reach, odd places, odd magnitudes, idle
-/// footings. The state is that of t = 0.
+/// further than their cells reach, odd places, odd magnitudes, idle footings. The state is that of t = 0.
 std::vector<Problem> find_warnings(const Model& model, const State& state);
 
 /// Quantities that do not fit each other: strength, stiffness, weight, velocities, by the size of the soil.

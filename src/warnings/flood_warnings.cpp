@@ -1,6 +1,6 @@
 // What [flood] says of ground that does not hold the water from the start.
 
-#include "simulation/flood_warnings.hpp"
+#include "warnings/flood_warnings.hpp"
 
 #include "simulation/free_water.hpp"
 #include "simulation/ground_section.hpp"

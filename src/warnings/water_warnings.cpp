@@ -1,6 +1,6 @@
 // Warnings of a case that has just been set up: lines and grids of water that do not fit the soil.
 
-#include "simulation/water_warnings.hpp"
+#include "warnings/water_warnings.hpp"
 
 #include "events/section.hpp"
 #include "mesh/mesh_error.hpp"

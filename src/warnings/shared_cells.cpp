@@ -1,6 +1,6 @@
 // The errors named in the message were measured: docs/limits.md, 4.
 
-#include "simulation/shared_cells.hpp"
+#include "warnings/shared_cells.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 
 #include "simulation/overburden.hpp"
 #include "simulation/setup_points.hpp"
-#include "simulation/setup_warnings.hpp"
+#include "warnings/setup_warnings.hpp"
 #include "water/water_pressure.hpp"
 
 #include <algorithm>
