@@ -1,3 +1,9 @@
+// Rows are read forwards. A slide is found where the crest has retreated far enough; its begin is then sought
+// backwards. The first slide is measured from the first place of the crest, whatever time it takes. Later ones are
+// measured from where the crest had settled, and within a short time, so that creep is no slide. A crest that soon
+// stands at its place again did not retreat (lasting_places). Places are whole columns, so each comparison has a margin
+// for round-off.
+
 #include "events/crest.hpp"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// Both slopes are found by the same functions: columns are counted from the side that the slope faces. The crest is the
+// ground that lies within a twentieth of the relief below the highest ground. Where a plateau falls gently from it, the
+// slope begins at the edge of that plateau, found on the upper hull of the surface. The toe is found twice: a plateau
+// is sought up to the first one, and changes the height by which the toe is defined.
+
 #include "events/section.hpp"
 
 #include <algorithm>

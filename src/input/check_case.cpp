@@ -1,3 +1,7 @@
+// All checks run, whatever others found, so that a user sees all problems at once. Each must therefore bear values that
+// could not be read: they have their defaults, and parameters that are missing are NaN (complete_law). Whether a key
+// was written shows in the tree alone: in the case a default looks like a written value.
+
 #include "input/check_case.hpp"
 
 #include "base/closest.hpp"

@@ -1,3 +1,7 @@
+// toml++ reads the text. Its tables are in alphabetical order, so items are sorted by their places in the file. What
+// toml++ 3.3 cannot bear is refused or changed before: letters outside of quotes, letters at which its behaviour is
+// undefined (lift and lower), and keys so deep that calls within calls overrun the stack.
+
 #include "input/document.hpp"
 
 #include "input/lifted_text.hpp"

@@ -1,3 +1,6 @@
+// A topic is tried from the narrow to the wide: a law, a scheme, fields, a file of a run. Then all keys of that path
+// count, or else all that end in it, with the quantities of that name. Small letters are tried if nothing was found.
+
 #include "input/explain.hpp"
 
 #include "followers/followers.hpp"

@@ -1,3 +1,7 @@
+// Types and defaults are written down nowhere: the accessor of a key is called on a case with one of everything. The
+// Field that it gives has the type, and what it points at is the default. So each list of sections needs an entry in
+// prototype(), or the accessor goes beyond its end.
+
 #include "input/key_text.hpp"
 
 #include <fmt/format.h>

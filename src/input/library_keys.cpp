@@ -1,3 +1,7 @@
+// A library is opened only after the keys of its material were read without a problem: to load it runs its code. What
+// the law alone knows of itself (plastic_strain, strength, components) is no member of the case. It is read with the
+// other keys for its type alone, and again from the tree when the library is loaded (given_terms).
+
 #include "input/library_keys.hpp"
 
 #include "input/document.hpp"

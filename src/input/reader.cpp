@@ -1,3 +1,9 @@
+// The tree of the file leads, the table of keys follows: each item is a key, a list of sections, or a section below. A
+// section has its path in the file, for messages, and its pattern in the table: "body[]" for "body[0]". Soil with
+// `below` and `above` is read twice, from copies in which one part stands among the common keys. Problems of the second
+// reading that the first had too are taken out. A key that is missing is not reported if an unknown one was probably
+// meant for it.
+
 #include "input/reader.hpp"
 
 #include "base/closest.hpp"

@@ -1,3 +1,7 @@
+// A problem names a key by its path; where that stands is found here, in the tree. If the key is not in the file, the
+// nearest table above it is shown, and the default that counts. A value that --set gave has no place in the file, so
+// the change itself is shown. The file may hold anything, so all that is shown goes through printable().
+
 #include "input/render.hpp"
 
 #include "input/key_text.hpp"

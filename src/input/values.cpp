@@ -1,3 +1,8 @@
+// One function for each type that a Field may hold; unit, range and words come from the key. A number is taken from its
+// unit to SI first, then held against the range, and last against what is usual: that only warns. A text in place of a
+// number is a number with a unit, or a formula where the type allows one. A value with a problem may leave a part of
+// itself in the case: later checks must bear that.
+
 #include "input/values.hpp"
 
 #include "base/closest.hpp"

@@ -1,3 +1,8 @@
+// A recipe of gmsh may leave triangles or cells that are not convex, so recipes are tried until one leaves none. Nodes
+// are then moved in the bytes of the file that gmsh wrote: what is kept is still a file of gmsh. The key of the cache
+// has the scripts of all recipes, the version of gmsh, and the number `improvement`. Whatever else decides the mesh
+// must enter the key, or an old mesh is taken for a new one.
+
 #include "meshing/generate.hpp"
 
 #include "meshing/geo_text.hpp"

@@ -1,3 +1,8 @@
+// Points, lines and surfaces have the numbers of the map plus one: by them generate.cpp knows which nodes may move.
+// Other things have numbers beyond these: the turned squares, and the points of distance fields. Both begin with the
+// same number, so check_sizes in generate.cpp refuses refinement in a turned mesh. target_size computes what
+// size_fields asks of gmsh: change both together.
+
 #include "meshing/geo_text.hpp"
 
 #include "mesh/mesh_error.hpp"

@@ -1,3 +1,8 @@
+// What is read may be damaged or made to do harm: the size of a dataset is compared with that of its file before memory
+// is asked for. What is written may fail as late as at closing, when HDF5 writes what it kept back. So datasets are
+// closed by finish() and the file by close(), which throw; destructors are for what has failed already. Each public
+// function takes its turn, as HDF5 may have no locks of its own; turns of one thread may be nested.
+
 #include "output/hdf5_file.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,7 @@
+// What Terp may remove is decided by names alone: is_written_by_terp must know each file that a run writes, or --force
+// leaves it, and must fit no file of a user. Files that the case names are read into memory before anything is removed,
+// as they may be those of the run replaced. Links are removed, never followed.
+
 #include "output/run_folder.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,8 @@
+// Two sides: the run hands over what it shows, a thread of its own writes it in that order. What tasks use of the
+// members the run must not touch before finish(). A checkpoint vouches for the tables: they are on the disk before it,
+// and it has their checksums. resume() looks at all files first and changes them only if all agree. Frames may be lost,
+// rows of tables may not.
+
 #include "output/run_writer.hpp"
 
 #include "base/errors.hpp"

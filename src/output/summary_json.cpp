@@ -1,3 +1,8 @@
+// `each` lists the entries of a part once, for writing and reading; single numbers come from summary_quantities(). What
+// is missing or null keeps its default when it is read, so older files are read. A number that is not finite becomes
+// null, so a Real that may be none must have NaN as its default. A new part needs its own `each`, or it goes to the
+// JSON library as it is.
+
 #include "output/summary_json.hpp"
 
 #include "base/errors.hpp"

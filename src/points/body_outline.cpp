@@ -1,3 +1,7 @@
+// First each closed line by itself; only if all are sound, holes against the polygon, then against each other. Lines
+// cross if each has its ends on both sides of the other, farther from it than round-off: outlines may touch. A hole
+// that leaves the polygon through a corner crosses no side. So the corners of holes are tested, too.
+
 #include "points/body_outline.hpp"
 
 #include "mesh/mesh_error.hpp"

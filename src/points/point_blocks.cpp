@@ -1,3 +1,9 @@
+// A full block moves to memory that is larger by one pack; its old memory goes to the list of free pieces of that size.
+// So memory is never given back, and with enough in reserve a step asks for none. Blocks of a cell form a list in the
+// order of their keys. Sums run in that order, so it decides the bits of results. add() may move the data of a block,
+// and the list of all blocks too: keep no pointer or reference across it. An empty block stays in its list, and
+// `occupied` stays as it was, until update_occupied().
+
 #include "points/point_blocks.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,7 @@
+// Rows are found by the labels that measures.cpp gives them, and must be there. Sentences about the end are left out
+// where a summary is older than its ledger. Words go no farther than the thresholds below: a difference that is small
+// gets its numbers alone.
+
 #include "results/compare.hpp"
 
 #include "events/moved.hpp"

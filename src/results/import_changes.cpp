@@ -1,3 +1,8 @@
+// Both cases become lists of values with an owner and a key. Tables of a list go by their names, since a person may put
+// one in front of the others. What a person writes in another way is no change: numbers are compared in SI, lines by
+// their heights, outlines by corners. Only then words are sought: both values in the unit of the import, a table that
+// is new or gone as a whole.
+
 #include "results/import_changes.hpp"
 
 #include "base/utf8.hpp"

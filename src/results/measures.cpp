@@ -1,3 +1,8 @@
+// Each measure is a function of a run, so that a table of many runs is made without knowing what they have. The summary
+// of a run that goes on may be older than its ledger. Measures of the end are then not defined (summary_is_behind), or
+// two times would be compared. compare_words.cpp finds rows by their labels here: a label that changes must change
+// there too.
+
 #include "results/measures.hpp"
 
 #include "events/section.hpp"

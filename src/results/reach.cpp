@@ -1,3 +1,7 @@
+// The record of a section is its memory over processes: each step writes it, and `each` lists its entries once for
+// writing and reading. A record that lacks an entry counts as none: a new entry makes older records so. A run is read
+// only if all steps are done. What is damaged in it is a fault of that section and not of the reach.
+
 #include "results/reach.hpp"
 
 #include "base/errors.hpp"

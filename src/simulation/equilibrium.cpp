@@ -1,3 +1,9 @@
+// The search runs on a copy of the model whose stiffness is 1000 times that of the soil, with a time step that fits it.
+// Softening per strain stays, at strains 1000 times smaller: nothing softens. With divided strengths the copy is
+// elastic. Each step: damping follows the motion, more of the forces out of balance comes on, windows of time judge
+// rest and failure. If the soil rests, its stress alone goes back to the state. If not, rows of the copy are made those
+// of the case.
+
 #include "simulation/equilibrium.hpp"
 
 #include "forces/time_step.hpp"

@@ -1,3 +1,7 @@
+// Points in memory have no line numbers, so files are read again where a message needs one. The checks go from the
+// clearest message to the least clear: a point in a drawn body, two at one place, cells too full. Distances are
+// relative to the size of a point. Places are compared within a cell: pairs across a side are not found.
+
 #include "simulation/points_of_files.hpp"
 
 #include "base/errors.hpp"

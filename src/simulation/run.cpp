@@ -1,3 +1,7 @@
+// A request to stop is read between steps, so a checkpoint is always of a whole step. After a step the guards look
+// first; then rest and the end of the stage are entered, and outputs are written last. So the outputs of a step know
+// whether it ends the stage.
+
 #include "simulation/run.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,8 @@
+// The order in build() counts. The ground comes before settle_laws, as fields take the stress of the soil above from
+// it. The time step needs the stiffness of all laws, and set_stage needs the time step. Rows, time step and ground are
+// those of all stages: what decides them asks every stage (in_any_stage), not this one. build_state makes all points,
+// also those of bodies that come later, so that a point has one number in all stages.
+
 #include "simulation/setup.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,8 @@
+// The number of a point is its place in what make_points gives: by the stage that places its body, drawn bodies first,
+// then files. It is the same in each stage: others make the points again to know whose body a point is of (seeds_of).
+// Bodies cut each other out only if one stage places them: what comes later must find room (placed_bodies). Points come
+// in batches, which are freed one by one while blocks are filled: a large case never holds all of them twice.
+
 #include "simulation/setup_points.hpp"
 
 #include "base/errors.hpp"

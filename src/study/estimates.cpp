@@ -1,3 +1,8 @@
+// A realisation without a result counts in both bounds of an event. Which it lacks depends on the event: soil that
+// slides as drawn has I and not F, and without a water level F is not known. EventCounts::unknown decides for each
+// event. An event is a pointer to its member, so that all estimators share one text. Results come in any order, but
+// only those before the first gap count, up to the one that meets the stop rule.
+
 #include "study/estimates.hpp"
 
 #include <algorithm>

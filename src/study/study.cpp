@@ -1,3 +1,9 @@
+// Checks come in the order in which they rely on each other, from those of the settings alone to those that build
+// models; after each step refuse_if_any ends it, so later ones may take for granted what came before. The case is asked
+// for each number alone, at its median and in its tails. Several together may still be refused: such a realisation is a
+// failed one. Whether a draw changes the mesh is told from the name of its key (changes_mesh). A key that it does not
+// know leaves all realisations on one mesh.
+
 #include "study/study.hpp"
 
 #include "base/checksum.hpp"

@@ -1,3 +1,8 @@
+// All follows from the table of realisations, whether or not the study has ended. Sentences come from study_text, so
+// that the terminal and the page say the same. Of two levels of cells only fine realisations are shown, as P is theirs.
+// The levels of a load are never counted together. Inputs have the order of Study::input_names; fields are the last of
+// them, and labels count on that.
+
 #include "study/study_page.hpp"
 
 #include "input/keys.hpp"
