@@ -6,53 +6,54 @@
 
 namespace crest_test {
 
-/// A flat surface of columns of 0.1 m over 8 m, 2 m high: a slide is a retreat of 0.5 m.
-CrestHistory column_history()
-{
-  return {.slope = {.facing = Facing::right, .first = 0, .last = 80, .height = 1.92},
-      .width = 0.1,
-      .time = {},
-      .x = {},
-      .kinetic = {}};
-}
+/// A time [s] and the place of the crest there [m].
+using Places = std::vector<std::pair<Real, Real>>;
 
-/// Goes on to `time` in rows of 0.01 s, the crest on a straight line to x, in whole columns.
-void go_on(CrestHistory& crest, Real time, Real x)
+/// Goes on in rows of 0.01 s, the crest on straight lines from place to place, in whole columns.
+CrestHistory gone_on(CrestHistory crest, const Places& places)
 {
-  if (crest.time.empty()) {
-    crest.time.push_back(0.0);
-    crest.x.push_back(x);
+  for (const auto& [time, x] : places) {
+    if (crest.time.empty()) {
+      crest.time.push_back(0.0);
+      crest.x.push_back(x);
+    }
+    const Real t_0 = crest.time.back(), x_0 = crest.x.back();
+    const int n = static_cast<int>(std::lround((time - t_0) / 0.01));
+    for (int k = 1; k <= n; ++k) {
+      crest.time.push_back(t_0 + 0.01 * k);
+      crest.x.push_back(0.1 * std::round(10.0 * (x_0 + (x - x_0) * k / n)));
+    }
   }
-  const Real t_0 = crest.time.back(), x_0 = crest.x.back();
-  const int n = static_cast<int>(std::lround((time - t_0) / 0.01));
-  for (int k = 1; k <= n; ++k) {
-    crest.time.push_back(t_0 + 0.01 * k);
-    crest.x.push_back(0.1 * std::round(10.0 * (x_0 + (x - x_0) * k / n)));
-  }
-}
-
-/// First slide from 0.3 s to 0.7 s, then rest.
-CrestHistory after_first_slide()
-{
-  CrestHistory crest = column_history();
-  go_on(crest, 0.3, 8.0);
-  go_on(crest, 0.7, 6.0);
-  go_on(crest, 2.0, 6.0);
   return crest;
+}
+
+/// On a flat surface of columns of 0.1 m over 8 m, 2 m high: a slide is a retreat of 0.5 m.
+CrestHistory history(const Places& places, Real width = 0.1, Real height = 1.92)
+{
+  return gone_on({.slope = {.facing = Facing::right, .first = 0, .last = 80, .height = height},
+                     .width = width,
+                     .time = {},
+                     .x = {},
+                     .kinetic = {}},
+      places);
+}
+
+/// First slide from 0.3 s to 0.7 s, then rest to 2 s, then as `places` say.
+CrestHistory after_first_slide(const Places& places)
+{
+  return gone_on(history({{0.3, 8.0}, {0.7, 6.0}, {2.0, 6.0}}), places);
 }
 
 TEST(SecondFailure, IsTheTimeAtWhichTheSettledCrestBeginsToSlideAgain)
 {
-  CrestHistory crest = after_first_slide();
-  go_on(crest, 2.3, 4.5);
-  go_on(crest, 4.0, 4.5);
+  const CrestHistory crest = after_first_slide({{2.3, 4.5}, {4.0, 4.5}});
   ASSERT_TRUE(second_failure_time(crest).has_value());
   EXPECT_NEAR(*second_failure_time(crest), 2.0, 0.05);  // in whole columns, of which the first is within the tolerance
 }
 
 TEST(SecondFailure, IsSeenInRowsThatAreRare)
 {
-  CrestHistory crest = column_history();
+  CrestHistory crest = history({});
   for (const auto& [time, x] :
       {std::pair(0.0, 8.0), {0.5, 8.0}, {1.0, 6.0}, {1.5, 6.0}, {2.0, 6.0}, {2.5, 4.5}, {3.0, 4.5}})
     crest.time.push_back(time), crest.x.push_back(x);
@@ -62,14 +63,15 @@ TEST(SecondFailure, IsSeenInRowsThatAreRare)
 
 TEST(Slides, BeginWhenTheCrestLeavesForGoodNotWhenItFlickers)
 {
-  CrestHistory crest = column_history();
-  go_on(crest, 0.5, 8.0);
-  go_on(crest, 0.51, 6.5);
-  go_on(crest, 0.65, 6.5);
-  go_on(crest, 0.66, 8.0);  // back within 0.3 s
-  go_on(crest, 0.8, 8.0);
-  go_on(crest, 1.0, 6.0);
-  go_on(crest, 2.0, 6.0);
+  const CrestHistory crest = history({
+      {0.5, 8.0},
+      {0.51, 6.5},
+      {0.65, 6.5},
+      {0.66, 8.0},  // back within 0.3 s
+      {0.8, 8.0},
+      {1.0, 6.0},
+      {2.0, 6.0},
+  });
   const auto slides = find_slides(crest);
   ASSERT_EQ(slides.size(), 1);
   EXPECT_NEAR(slides[0].begins, 0.82, 0.011);
@@ -79,10 +81,11 @@ TEST(Slides, BeginWhenTheCrestLeavesForGoodNotWhenItFlickers)
 
 TEST(Slides, TheNextBeginsWithTheCrestAtWhichTheOneBeforeEnded)
 {
-  CrestHistory crest = after_first_slide();
-  go_on(crest, 3.0, 5.9);  // creeps on by a column
-  go_on(crest, 3.3, 4.5);
-  go_on(crest, 4.0, 4.4);
+  const CrestHistory crest = after_first_slide({
+      {3.0, 5.9},  // creeps on by a column
+      {3.3, 4.5},
+      {4.0, 4.4},
+  });
   const auto slides = find_slides(crest);
   ASSERT_EQ(slides.size(), 2);
   EXPECT_EQ(slides[0].crest_to, slides[1].crest_from);
@@ -104,9 +107,7 @@ void move_with(CrestHistory& crest, const std::vector<std::pair<Real, Real>>& co
 
 TEST(Slides, EachBeginsWhenTheCrestLeavesItsPlaceAndStopsWhenATenthOfItsEnergyIsLeft)
 {
-  CrestHistory crest = after_first_slide();
-  go_on(crest, 2.3, 4.5);
-  go_on(crest, 4.0, 4.5);
+  CrestHistory crest = after_first_slide({{2.3, 4.5}, {4.0, 4.5}});
   move_with(crest, {{0.0, 0.0}, {0.5, 100.0}, {1.5, 0.0}, {2.0, 0.0}, {2.5, 50.0}, {4.0, 20.0}});
   const auto slides = find_slides(crest);
   ASSERT_EQ(slides.size(), 2);
@@ -124,86 +125,49 @@ TEST(Slides, EachBeginsWhenTheCrestLeavesItsPlaceAndStopsWhenATenthOfItsEnergyIs
 
 TEST(Slides, AreAsManyAsTheCrestMakes)
 {
-  CrestHistory crest = after_first_slide();
-  for (const Real x : {4.5, 3.0, 1.5}) {
-    const Real t = crest.time.back();
-    go_on(crest, t + 0.3, x);
-    go_on(crest, t + 1.5, x);
-  }
-  EXPECT_EQ(find_slides(crest).size(), 4);
+  EXPECT_THAT(find_slides(after_first_slide({{2.3, 4.5}, {3.5, 4.5}, {3.8, 3.0}, {5.0, 3.0}, {5.3, 1.5}, {6.5, 1.5}})),
+      SizeIs(4));
 }
 
 TEST(Slides, AreNoneWhereTheCrestStands)
 {
-  CrestHistory crest = column_history();
-  EXPECT_TRUE(find_slides(crest).empty());
-  go_on(crest, 2.0, 8.0);
-  EXPECT_TRUE(find_slides(crest).empty());
-  go_on(crest, 2.1, 7.6);  // less than a quarter of the height
-  EXPECT_TRUE(find_slides(crest).empty());
+  EXPECT_THAT(find_slides(history({})), IsEmpty());
+  EXPECT_THAT(find_slides(history({{2.0, 8.0}})), IsEmpty());
+  EXPECT_THAT(find_slides(history({{2.0, 8.0}, {2.1, 7.6}})), IsEmpty());  // less than a quarter of the height
 }
 
 TEST(Slides, StopNowhereWithoutEnergies)
 {
-  const auto slides = find_slides(after_first_slide());
+  const auto slides = find_slides(after_first_slide({}));
   ASSERT_EQ(slides.size(), 1);
   EXPECT_FALSE(slides[0].stops.has_value());
 }
 
-TEST(SecondFailure, IsNotTheCreepOfASettledCrest)
+TEST(SecondFailure, IsASlideOfACrestThatHasSettledAfterTheFirst)
 {
-  CrestHistory crest = after_first_slide();
-  go_on(crest, 4.0, 4.5);  // 1.5 m, but over 2 s: 0.23 m in any 0.3 s
-  EXPECT_FALSE(second_failure_time(crest).has_value());
-}
-
-TEST(SecondFailure, AfterCreepIsWhenTheCrestLeavesTheSettledPlace)
-{
-  CrestHistory crest = after_first_slide();
-  go_on(crest, 3.0, 5.8);
-  go_on(crest, 3.2, 4.6);
-  EXPECT_TRUE(second_failure_time(crest).has_value());
-}
-
-TEST(SecondFailure, IsNotASlideOfLessThanAQuarterOfTheHeight)
-{
-  CrestHistory crest = after_first_slide();
-  go_on(crest, 2.1, 5.6);
-  go_on(crest, 4.0, 5.6);
-  EXPECT_FALSE(second_failure_time(crest).has_value());
-  crest = after_first_slide();
-  go_on(crest, 2.1, 5.4);
-  go_on(crest, 4.0, 5.4);
-  EXPECT_TRUE(second_failure_time(crest).has_value());
-}
-
-TEST(SecondFailure, NeedsAFirstSlide)
-{
-  CrestHistory crest = column_history();
-  go_on(crest, 2.0, 8.0);
-  EXPECT_FALSE(second_failure_time(crest).has_value());
-  go_on(crest, 3.0, 7.7);  // creeps, then stands
-  go_on(crest, 5.0, 7.7);
-  EXPECT_FALSE(second_failure_time(crest).has_value());
-}
-
-TEST(SecondFailure, NeedsAFirstSlideThatHasSettled)
-{
-  CrestHistory crest = column_history();
-  go_on(crest, 0.3, 8.0);
-  go_on(crest, 3.0, 1.0);  // never rests for 0.3 s
-  EXPECT_FALSE(second_failure_time(crest).has_value());
-}
-
-TEST(SecondFailure, IsNotSeenBeforeTheCrestHasRestedLongEnough)
-{
-  CrestHistory crest = column_history();
-  go_on(crest, 0.3, 8.0);
-  go_on(crest, 0.7, 6.0);
-  go_on(crest, 0.9, 6.0);
-  go_on(crest, 1.1, 4.5);  // still the first
-  go_on(crest, 4.0, 4.5);
-  EXPECT_FALSE(second_failure_time(crest).has_value());
+  struct Row {
+    const char* what;
+    bool fails_twice;
+    CrestHistory crest;
+  };
+  const Row rows[] = {
+      {"no rows", false, history({})},
+      {"no slide", false, history({{2.0, 8.0}})},
+      {"creep, then rest", false, history({{2.0, 8.0}, {3.0, 7.7}, {5.0, 7.7}})},
+      {"never rests for 0.3 s", false, history({{0.3, 8.0}, {3.0, 1.0}})},
+      {"rests too short: still the first", false,
+          history({{0.3, 8.0}, {0.7, 6.0}, {0.9, 6.0}, {1.1, 4.5}, {4.0, 4.5}})},
+      {"creeps by 1.5 m over 2 s: 0.23 m in any 0.3 s", false, after_first_slide({{4.0, 4.5}})},
+      {"creeps, then leaves the settled place", true, after_first_slide({{3.0, 5.8}, {3.2, 4.6}})},
+      {"less than a quarter of the height", false, after_first_slide({{2.1, 5.6}, {4.0, 5.6}})},
+      {"more than a quarter of the height", true, after_first_slide({{2.1, 5.4}, {4.0, 5.4}})},
+      // On coarse cells one column may be creep: the rest must be longer.
+      {"coarse, 0.55 s of rest", false, history({{0.3, 8.0}, {0.4, 6.0}, {0.95, 6.0}, {1.05, 4.6}, {4.0, 4.6}}, 0.2)},
+      {"coarse, 0.7 s of rest", true, history({{0.3, 8.0}, {0.4, 6.0}, {1.1, 6.0}, {1.2, 4.6}, {4.0, 4.6}}, 0.2)},
+      // On fine cells creep may be more than a column, by 0.1 m every 0.27 s: not more than a twentieth of the height.
+      {"fine", true, history({{0.3, 8.0}, {0.4, 6.0}, {2.0, 5.4}, {2.1, 4.6}, {4.0, 4.6}}, 0.05, 2.0)},
+  };
+  for (const Row& row : rows) EXPECT_EQ(second_failure_time(row.crest).has_value(), row.fails_twice) << row.what;
 }
 
 /// Times at which the crest of model 1 on cells of 0.2 m leaves its column [s], from 7.0 m on in steps of 0.2 m.
@@ -213,8 +177,7 @@ const std::vector<Real> soft_column = {0.22, 0.23, 0.25, 0.27, 0.29, 0.32, 0.36,
 
 TEST(SecondFailure, IsNotTheCreepOfAColumnOnCoarseCells)
 {
-  CrestHistory crest = column_history();
-  crest.width = 0.2;
+  CrestHistory crest = history({}, 0.2);
   for (int k = 0; k <= 400; ++k) {
     crest.time.push_back(0.01 * k);
     Real x = 8.0;
@@ -224,35 +187,6 @@ TEST(SecondFailure, IsNotTheCreepOfAColumnOnCoarseCells)
   }
   EXPECT_FALSE(second_failure_time(crest).has_value());  // it creeps on at 0.7 m/s and more: it has not settled
 }
-
-TEST(SecondFailure, OnCoarseCellsNeedsALongerRestForOneColumnMayBeCreep)
-{
-  for (const Real rest : {0.55, 0.7}) {
-    CrestHistory crest = column_history();
-    crest.width = 0.2;
-    go_on(crest, 0.3, 8.0);
-    go_on(crest, 0.4, 6.0);
-    go_on(crest, 0.4 + rest, 6.0);
-    go_on(crest, 0.5 + rest, 4.6);
-    go_on(crest, 4.0, 4.6);
-    EXPECT_EQ(second_failure_time(crest).has_value(), rest > 0.6) << rest;
-  }
-}
-
-TEST(SecondFailure, OnFineCellsMayCreepByAsMuchAsOnMiddlingOnes)
-{
-  CrestHistory crest = column_history();
-  crest.width = 0.05;
-  crest.slope.height = 2.0;
-  go_on(crest, 0.3, 8.0);
-  go_on(crest, 0.4, 6.0);
-  go_on(crest, 2.0, 5.4);  // by 0.1 m every 0.27 s: more than a column, not more than a twentieth of the height
-  go_on(crest, 2.1, 4.6);
-  go_on(crest, 4.0, 4.6);
-  EXPECT_TRUE(second_failure_time(crest).has_value());
-}
-
-TEST(SecondFailure, OfAnEmptyHistoryDoesNotExist) { EXPECT_FALSE(second_failure_time(column_history()).has_value()); }
 
 const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {8, 4});
 
@@ -343,10 +277,8 @@ TEST(Crest, OfAMirroredDikeIsTheMirrorImageWhateverStands)
 
 TEST(Slides, OfAMirroredCrestAreMirrored)
 {
-  CrestHistory right = after_first_slide(), left = right;
-  go_on(right, 2.3, 4.5);
-  go_on(right, 4.0, 4.5);
-  left = right;
+  const CrestHistory right = after_first_slide({{2.3, 4.5}, {4.0, 4.5}});
+  CrestHistory left = right;
   left.slope.facing = Facing::left;
   for (Real& x : left.x) x = 16.0 - x;
   const auto a = find_slides(right), b = find_slides(left);
