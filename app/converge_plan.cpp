@@ -1,3 +1,7 @@
+// For each sequence and size: the case with its changes, its mesh, and whether it differs from the case as given. Then
+// whether its run is there, and what is left of it costs, by trial steps. Cases are compared by their records, that is
+// by values. A variant that changes nothing is refused, as it would look as if it did not matter.
+
 #include "converge_plan.hpp"
 
 #include "cost.hpp"

@@ -1,3 +1,6 @@
+// Names and comments come from files of others. Texts go through in_quotes and comments through printable(), so that
+// none can end its line and be read as a key.
+
 #include "dstability/case_text.hpp"
 
 #include "base/utf8.hpp"

@@ -1,3 +1,7 @@
+// Each function that reads a key notes it as asked for, has() does not; what nobody asked for is told as unknown. So a
+// key that is read only in some cases must be passed over in the others. A fault gives a value that says nothing, and
+// reading goes on, until StixNotes throws.
+
 #include "dstability/json_cursor.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// The tree is built from events, and values that are not wanted are never made. Pointers to open nodes stay valid as a
+// node gets no further member while one of its members is open.
+
 #include "dstability/json_tree.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,8 @@
+// A file is a graph: members name each other by ids. So all members are read first, into tables by id (StixParts), and
+// scenarios last, which take copies of what their ids name. Faults and remarks are collected on the way, and all faults
+// thrown together by notes.finish(), or at the tenth. Until then a part with a fault is there, with values that say
+// nothing.
+
 #include "dstability/read_stix.hpp"
 
 #include "base/utf8.hpp"

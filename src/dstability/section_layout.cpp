@@ -1,3 +1,7 @@
+// cut_along makes a planar graph of region and line, and asks each face on which side one place of it lies. Faces that
+// are thin change sides. Then edges with one side on both sides are left out, and faces are found once more.
+// ground_line looks close to the left and the right of each corner, so that upright sides have both their ends.
+
 #include "dstability/section_layout.hpp"
 
 #include "base/errors.hpp"

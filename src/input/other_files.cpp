@@ -1,3 +1,6 @@
+// Every key that names a file is found by find_file_keys, for checks and for copies. A new one must be added there, or
+// its file is missing from the run folder and the run cannot be moved or resumed.
+
 #include "input/other_files.hpp"
 
 #include "base/closest.hpp"

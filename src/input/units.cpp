@@ -1,3 +1,6 @@
+// A number with a unit is rounded once: the power of ten goes into the exponent of its text. So "8 kPa" and 8e3 have
+// the same bits. Of units that several kinds of key take, the key decides.
+
 #include "input/units.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// Text and bytes are read by the same calls. `last_` is where the number read last began: faults point there. A count
+// is compared with what the rest of the file can hold before memory is asked for.
+
 #include "meshing/msh_scanner.hpp"
 
 #include "mesh/mesh_error.hpp"

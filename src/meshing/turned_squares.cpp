@@ -1,3 +1,7 @@
+// A square is kept if all its corners lie well inside the polygon. Of two that touch at a corner alone one is taken
+// out: the outline is followed from corner to corner, and at such a corner two lines would begin. Places and lines are
+// numbered as squares ask for them, so the same polygon gives the same script for gmsh.
+
 #include "meshing/turned_squares.hpp"
 
 #include "mesh/box_grid.hpp"

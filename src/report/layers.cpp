@@ -1,3 +1,7 @@
+// A place of an outline goes with the nearest point of its soil, at the offset that it has in the first frame. Where
+// none is near, another body lies over the outline: there the line has a gap. A name stands where its soil is nearly as
+// thick as anywhere, by the points in columns.
+
 #include "report/layers.hpp"
 
 #include "points/body_outline.hpp"

@@ -1,3 +1,7 @@
+// The document names chunks of bytes by their numbers, which they get in the order in which they are added. All runs
+// are read first, since fit() shares the bytes of the page among them; only then chunks are made. A run whose case or
+// mesh cannot be read again is shown without what depends on them, with a warning.
+
 #include "report/payload.hpp"
 
 #include "base/checksum.hpp"

@@ -1,3 +1,8 @@
+// Values are codes from the start, so that fit() can halve their steps in place: the scale of a field, and of those
+// that share its codes, must be doubled with them. Points are chosen by their numbers alone, so that each run of the
+// command shows the same. Halving them looks at one bit of a scrambled number after another. Ends of colour scales come
+// from quantiles: a few points that shear most would take all of the colours.
+
 #include "report/shown.hpp"
 
 #include "output/compress.hpp"

@@ -1,3 +1,7 @@
+// Sizes are those of the cells that were made, not those asked for. The answer is the first that fits, from equal to
+// "depends". A change that the resolution of a measure hides is never called a trend. Sequences are compared at the
+// smallest size that all of them have solved.
+
 #include "results/mesh_study.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// A folder is believed only as far as it agrees with itself. The ledger must reach the step of the summary, and the
+// history have a row at each interval. Both must have the checksums in the newest checkpoint.
+
 #include "results/run_results.hpp"
 
 #include "base/errors.hpp"

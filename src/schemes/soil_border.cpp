@@ -1,3 +1,9 @@
+// A plane is fitted by least squares to "is this soil a" over the points within 1.5 cells. Their weights fall to zero
+// at the rim, so that the border does not jump as points come and go. If the plane explains too little, one soil may
+// lie as a band in the other: the one whose points are spread least in one direction. How thick it is follows from its
+// share of the area, not from its points. The area above a line is quadratic between the heights of two corners, so the
+// line that cuts off a share is found exactly.
+
 #include "schemes/soil_border.hpp"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// A point of another material goes to another block. All that change are taken out before any is put in, as a walk
+// would meet them again. They are taken from the last lane on, since take() fills a gap with the last point. Stress is
+// converted with the water of the model before, so this comes before the laws change.
+
 #include "simulation/change_soil.hpp"
 
 #include "simulation/initial.hpp"

@@ -1,3 +1,6 @@
+// A load is put on points once, when it begins, and goes with them: a row holds the part of its stretch that each
+// carries, the pressure comes in each step. A load that is not permanent has zeros there until it begins.
+
 #include "simulation/loads.hpp"
 
 #include "events/top_points.hpp"

@@ -1,3 +1,7 @@
+// Every field is asked at every point to be, before the run: where it leaves its range, and its mean. The mean becomes
+// the value of the parameter in the description, so that whatever takes one number of a soil finds one. A parameter
+// that follows from a wrong one is not reported as well.
+
 #include "simulation/settle_fields.hpp"
 
 #include "base/errors.hpp"

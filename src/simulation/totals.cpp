@@ -1,3 +1,8 @@
+// One walk over the blocks, eight points at a time. Only blocks in which some strain fell, or whose strength does not
+// follow from the strain alone, are looked at point by point (audit_points). Lanes that hold no point may hold what the
+// last step left there: each sum and extreme must leave them out. The speed that 99.9 % do not exceed needs no list of
+// all speeds: see enter_speeds.
+
 #include "simulation/totals.hpp"
 
 #include "simulation/ledger.hpp"

@@ -1,3 +1,8 @@
+// The soil settles without strength, stiffened; its state is kept with the rows of the trials, which begin with it.
+// Scales (traversal, displacement, free motion) are those of the soil as it is, so they are divided by the stiffening.
+// quiet_case takes out all that would move the soil but weight, water and loads: a new kind of motion must go there,
+// too.
+
 #include "stability/elastic_start.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,7 @@
+// A head holds for the lines below it, until the next one. A line that does not fit its checksum was cut by a kill, and
+// is counted; one that does and cannot be read is an error. A realisation may stand in several files: then all must be
+// the same but for the clock.
+
 #include "study/store.hpp"
 
 #include "base/checksum.hpp"

@@ -1,3 +1,7 @@
+// The copy of a study begins with a mark. By it Terp knows that a folder is its own, and never writes over a study or a
+// case of the user. A file is written in the folder of the lock and then moved, so that two processes never write to
+// one.
+
 #include "study/study_folder.hpp"
 
 #include "input/printable.hpp"

@@ -1,3 +1,7 @@
+// Files are opened so that others may rename and remove them meanwhile, as on Linux. Other programs open a file without
+// that, for a moment: what then fails is tried again for two seconds (with_patience). Errors of Windows become numbers
+// of errno, as the rest of Terp knows these.
+
 #include "system/files.hpp"
 
 #include "system/windows_words.hpp"

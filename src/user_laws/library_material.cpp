@@ -1,3 +1,8 @@
+// Entries that stand for soil are gathered without holes, at most so many for one call; the library sees its own unit
+// of stress, and strains and times as its soil has them. Numbers go back only if the whole call is sound: after a fault
+// the points keep the stress from before. After a crash the library is not called again. What follows of the step says
+// nothing, as the run stops with the fault.
+
 #include "user_laws/library_material.hpp"
 
 #include "materials/elastic_constants.hpp"

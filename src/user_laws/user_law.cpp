@@ -1,3 +1,6 @@
+// A MaterialType points at texts and tables that others own. UserLaw owns those of a library, and nothing is added to
+// its tables once they are set. Its materials hold it, and with it the library.
+
 #include "user_laws/user_law.hpp"
 
 #include "user_laws/describe_library.hpp"
