@@ -1,8 +1,8 @@
 // Mohr-Coulomb soil: friction, cohesion and dilatancy of their own, a tension cut-off, and exponential softening of all
-// three.
+// three. Tension is positive, and sigma_1 >= sigma_2 >= sigma_3:
 //
-//   sigma_1 - sigma_3 + (sigma_1 + sigma_3) sin(phi) <= 2 c cos(phi)      tension positive, sigma_1 >= sigma_2 >=
-//   sigma_3 sigma_1 <= min(tension_cutoff, c cot(phi))
+//   sigma_1 - sigma_3 + (sigma_1 + sigma_3) sin(phi) <= 2 c cos(phi)
+//   sigma_1 <= min(tension_cutoff, c cot(phi))
 //
 // The return for a given strength is exact (mohr_coulomb_return.hpp). Softening makes the strength depend on the
 // plastic strain of the step: one equation, solved between two bounds that hold a root whatever the stress.

@@ -7,13 +7,10 @@
 namespace terp {
 
 /// MSH 4.1, text or binary, read directly; other versions of MSH, and files that end in .unv, .bdf, .nas or .vtk, as
-/// gmsh converts them. Quadrilaterals in a plane z = constant, lengths in m. Checked (check_mesh) and
-/// connected.
+/// gmsh converts them. Quadrilaterals in a plane z = constant, lengths in m. Checked (check_mesh) and connected.
 ///
-/// cells    in the order of a Hilbert curve through their centres, so that cells with near numbers are near in space
-/// (speed); the quads of
-///          a surface (gmsh's elementary entity) drawn clockwise, all of them, are turned round; a clockwise quad among
-///          others is a fault
+/// cells    in the order of a Hilbert curve through their centres: near numbers are near in space (speed)
+///          a surface (gmsh's elementary entity) of clockwise quads alone is turned round; one among others is a fault
 /// nodes    in file order, those of no quad left out
 /// sides    physical groups of dimension 1; each line must be the side of exactly one cell
 /// regions  physical groups of dimension 2

@@ -1,14 +1,13 @@
 // The rule (decision 0026). A cell is parted into n x n by its local coordinates; the sides of a part are straight.
 //
 //   whole part    a point in the middle of its local coordinates, with the volume of the part
-//   cut part      what a body keeps of it, less its holes and all later bodies, is cut out exactly; each piece is a
-//   point at its centroid
-//                 with its area
-//   small piece   less than a fifth of its part: goes to the nearest piece of its body in the same or an adjoining part
-//   of the cell, or else
-//                 in a cell across a side. Volumes add up and the common centroid is kept. The straight way between the
-//                 two must lie in the body and the centroid in the cell; if there is no such neighbour, the small piece
-//                 is a point of its own
+//   cut part      what a body keeps of it, less its holes and all later bodies, is cut out exactly
+//                 each piece is a point at its centroid with its area
+//   small piece   less than a fifth of its part: goes to the nearest piece of its body
+//                 in the same or an adjoining part of the cell, or else in a cell across a side
+//
+// Where a small piece goes, volumes add up and the common centroid is kept. The straight line between the two must lie
+// in the body, and the centroid in the cell. If there is no such neighbour, the small piece is a point of its own.
 //
 // So the volume of each body is right to round-off, no point is out of proportion to its neighbours, and a sloping
 // surface is a row of points along the slope.
