@@ -68,7 +68,7 @@ void check_locking(const Scheme& scheme, const Case& values, Problems& warnings)
 {
   constexpr Real locks = 0.45;  // Poisson's ratio
   const bool has_b_bar = looks_at(scheme, "b_bar");
-  if (has_b_bar && values.method.b_bar) return;
+  if (!scheme.locks && (!has_b_bar || values.method.b_bar)) return;
   for (const MaterialCase& material : values.materials) {
     const MaterialType* law = complete_law(material);
     if (law == nullptr) continue;

@@ -25,10 +25,10 @@ namespace terp {
 /// returns the plastic or viscous work per volume [J/m^3]. P is R or Real: R(parameter) is right for both.
 ///
 /// It may have: derived_value(k, state); check(); softened_strain(), the plastic strain at which 95 % of the softening
-/// is done, of the slowest if it has several, infinite where nothing softens; viscosity(), of a stress that grows with
-/// the rate without bound: it shortens the time step; `total_stress = true` of an undrained strength or a fluid;
-/// `depends_on_rate = true` where the update looks at dt, be it viscosity or a strength that the rate raises;
-/// `not_judged`, a reason why `terp stability` would give a number that is none.
+/// is done, of the slowest if it has several, infinite where nothing softens; viscosity(), of a stress that any strain
+/// rate adds to the elastic one at once, as in a fluid: it shortens the time step; `total_stress = true` of an
+/// undrained strength or a fluid; `depends_on_rate = true` where the update looks at dt, be it viscosity or a strength
+/// that the rate raises; `not_judged`, a reason why `terp stability` would give a number that is none.
 ///
 /// Where the stiffness follows the stress, bulk_modulus() and shear_modulus() are those of the stiffest state, which
 /// the time step holds for. The law then has moduli_at(sigma) and stored_energy(sigma) [J/m^3], too. Where the strength

@@ -77,7 +77,7 @@ void expect_table(std::string_view file, std::string_view head, const std::vecto
   std::string block = fmt::format("| {} | unit | meaning |\n|---|---|---|\n", head);
   for (const QuantityInfo& q : quantities) block += fmt::format("| `{}` | {} | {} |\n", q.name, q.unit, q.meaning);
   const std::string text = read_file(source_path("docs/formats.md"));
-  EXPECT_THAT(text, HasSubstr(block)) << "the table of " << file << " must read\n" << block;
+  EXPECT_TRUE(text.find(block) != std::string::npos) << "the table of " << file << " must read\n" << block;
 }
 
 TEST(Formats, HaveTheColumnsOfEveryTable)

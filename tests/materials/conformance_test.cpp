@@ -48,6 +48,9 @@ Stress random_increment(Real size, Random& random)
   return d_eps;
 }
 
+/// No strength is raised by the rate of a step that takes as long [s].
+constexpr Real slow_step = 1e9;
+
 /// A law with everything on, or with its defaults.
 struct Setting {
   const MaterialType* type;
@@ -138,7 +141,7 @@ TEST_P(EveryMaterial, KeepsItsStateWhenNothingDeforms)
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Probe point = walked(seed == 0 ? 0 : 20, seed);
     if (type().depends_on_rate) {  // ends the flow: stress that the rate has raised takes its time to relax
-      point.dt = 1e9;
+      point.dt = slow_step;
       point.strain(Stress{});
       point.dt = 1e-3;
     }
@@ -263,6 +266,8 @@ TEST_P(EveryMaterial, StaysFiniteAndInsideItsYieldSurfaceOnRandomWalks)
 {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Probe point = probe();
+    const bool fast = type().depends_on_rate && seed % 4 < 2;  // the rate may raise the strength
+    if (type().depends_on_rate && !fast) point.dt = slow_step;
     Random random(53 + seed);
     const Real size = seed % 2 ? 0.02 : 0.0005;
     for (int step = 0; step < 1000; ++step) {
@@ -271,7 +276,7 @@ TEST_P(EveryMaterial, StaysFiniteAndInsideItsYieldSurfaceOnRandomWalks)
       for (const Real value : point.state) ASSERT_TRUE(std::isfinite(value));
       ASSERT_GE(point.plastic_work, 0.0);
       const int strength = find_role(type().derived, Role::strength);
-      if (strength < 0 || (type().depends_on_rate && GetParam().everything_on)) continue;
+      if (strength < 0 || fast) continue;
       const Real su = point.derived(strength);
       const auto principal = sorted_principal(point.sigma);
       const Real size_of_stress = std::max(std::abs(principal[0]), std::abs(principal[2]));
