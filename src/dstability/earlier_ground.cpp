@@ -1,3 +1,6 @@
+// The ground of two stages is compared strip by strip. What rises and what falls is summed apart: together they would
+// cancel. Neighbouring stages with the same change share one sentence; less than a hundredth of a square strip is none.
+
 #include "dstability/earlier_ground.hpp"
 
 #include "dstability/preload.hpp"

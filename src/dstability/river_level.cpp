@@ -1,3 +1,7 @@
+// The stage is copied, its heads are moved, and the calculations of the old stage are kept as drawings under a new
+// name: their factors and slices belong to the old water. Of a first stage the copy becomes the second, without its
+// state points, since the first stage already carries the soil's history.
+
 #include "dstability/river_level.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,7 @@
+// Only what the file stores is compared, each number apart; a missing one is NaN and counts as missing, not as equal.
+// The comparisons are written so that NaN falls on the safe side: a total stress that is not known makes a result
+// stale, a yield stress does not.
+
 #include "dstability/slices.hpp"
 
 #include "base/errors.hpp"

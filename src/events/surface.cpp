@@ -1,3 +1,7 @@
+// Cells are visited from the last to the first, as the highest cells of a grid come last. Most others then lie below
+// what their columns already have, and their points are not looked at. Boxes are widened a little, and comparisons are
+// written so that a place that is not a number is looked at: the shortcut never changes the result.
+
 #include "events/surface.hpp"
 
 #include <algorithm>
@@ -62,7 +66,7 @@ std::vector<Real> surface_heights(
     }
   };
   const auto& cells = points.occupied();
-  std::for_each(cells.rbegin(), cells.rend(), [&](Index cell) {  // a grid's highest come last
+  std::for_each(cells.rbegin(), cells.rend(), [&](Index cell) {
     if (!lies_below(box_of(mesh, cell), columns, heights)) for_each_block(points, cell, enter);
   });
   return heights;

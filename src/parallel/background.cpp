@@ -1,3 +1,7 @@
+// A task is taken out of the queue before it runs, so an empty queue does not mean that all is done: `busy_` says so. A
+// failed task drops the queue; its error waits for the next caller and is thrown once. The destructor lets the thread
+// finish what waits, and loses an error that nobody asked for.
+
 #include "parallel/background.hpp"
 
 #include <stdexcept>

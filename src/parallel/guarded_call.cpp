@@ -1,3 +1,7 @@
+// exit() cannot be undone: a handler of atexit sees that a guarded call is under way, writes the cause and leaves with
+// _Exit. The C library calls each registration once, and each thread that hangs in exit() uses one up; hence the many.
+// `present` is per thread and null outside a call: a normal end of the program passes through the handler silently.
+
 #include "parallel/guarded_call.hpp"
 
 #include "parallel/faults.hpp"

@@ -1,3 +1,8 @@
+// The order in which a job is handed out: close all shares under its number, write its fields, open the shares, publish
+// the number, wake who sleeps. A worker reads the fields first and then the number, and each claim compares the number
+// in the same atomic word as the chunk. Who goes to sleep says so before it looks again, and who wakes looks after its
+// own store. That needs the sequentially consistent order of the atomics: weaker ones lose a wake-up.
+
 #include "parallel/threads.hpp"
 
 #include "parallel/sleep.hpp"

@@ -1,3 +1,9 @@
+// The slips of a cell from the mean stress of its blocks. The two soils with most volume give the border and the kink
+// of the corners; every soil of the cell then slips along that border, each by its own stiffness, so that one tau
+// holds. Blocks of one material follow each other in a cell: the list of soils relies on it. `keep_mean_stress` has
+// just set all slips to zero. So a cell that is left on the way keeps one strain for all its soils: too many of them,
+// one without shear stiffness, or no border to be seen.
+
 #include "schemes/cut_cells.hpp"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// The elastic twin of a law takes the moduli from the law itself, at each place where any of its parameters varies. The
+// twin keeps what decides where pore pressure goes and what stress is stored; else its state would not fit the model
+// that takes it over. Rows of points are a union: those of the real laws ride along with their initial values. Rows of
+// the twin's own varying parameters are struck out of the image, since the model that takes it over has no such rows.
+
 #include "simulation/elastic_model.hpp"
 
 #include "materials/elastic_constants.hpp"

@@ -1,3 +1,7 @@
+// Looking a point up by its number takes a pass over all points. Its block and lane are therefore remembered, and the
+// number that lies there is compared before use: exchanges and moves may have put another point there. A point that
+// left is never looked for again.
+
 #include "simulation/history.hpp"
 
 #include "base/nan.hpp"

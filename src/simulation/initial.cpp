@@ -1,3 +1,7 @@
+// The same K0 stress is either the start itself or the first guess of a search for equilibrium. Only the former must
+// suit the laws, as the search changes it. The water is one situation, never a mixture: the one towards which the ramp
+// has begun, else the one that it leaves.
+
 #include "simulation/initial.hpp"
 
 #include "mesh/mesh_error.hpp"

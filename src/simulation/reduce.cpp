@@ -1,3 +1,7 @@
+// No law is named here: each change goes through the table of the law, parameter by parameter, and `change_parameters`
+// makes it in the number and in a field alike. What stands in no table is changed beside it: contact planes, the
+// stiffness of pore water, viscous damping and the end of the run.
+
 #include "simulation/reduce.hpp"
 
 #include "materials/material.hpp"

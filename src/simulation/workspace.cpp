@@ -1,3 +1,7 @@
+// The constructor reserves room for twice the cells and blocks of the start: steps ask for no memory until the soil has
+// spread that far. `fit` sets the sizes anew whenever cells fill or empty; a new array needs both. Active nodes are
+// listed by a bit per node: that gives them in ascending order, which the sums over nodes keep.
+
 #include "simulation/workspace.hpp"
 
 #include "base/errors.hpp"

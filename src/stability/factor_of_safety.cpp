@@ -1,3 +1,6 @@
+// Mesh and elastic rest are made once, for all trials: every factor starts from the same state. The mechanism that is
+// kept is that of the smallest factor that did not stand. It goes when a later trial moves that end of the bracket.
+
 #include "stability/factor_of_safety.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,6 @@
+// Stiffness is measured where the mean stress is largest: the time step must bear it there. Arrays that are too short
+// are looked for where it is least, as soil must yield to use all of its parameters.
+
 #include "warnings/library_warnings.hpp"
 
 #include "user_laws/law_stiffness.hpp"
