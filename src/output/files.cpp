@@ -1,3 +1,8 @@
+// The order of a safe replacement: the content reaches the disk, the name moves, then the folder reaches the disk. With
+// the name first, a power cut would leave an empty file under it. A write that fails half way is taken back to the size
+// before it, so that tables hold whole rows. If even that fails, the error says "restore": only then may the file be
+// torn.
+
 #include "output/files.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,7 @@
+// Values are written in three layers, each over the one before: what no point of this id has (its body is not there),
+// the points that are there, the points that left. A frame may be a part of the ids; those outside of it, also below
+// its first, turn into `nowhere`.
+
 #include "simulation/frame.hpp"
 
 #include "simulation/frame_fields.hpp"

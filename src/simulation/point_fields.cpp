@@ -1,3 +1,7 @@
+// All values are checked before the first is written: a refusal leaves the state as it was. In a run that has started,
+// the energy that the new values bring is booked as energy of the start, and the followers are told. Else the balance
+// would show it as a numerical error, and a strain set lower as one that fell.
+
 #include "simulation/point_fields.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,7 @@
+// A time is due at the step nearest to it: the multiple nearest to the step is sought, then the step nearest to that,
+// so each multiple has one step. At a step the ledger comes first, as a fault of the balance stops the run before a
+// frame is written. The checkpoint comes last: it counts the rows and frames that were reported.
+
 #include "simulation/reporter.hpp"
 
 #include "base/errors.hpp"

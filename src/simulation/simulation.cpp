@@ -1,3 +1,9 @@
+// Steps are counted over the whole run. Each call of the loop ends at a step of that count or at the end of a stage.
+// Only the last stage may be driven beyond its end. The step of a time is rounded up, less round-off: a time that is a
+// multiple of dt would else fall one step later. A saved state must agree with this case in its points and in the time
+// of its step. What hangs on the stage and on the water is then made anew from it: model, damping, nodal water, sizes
+// of the workspace.
+
 #include "simulation/simulation.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,7 @@
+// A program starts suspended, enters its job, and only then runs: what it starts itself is then in the job too. It
+// inherits the listed handles alone; with all of them, a pipe of one program would stay open in another that starts
+// meanwhile.
+
 #include "system/windows_start.hpp"
 
 #include "base/errors.hpp"
