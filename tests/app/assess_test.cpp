@@ -3,7 +3,6 @@
 #include "support/process.hpp"
 #include "support/test.hpp"
 #include <csignal>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 

@@ -4,7 +4,6 @@
 #include "parallel/instructions.hpp"
 #include "support/environment.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
 namespace instructions_test {

@@ -37,7 +37,7 @@ class Drawing {
   {
     points_.update_occupied();
     const std::vector<std::uint8_t> ground{1, 0};
-    const std::vector<int> strain{PointRows<2>::state, -1};
+    const std::vector<int> strain{Rows::state, -1};
     return look_at_ground(
         mesh, points_, {.columns = columns, .ground = ground, .strain = strain, .intact_below = 0.01, .level = level});
   }

@@ -39,7 +39,7 @@ struct Moved {
 TEST(IntactShare, IsOfTheMovedVolumeOfMaterialsThatHavePlasticStrain)
 {
   const Moved soil;
-  const std::vector<int> rows{PointRows<2>::state + 1, -1};
+  const std::vector<int> rows{Rows::state + 1, -1};
   EXPECT_EQ(intact_share(soil.points, soil.x_initial, 0.15, rows), 0.25);  // 1 of 4; not the second material
   EXPECT_EQ(intact_share(soil.points, soil.x_initial, 0.05, rows), 6.0 / 9.0);
   EXPECT_TRUE(std::isnan(intact_share(soil.points, soil.x_initial, 0.6, rows)));  // nothing moved

@@ -56,8 +56,8 @@ TEST(SlipSurface, OfASlopeIsThePartBelowGroundThatGoesItsWay)
   Soil soil([](Vec<2> x) { return x[1] > 0.5 ? 0.02 : 0.0; });
   for_each_point(soil.points, [](const PointBlock<2>& block,
                                   Index lane) {  // parts at x = 3 m; what lies below the band
-    const Real x = block.row(PointRows<2>::x)[lane], y = block.row(PointRows<2>::x + 1)[lane];  // moves the other way
-    block.row(PointRows<2>::v)[lane] = (y > 0.5 ? 1.0 : -5.0) * (x > 3.0 && std::abs(x - 7.0) > 0.2 ? 1.0 : -1.0);
+    const Real x = block.row(Rows::x)[lane], y = block.row(Rows::x + 1)[lane];  // moves the other way
+    block.row(Rows::v)[lane] = (y > 0.5 ? 1.0 : -5.0) * (x > 3.0 && std::abs(x - 7.0) > 0.2 ? 1.0 : -1.0);
   });
   const auto line = find_slip_line(soil.points, soil.growth, columns);
   ASSERT_EQ(line.size(), 32);

@@ -2,11 +2,7 @@
 #pragma once
 
 #include "followers/followers.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/run.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace terp::test {
 

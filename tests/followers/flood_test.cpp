@@ -2,13 +2,7 @@
 #include "followers/flood_dike.hpp"
 #include "warnings/flood_warnings.hpp"
 #include "simulation/other_run.hpp"
-#include "simulation/run.hpp"
-#include "simulation/setup.hpp"
-#include "simulation/state_image.hpp"
-#include "support/cases.hpp"
-#include "support/problems.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace flood_test {
 
@@ -156,7 +150,7 @@ TEST(Flood, SoilThatShearedIsNoIntactWidth)
   Drawn s(c);
   const int strain = row_of(s.model.materials[0], Role::plastic_strain);
   edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
-    if (std::abs(block.row(PointRows<2>::x)[lane] - 20.0) < 1.0) block.row(strain)[lane] = 0.5;
+    if (std::abs(block.row(Rows::x)[lane] - 20.0) < 1.0) block.row(strain)[lane] = 0.5;
   });
   s.state.time += 1.0;
   s.look();

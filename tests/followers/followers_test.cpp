@@ -1,14 +1,9 @@
 // The list of followers, and the tables of docs/formats.md against what runs report.
 #include "followers/followers.hpp"
 #include "output/files.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/run.hpp"
 #include "simulation/state_arrays.hpp"
-#include "simulation/state_image.hpp"
-#include "support/cases.hpp"
 #include "support/paths.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 #include <fmt/format.h>
 
 namespace followers_test {

@@ -1,13 +1,7 @@
 // What a footing meets: momentum and energy that it gives, the rows it leaves, and who warns of it.
 #include "simulation/footings.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/run.hpp"
-#include "simulation/setup.hpp"
 #include "warnings/setup_warnings.hpp"
-#include "simulation/state_image.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace footings_test {
 

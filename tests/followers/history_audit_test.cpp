@@ -1,15 +1,9 @@
 // Where the strain history of a point does not obey its law.
 #include "simulation/follower.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/run.hpp"
-#include "support/cases.hpp"
 #include "support/law_cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace history_audit_test {
-
-using Rows = PointRows<2>;
 
 const std::string audit = "followers/history_audit/";
 std::int64_t n_fell(const Simulation& s) { return flags_set(s.state, audit + "fell"); }
@@ -18,19 +12,11 @@ std::int64_t n_rose(const Simulation& s) { return flags_set(s.state, audit + "ro
 /// Four points of 0.25 m^2.
 Simulation four_points() { return followed(clamped_cell("mpm_gp")); }
 
-/// One row of one point.
-void set(Simulation& s, int id, int row, Real value)
-{
-  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
-    if (static_cast<int>(block.row(Rows::id)[lane]) == id) block.row(row)[lane] = value;
-  });
-}
-
 TEST(HistoryAudit, RisingPlasticStrainIsNoViolation)
 {
   Simulation s = four_points();
   for (const Real eps : {0.01, 0.02, 0.02}) {
-    set(s, 1, Rows::state, eps);
+    set_value(s.state, 1, Rows::state, eps);
     keep_ledger(s.model, s.state, s.work);
   }
   EXPECT_EQ(n_fell(s), 0);
@@ -42,7 +28,7 @@ TEST(HistoryAudit, APointWhosePlasticStrainFellIsMarkedForGood)
 {
   Simulation s = four_points();
   for (const Real eps : {0.01, 0.009, 0.03}) {
-    set(s, 1, Rows::state, eps);
+    set_value(s.state, 1, Rows::state, eps);
     keep_ledger(s.model, s.state, s.work);
   }
   const Summary summary = summarise(s.model, s.state);
@@ -55,7 +41,7 @@ TEST(HistoryAudit, RoundOffIsNoViolation)
 {
   Simulation s = four_points();
   for (const Real eps : {0.01, 0.01 * (1.0 - 1e-13)}) {
-    set(s, 1, Rows::state, eps);
+    set_value(s.state, 1, Rows::state, eps);
     keep_ledger(s.model, s.state, s.work);
   }
   EXPECT_EQ(n_fell(s), 0);

@@ -1,12 +1,6 @@
 // When soil comes to the sides of the mesh.
 #include "simulation/follower.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/run.hpp"
-#include "simulation/setup.hpp"
-#include "simulation/state_image.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace sides_test {
 

@@ -1,11 +1,7 @@
 // What is followed of the failure while the column of the paper collapses, on coarse cells.
 #include "followers/followers.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/run.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
 #include "support/stages.hpp"
-#include "support/test.hpp"
 
 namespace slopes_test {
 

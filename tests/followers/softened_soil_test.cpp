@@ -1,25 +1,11 @@
 // The share of the soil that lost more than half of what softening takes.
 #include "simulation/follower.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/run.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace softened_soil_test {
 
-using Rows = PointRows<2>;
-
 /// Four points of 0.25 m^2.
 Simulation four_points() { return followed(clamped_cell("mpm_gp")); }
-
-/// One row of one point.
-void set(Simulation& s, int id, int row, Real value)
-{
-  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
-    if (static_cast<int>(block.row(Rows::id)[lane]) == id) block.row(row)[lane] = value;
-  });
-}
 
 /// At a frame as of now.
 Real softened(Simulation& s)
@@ -31,9 +17,9 @@ Real softened(Simulation& s)
 TEST(SoftenedSoil, TheSoftenedShareIsByVolumeAndHalfOfTheDrop)
 {
   Simulation s = four_points();  // from 8 to 2 kPa: half of the drop is done at 5 kPa, at a strain of ln 2 / 50
-  set(s, 0, Rows::state, 0.0140);
-  set(s, 1, Rows::state, 0.0138);
-  set(s, 0, Rows::volume, 0.15);
+  set_value(s.state, 0, Rows::state, 0.0140);
+  set_value(s.state, 1, Rows::state, 0.0138);
+  set_value(s.state, 0, Rows::volume, 0.15);
   EXPECT_NEAR(softened(s), 0.15 / 0.9, 1e-15);
 }
 
@@ -42,7 +28,7 @@ TEST(SoftenedSoil, SoilThatKeepsMoreThanHalfOfItsStrengthSoftensToo)
   Case c = clamped_cell("mpm_gp");
   c.materials = {clay({.su_residual = 4.5e3})};  // 0.56 of the peak, as with a sensitivity of 1.8
   Simulation s = followed(c);
-  set(s, 0, Rows::state, 1.0);
+  set_value(s.state, 0, Rows::state, 1.0);
   EXPECT_NEAR(softened(s), 0.25, 1e-15);
 }
 
@@ -51,7 +37,7 @@ TEST(SoftenedSoil, SoilWithoutADropNeverSoftens)
   Case c = clamped_cell("mpm_gp");
   c.materials = {clay({.su_residual = 8.0e3})};
   Simulation s = followed(c);
-  set(s, 0, Rows::state, 1.0);
+  set_value(s.state, 0, Rows::state, 1.0);
   EXPECT_EQ(softened(s), 0.0);
 }
 

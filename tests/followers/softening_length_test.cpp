@@ -1,12 +1,7 @@
 // What a run reports of its softening length.
-#include "simulation/run.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace softening_length_test {
-
-using Rows = PointRows<2>;
 
 TEST(SofteningLength, IsReportedBesideCellAndHeightWithTheShareOfTheHalo)
 {

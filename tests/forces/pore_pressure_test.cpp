@@ -4,11 +4,9 @@
 #include "simulation/nodal_water.hpp"
 #include "simulation/node_passes.hpp"
 #include "simulation/step.hpp"
-#include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/simulations.hpp"
 #include "support/verification.hpp"
-#include "support/test.hpp"
 
 namespace pore_pressure_test {
 
@@ -75,7 +73,6 @@ TEST_P(PoreForce, BalancesTheStressOfStillWaterOnAnyMesh)
     description.method.shares = Shares::point;
     Simulation s = simulate_on(distorted(seed), description);
     edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
-      using Rows = PointRows<2>;
       for (int k = 0; k < 3; ++k)
         block.row(Rows::sigma + k)[lane] = -(a + b * block.row(Rows::x)[lane] + c * block.row(Rows::x + 1)[lane]);
     });
@@ -108,8 +105,7 @@ TEST_P(PoreForce, OnDrainedSoilDoesNotGrowAsTheSoilOpens)
   c.bodies[0].material = c.materials[0].name;
   const auto pull = [&c](Real opened) {
     Simulation s = simulate_on(distorted(4), c);
-    edit_points(
-        s.state, [opened](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::volume)[lane] *= opened; });
+    edit_points(s.state, [opened](const PointBlock<2>& block, Index lane) { block.row(Rows::volume)[lane] *= opened; });
     make_steps(s, 1);
     Vec<2> sum{0.0, 0.0};
     for (const Vec<2>& force : s.work.outer[outer_water].node) sum = {sum[0] + force[0], sum[1] + force[1]};

@@ -1,8 +1,6 @@
 #include "input/expression.hpp"
 #include "input/case_file.hpp"
-#include "simulation/simulation.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 #include <thread>
 
 namespace expression_test {

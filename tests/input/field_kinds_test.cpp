@@ -3,11 +3,9 @@
 #include "input/case_file.hpp"
 #include "input/case_record.hpp"
 #include "input/samples.hpp"
-#include "simulation/setup.hpp"
 #include "simulation/overburden.hpp"
 #include "support/paths.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace field_kinds_test {
 

@@ -8,8 +8,6 @@
 #include "support/test.hpp"
 #include "water/water_pressure.hpp"
 
-#include <fstream>
-
 namespace water_keys_test {
 
 class WaterOnAGrid : public testing::Test {

@@ -3,7 +3,6 @@
 #include "support/test.hpp"
 
 #include <functional>
-#include <numbers>
 
 namespace published_softening_test {
 

@@ -64,7 +64,6 @@ TEST(RandomPlaces, AreFoundInOneCellAndGivenBack)
 
 TEST(RandomPlaces, AreNeverLostWhenTheyMove)
 {
-  using Rows = PointRows<2>;
   for (int k = 0; k < n_meshes; ++k) {
     const Mesh<2> mesh = random_mesh(k);
     Random random(1000 + k);

@@ -4,9 +4,7 @@
 #include <cfenv>
 #include <csignal>
 #include <cstdio>
-#include <stdexcept>
 #include <thread>
-#include <vector>
 
 namespace guarded_call_test {
 

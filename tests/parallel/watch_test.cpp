@@ -2,7 +2,6 @@
 #include "support/test.hpp"
 
 #include <chrono>
-#include <vector>
 
 namespace watch_test {
 

@@ -6,8 +6,6 @@
 
 namespace move_test {
 
-using Rows = PointRows<2>;
-
 OpenSides closed(const Mesh<2>& mesh) { return OpenSides(mesh.cells.size(), 0); }
 
 /// One point in cell 5 of a 4 x 3 mesh (h = 0.25), then displaced without telling anybody.

@@ -4,8 +4,6 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-#include <fstream>
-
 namespace import_changes_test {
 
 const std::string imported = R"(title = "Dike"

@@ -1,9 +1,7 @@
 // What the schemes make of stresses and states, by averages and by the pressure of the cell, is back inside the yield
 // surface after each step.
 #include "materials/probe.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace admissible_state_test {
 

@@ -138,8 +138,8 @@ TEST(CellGroup, GivesWhatOneCellInScalarsGives)
     EXPECT_EQ(row.corners[c].internal_force, expected.internal_force) << "cell " << c;
     EXPECT_EQ(row.gauss[0].pressure[static_cast<int>(c)], gauss.pressure);
     for (int g = 0; g < 4; ++g) EXPECT_EQ(row.gauss[0].sigma[3][g][static_cast<int>(c)], gauss.sigma[3][g]);
-    const auto sums = sum_row_over_sub_cells<Quad4>(only_block(row.points, c), PointRows<2>::state);
-    const GaussRow<Quad4> lanes = sum_row(row.group(0, 8), layer_of(c), PointRows<2>::state);
+    const auto sums = sum_row_over_sub_cells<Quad4>(only_block(row.points, c), Rows::state);
+    const GaussRow<Quad4> lanes = sum_row(row.group(0, 8), layer_of(c), Rows::state);
     for (int g = 0; g < 4; ++g) EXPECT_EQ(lanes[g][static_cast<int>(c)], sums[g]);
   }
 }

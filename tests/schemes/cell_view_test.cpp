@@ -6,8 +6,6 @@
 
 namespace cell_view_test {
 
-using Rows = PointRows<2>;
-
 TEST(RotateStress, IsARotationToFirstOrder)
 {
   const Real w = 1e-5;  // counter-clockwise

@@ -4,19 +4,12 @@
 
 #include "materials/material.hpp"
 #include "simulation/cell_passes.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/run.hpp"
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 #include "support/two_soils.hpp"
 
 #include <memory>
 
 namespace cut_cells_test {
-
-using Rows = PointRows<2>;
 
 /// Mean shear stress of the soils of the cell at a place on a border of this angle, by material [Pa].
 std::array<Real, 2> shear_stress(const Simulation& s, Vec<2> place, Real degrees)
@@ -279,19 +272,7 @@ Case collapse(const Way& way)
 
 TEST_P(SoilsOfACutCell, EndInTheSameBitsOnAnyNumberOfThreadsAndFromACheckpoint)
 {
-  const Case c = collapse(GetParam());
-  Simulation one(c, 1), other_half(c);
-  one.run();
-  for (const int threads : {2, 4}) {
-    Simulation more(c, threads);
-    more.run();
-    EXPECT_EQ(first_difference(one.save(), more.save()), "") << threads;
-  }
-  Simulation half(c);
-  half.advance_to(0.3);
-  other_half.restore(half.save());
-  other_half.run();
-  EXPECT_EQ(first_difference(one.save(), other_half.save()), "");
+  expect_same_bits(collapse(GetParam()), {2, 4}, {0.3});
 }
 
 std::unique_ptr<Simulation> solved(Case c, CutCells cut_cells)

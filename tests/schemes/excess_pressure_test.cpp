@@ -1,10 +1,8 @@
 // Excess pressure of elastic soil: with K_w/n its motion is that of soil that stores total stress and has the undrained
 // Poisson's ratio, whatever the scheme and the mesh, and on its way from cell to cell.
 #include "schemes/excess_pressure.hpp"
-#include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 #include "support/verification.hpp"
 
 namespace excess_pressure_test {
@@ -48,12 +46,9 @@ TEST_P(ExcessPressure, AndEffectiveStressMoveSoilAsTotalStressOfTheUndrainedStif
   make_steps(effective, total.model.n_steps);
   const int row = effective.model.materials[0].excess_row;
   ASSERT_GE(row, 0);
-  std::vector<Real> excess(static_cast<std::size_t>(effective.state.n_ids()));
+  const std::vector<Real> excess = row_by_id(effective.state, row);
   Real largest = 0.0;
-  for_each_point(effective.state.points, [&](const PointBlock<2>& block, Index lane) {
-    excess[static_cast<std::size_t>(block.row(PointRows<2>::id)[lane])] = block.row(row)[lane];
-    largest = std::max(largest, std::abs(block.row(row)[lane]));
-  });
+  for (const Real u : excess) largest = std::max(largest, std::abs(u));
   EXPECT_GT(largest, 1.0e4);
   const auto a = points_by_id(total.state), b = points_by_id(effective.state);
   ASSERT_EQ(a.size(), b.size());

@@ -1,8 +1,6 @@
 // Paper Sec. 4.2: in MPM-Mixed softening spreads over the element, in MPM-GP it stays where it happened.
 #include "events/surface.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace history_test {
 
@@ -16,7 +14,7 @@ std::vector<Real> eps_eq_p_after_one_step(const char* scheme, const std::vector<
   Simulation s(c);
   EXPECT_EQ(s.state.points.n_points(), 2);
   edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
-    block.row(PointRows<2>::state)[lane] = before[static_cast<std::size_t>(block.row(PointRows<2>::id)[lane])];
+    block.row(Rows::state)[lane] = before[static_cast<std::size_t>(block.row(Rows::id)[lane])];
   });
   s.step();
   std::vector<Real> after;

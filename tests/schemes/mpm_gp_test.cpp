@@ -1,12 +1,8 @@
 // MPM-GP: what a material point keeps for itself, and what it takes from its cell.
-#include "support/cases.hpp"
 #include "support/random.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace mpm_gp_test {
-
-using Rows = PointRows<2>;
 
 constexpr std::array<Real, 4> pressure{
     -900.0, 300.0, 1500.0, -1300.0};  // tr(sigma)/3 of the four points, mean -100 [Pa]

@@ -1,12 +1,7 @@
 // MPM-Mixed: what the points of a cell are given, and how fast that diffuses a state that only moves.
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace mpm_mixed_test {
-
-using Rows = PointRows<2>;
 
 /// Two points on top of each other in each sub-cell of a full clamped cell, the second with three times the volume of
 /// the first. Stress and state of the pair in sub-cell g: 100 (g + 1) and 500 (g + 1), times one factor for each

@@ -1,13 +1,8 @@
 // The stress of a turning body turns with it under the Jaumann rate, and stays without it, in every scheme (reading
 // R17).
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace objective_rate_test {
-
-using Rows = PointRows<2>;
 
 constexpr Real spin = 10.0;  // counter-clockwise [rad/s]
 constexpr Real dt = 1e-6;    // so short that the stress does not yet strain the body [s]

@@ -1,9 +1,5 @@
 #include "schemes/scheme.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/state_image.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace scheme_test {
 
@@ -92,7 +88,7 @@ TEST(Schemes, PressThePoreWaterOfUndrainedSoil)
     s.step(1);  // the middle of the block knows nothing of its surface yet
     Real middle = 0.0;
     for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
-      const Real x = block.row(PointRows<2>::x)[lane], y = block.row(PointRows<2>::x + 1)[lane];
+      const Real x = block.row(Rows::x)[lane], y = block.row(Rows::x + 1)[lane];
       if (std::hypot(x - 1.25, y - 1.0) < 0.2) middle = block.row(s.model.materials[0].excess_row)[lane];
     });
     const Real stiffness = 2.0e5 * (2.0 * 1.48 / 0.12 - 2.0 * 1.2 / 1.8), rate = 0.5;  // K_w/n [Pa], [1/s]

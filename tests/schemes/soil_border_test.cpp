@@ -1,10 +1,7 @@
 // The border of two soils in a cell: the direction that the points show, a band, and where it lies.
 #include "schemes/soil_border.hpp"
 
-#include "simulation/run.hpp"
-#include "simulation/setup.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 #include "support/two_soils.hpp"
 
 namespace soil_border_test {

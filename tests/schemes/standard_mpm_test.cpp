@@ -1,8 +1,6 @@
 // The baseline: it locks where soil hardly changes its volume, and its pressures oscillate. Controls that can fail.
 #include "events/surface.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace standard_mpm_test {
 

@@ -5,8 +5,6 @@
 
 namespace cell_passes_test {
 
-using Rows = PointRows<2>;
-
 /// A mesh of 2 x 1 cells of 2 m x 1 m; points are put into cell 0.
 struct TwoCells {
   Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 1.0}, {2, 1});

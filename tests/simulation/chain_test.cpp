@@ -1,16 +1,12 @@
 // A chain of stages is one run: the same rows, the same time step, the same bits from wherever it goes on; and what
 // acts at t = 0 is what the first stage has then.
-#include "simulation/ledger.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/other_run.hpp"
 #include "simulation/overburden.hpp"
 #include "simulation/soil_fields.hpp"
 #include "simulation/stages.hpp"
-#include "simulation/state_image.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
 #include "support/stages.hpp"
-#include "support/test.hpp"
 
 namespace chain_test {
 
@@ -204,7 +200,7 @@ TEST(Chain, KeepsStrengthsOfTheGroundWithWhichItBegan)
   const auto strengths = [](const Simulation& s) {
     std::map<Real, Real> by_id;
     for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
-      by_id[block.row(PointRows<2>::id)[lane]] = *s.model.materials[0].view(block, lane).parameters(0);
+      by_id[block.row(Rows::id)[lane]] = *s.model.materials[0].view(block, lane).parameters(0);
     });
     return by_id;
   };

@@ -2,9 +2,6 @@
 
 #include "support/test.hpp"
 
-#include <cmath>
-#include <numbers>
-
 namespace correlation_kind_test {
 
 constexpr Real spacing = 0.125;

@@ -1,10 +1,7 @@
 // Soil without a limit to its strength, and runs with divided strengths that begin with it.
 #include "simulation/elastic_model.hpp"
 #include "simulation/reduce.hpp"
-#include "simulation/state_image.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace elastic_model_test {
 

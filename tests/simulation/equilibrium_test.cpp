@@ -1,13 +1,7 @@
 // The search for equilibrium.
 #include "simulation/equilibrium.hpp"
-#include "base/errors.hpp"
 #include "simulation/no_equilibrium.hpp"
-#include "simulation/run.hpp"
-#include "simulation/setup.hpp"
-#include "simulation/state_image.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace equilibrium_test {
 

@@ -1,12 +1,9 @@
 // The fields that results show: sorted by id, with the names, units and sizes that the formats promise.
 #include "simulation/frame.hpp"
 #include "simulation/frame_fields.hpp"
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/paths.hpp"
 #include "support/process.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 #include <tuple>
 #include <fmt/format.h>
 
@@ -157,8 +154,7 @@ TEST(Frame, TheCaseChoosesTheNorm)
   Case c = clamped_cell("mpm_gp");
   c.output.deviatoric_norm = DeviatoricNorm::von_mises;
   Simulation s(c);
-  edit_points(
-      s.state, [](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::strain + 3)[lane] = 0.01; });
+  edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(Rows::strain + 3)[lane] = 0.01; });
   EXPECT_NEAR(field(make_frame(s.model, s.state), "eps_deviatoric").values[2], 0.02 / std::sqrt(3.0), 1e-16);
 }
 

@@ -5,9 +5,6 @@
 
 #include "support/test.hpp"
 
-#include <cmath>
-#include <numeric>
-
 namespace gaussian_field_test {
 
 GaussianFieldCase field_of(std::uint32_t realisation)

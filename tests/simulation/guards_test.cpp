@@ -1,17 +1,10 @@
 // What makes a run stop itself, and what it then says.
 #include "followers/followers.hpp"
 #include "simulation/guards.hpp"
-#include "base/errors.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/run.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 #include <fmt/format.h>
 
 namespace guards_test {
-
-using Rows = PointRows<2>;
 
 TEST(Guards, AHealthyStateHasNoFault)
 {
@@ -24,9 +17,7 @@ TEST(Guards, AValueThatIsNotANumberIsNamedWithPointCellMaterialAndLikelyCause)
 {
   Simulation s(column("mpm_gp"));
   make_steps(s, 5);
-  edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
-    if (block.row(Rows::id)[lane] == 30.0) block.row(Rows::v)[lane] = NAN;
-  });
+  set_value(s.state, 30, Rows::v, NAN);
   s.work.finite = false;
   const std::string smallest =
       fmt::format("{:.2g}", s.work.node[s.work.active_nodes[0]].mass);  // at the corner of the column
@@ -43,9 +34,7 @@ TEST(Guards, EachKindOfValueHasItsName)
   const auto fault_in = [](int row) {
     Simulation s(column("mpm_gp"));
     make_steps(s);
-    edit_points(s.state, [row](const PointBlock<2>& block, Index lane) {
-      if (block.row(Rows::id)[lane] == 7.0) block.row(row)[lane] = INFINITY;
-    });
+    set_value(s.state, 7, row, INFINITY);
     s.work.finite = false;
     return find_fault(s.model, s.state, s.work, 0.0);
   };
@@ -166,9 +155,7 @@ struct Saboteur : Observer {
   void rows(const std::vector<TableRow>& rows) override
   {
     if (rows[0].table->name != "ledger" || rows[0]["step"] != at_step) return;
-    for_each_point(state->points, [&](const PointBlock<2>& block, Index lane) {
-      if (block.row(Rows::id)[lane] == 700.0) block.row(Rows::v)[lane] = velocity;
-    });
+    set_value(*state, 700, Rows::v, velocity);
   }
   std::string save_failed(const StateImage& image) override
   {

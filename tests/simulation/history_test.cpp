@@ -1,9 +1,6 @@
 // The named points over time.
 #include "simulation/history.hpp"
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace history_test {
 

@@ -1,10 +1,7 @@
 // The stress with which a run starts.
 #include "simulation/initial.hpp"
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
 #include "support/stages.hpp"
-#include "support/test.hpp"
 
 namespace initial_test {
 
@@ -177,10 +174,7 @@ TEST(InitialStress, SoilThatCarriesMoreThanItsLargestMeanStressIsFound)
 {
   Simulation s(box_of_cam_clay(InitialStress::k0, 25e3));
   EXPECT_EQ(describe_overload(s.model, s.state), "");
-  edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
-    if (block.row(PointRows<2>::id)[lane] == 7.0)
-      for (int k = 0; k < 3; ++k) block.row(PointRows<2>::sigma + k)[lane] = -120e3;
-  });
+  for (int k = 0; k < 3; ++k) set_value(s.state, 7, Rows::sigma + k, -120e3);
   EXPECT_THAT(describe_overload(s.model, s.state),
       AllOf(StartsWith("at t = 0 s soil carries more than `material.clay.largest_mean_stress`"),
           HasSubstr("p' = 1.2e+05 Pa, largest_mean_stress = 1e+05 Pa.")));

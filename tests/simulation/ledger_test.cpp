@@ -1,23 +1,9 @@
 // The books of a run, by hand, on a full cell of four points.
-#include "simulation/ledger.hpp"
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace ledger_test {
 
-using Rows = PointRows<2>;
-
 constexpr Real shear = 2.0e6, bulk = 2.0 * 2.0e6 * 1.48 / (3.0 * 0.04);  // of the clay [Pa]
-
-/// Sets one row of one point.
-void set(Simulation& s, int id, int row, Real value)
-{
-  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
-    if (static_cast<int>(block.row(Rows::id)[lane]) == id) block.row(row)[lane] = value;
-  });
-}
 
 /// Four points of 0.25 m^2.
 Simulation books() { return followed(clamped_cell("mpm_gp")); }
@@ -25,10 +11,10 @@ Simulation books() { return followed(clamped_cell("mpm_gp")); }
 TEST(Ledger, EnergiesMassAndMomentumAreSumsOverThePoints)
 {
   Simulation s = books();
-  set(s, 0, Rows::v, 3.0);
-  set(s, 1, Rows::v + 1, -2.0);
-  set(s, 2, Rows::sigma + 3, 5000.0);
-  for (int k = 0; k < 3; ++k) set(s, 3, Rows::sigma + k, -6000.0);
+  set_value(s.state, 0, Rows::v, 3.0);
+  set_value(s.state, 1, Rows::v + 1, -2.0);
+  set_value(s.state, 2, Rows::sigma + 3, 5000.0);
+  for (int k = 0; k < 3; ++k) set_value(s.state, 3, Rows::sigma + k, -6000.0);
   const TableRow row = keep_ledger(s.model, s.state, s.work);
   const Real mass = 1990.0 * 0.25;
   EXPECT_NEAR(row["mass"], 4.0 * mass, 1e-9);
@@ -50,7 +36,7 @@ TEST(Ledger, AFluidStoresPressureAndNoShear)
 TEST(Ledger, TheDifferenceOfTheBooksIsWhatWorksDoNotExplain)
 {
   Simulation s = books();
-  set(s, 0, Rows::v, 3.0);
+  set_value(s.state, 0, Rows::v, 3.0);
   s.state.start_energy = 100.0;
   s.state.work = {.gravity = 700.0, .damping = -30.0, .boundary = -4.0, .clamps = 2.0, .plastic = 55.0};
   const TableRow row = keep_ledger(s.model, s.state, s.work);

@@ -1,12 +1,6 @@
 // Loads in a run: their sum, their place, what carries them, and what they do to the books.
 #include "simulation/loads.hpp"
-#include "base/errors.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/setup.hpp"
-#include "simulation/state_image.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace loads_test {
 
@@ -31,7 +25,7 @@ Carried carried_by(const State& state, int row)
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const Real width = block.row(row)[lane];
     sum.width += width;
-    sum.moment += width * block.row(PointRows<2>::x)[lane];
+    sum.moment += width * block.row(Rows::x)[lane];
     sum.n += width > 0.0;
   });
   return sum;
@@ -161,24 +155,12 @@ TEST(Loads, WithoutGroundAreRefused)
   }
 }
 
-TEST(Loads, AreKeptByACheckpoint)
+TEST(Loads, AreKeptByACheckpointAndGiveTheSameBitsOnAnyNumberOfThreads)
 {
   Case c = loaded("mpm_gp");
   c.loads[0].start = 0.1;
-  Simulation whole = followed(c), first = followed(c);
-  whole.step(60);
-  first.step(30);
-  Simulation second = followed(c);
-  second.restore(first.save());
-  second.step(30);
-  EXPECT_EQ(first_difference(whole.save(), second.save()), "");
-}
-
-TEST(Loads, GiveTheSameBitsOnAnyNumberOfThreads)
-{
-  Simulation one(loaded("mpm_mixed")), three(loaded("mpm_mixed"), 3);
-  make_steps(one, 100), make_steps(three, 100);
-  EXPECT_EQ(first_difference(one.save(), three.save()), "");
+  expect_same_bits(c, {}, {30.0 * build_model(c, 1).dt}, 60);
+  expect_same_bits(loaded("mpm_mixed"), {3}, {}, 100);
 }
 
 TEST(Loads, AddToTheOverburdenOfK0)

@@ -1,8 +1,6 @@
 // What the mesh carries: mass, momentum and pressure of the points, none lost.
 #include "simulation/mesh_frame.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace mesh_frame_test {
 
@@ -12,7 +10,6 @@ struct Totals {
 
 Totals of_points(const State& state)
 {
-  using Rows = PointRows<2>;
   Totals t;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index p) {
     t.mass += block.row(Rows::mass)[p];
@@ -49,7 +46,7 @@ TEST(MeshFrame, CellsHoldTheMeanPressureOfTheirSoilAndNoneWithoutSoil)
   const MeshFrame frame = make_mesh_frame(s.model, s.state);
   std::vector<Real> volume(frame.pressure.size());
   for_each_point(s.state.points, [&](const PointBlock<2>& block, Index p) {
-    volume[static_cast<std::size_t>(block.cell)] += block.row(PointRows<2>::volume)[p];
+    volume[static_cast<std::size_t>(block.cell)] += block.row(Rows::volume)[p];
   });
   Real total = 0.0;
   for (std::size_t cell = 0; cell < volume.size(); ++cell) {

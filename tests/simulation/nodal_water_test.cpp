@@ -1,9 +1,6 @@
 // The pore pressure on the nodes: between situations, at its limits, at points.
 #include "simulation/nodal_water.hpp"
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace nodal_water_test {
 
@@ -114,7 +111,7 @@ TEST(NodalWater, APointHasThePressureOfItsPlace)
   PorePressure pore;
   pore = water_at(s.model, 0.0);
   for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
-    const Real y = block.row(PointRows<2>::x + 1)[lane];
+    const Real y = block.row(Rows::x + 1)[lane];
     EXPECT_NEAR(pore_pressure_at(s.model, pore, block, lane), gamma_w * (1.5 - y), 1e-8);
   });
 }

@@ -1,13 +1,8 @@
 // The motion that the mesh sees.
 #include "simulation/node_motion.hpp"
-#include "simulation/ledger.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace node_motion_test {
-
-using Rows = PointRows<2>;
 
 /// Sets the velocities of all points: f(x).
 template <class F>

@@ -1,13 +1,8 @@
 // The node passes by hand, on one cell with one point in its middle: each corner has a quarter of its mass.
 #include "simulation/node_passes.hpp"
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace node_passes_test {
-
-using Rows = PointRows<2>;
 
 constexpr Real quarter = 1990.0 / 4.0;  // mass of a node [kg per m]
 constexpr Real dt = 1e-3;

@@ -1,13 +1,8 @@
 // A run that begins with the state of another one: what its own case makes of the soil.
 #include "simulation/other_run.hpp"
-#include "base/errors.hpp"
-#include "simulation/ledger.hpp"
 #include "simulation/stages.hpp"
-#include "simulation/state_image.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
 #include "support/stages.hpp"
-#include "support/test.hpp"
 
 namespace other_run_test {
 
@@ -67,7 +62,7 @@ TEST(OtherRun, GivesWayToTheFieldsOfThisOne)
   c.materials[0].fields = {{su_peak, [](Vec<2> x) { return 9e3 + 1e3 * x[1]; }}};
   const Simulation s = continued(first, "", c);
   for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
-    const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     EXPECT_EQ(*s.model.materials[0].view(block, lane).parameters(0), 9e3 + 1e3 * s.state.x_initial[2 * id + 1]);
   });
 }

@@ -1,9 +1,6 @@
 // Weight, water and effective stress above a place, by hand.
 #include "simulation/overburden.hpp"
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace overburden_test {
 

@@ -1,12 +1,7 @@
 // Velocities that the mesh does not see fade; those that it sees stay (decision 0048).
-#include "simulation/simulation.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace point_noise_test {
-
-using Rows = PointRows<2>;
 
 /// A block in flight without gravity or sides, whose points relax at once.
 Simulation flying(const std::string& scheme, Real relaxation_time)

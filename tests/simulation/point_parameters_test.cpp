@@ -1,14 +1,7 @@
 // Parameters that vary from point to point, from the case to the step, the frame, the checkpoint and the time step.
 #include "simulation/point_parameters.hpp"
 #include "simulation/frame.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/setup.hpp"
-#include "simulation/simulation.hpp"
-#include "simulation/state_image.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/problems.hpp"
-#include "support/test.hpp"
 
 namespace point_parameters_test {
 
@@ -118,7 +111,7 @@ TEST(PointParameters,
     c.bodies[0].points_per_cell = {4, 2};
     Simulation s(c);
     edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
-      block.row(PointRows<2>::sigma + 3)[lane] = 20e3;  // far outside of the yield surface
+      block.row(Rows::sigma + 3)[lane] = 20e3;  // far outside of the yield surface
     });
     make_steps(s);
     return points_by_id(s.state);
@@ -145,7 +138,7 @@ TEST(PointParameters, TheElasticEnergyIsThatOfTheStiffnessOfEachPoint)
   Case c = free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
   c.materials[0].fields = {{shear_modulus, [](Vec<2> x) { return x[0] < 1.25 ? 1e6 : 4e6; }}};
   Simulation s(c);
-  edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::sigma + 3)[lane] = 3e3; });
+  edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(Rows::sigma + 3)[lane] = 3e3; });
   const Real expected = 0.125 * 9e6 / 2.0 * (1.0 / 1e6 + 1.0 / 4e6);
   EXPECT_NEAR(keep_ledger(s.model, s.state, s.work)["elastic"], expected, 1e-12);
   EXPECT_NEAR(kinetic_and_elastic_energy(s.model, s.state), expected, 1e-12);
@@ -173,9 +166,8 @@ TEST(PointParameters, AreAFieldOfTheFrameAndInTheCheckpoint)
 
 TEST(PointParameters, CostNoRowWhereTheyAreUniform)
 {
-  EXPECT_EQ(Simulation(column("mpm_gp")).state.points.n_rows(), PointRows<2>::state + 1);
-  EXPECT_EQ(Simulation(with_field("mpm_gp", eta, [](Vec<2>) { return 50.0; })).state.points.n_rows(),
-      PointRows<2>::state + 2);
+  EXPECT_EQ(Simulation(column("mpm_gp")).state.points.n_rows(), Rows::state + 1);
+  EXPECT_EQ(Simulation(with_field("mpm_gp", eta, [](Vec<2>) { return 50.0; })).state.points.n_rows(), Rows::state + 2);
 }
 
 TEST(PointParameters, CanBeSetInARunAndAreChecked)

@@ -2,13 +2,7 @@
 // that are too wide.
 #include "simulation/reference_width.hpp"
 
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
-#include "support/problems.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
-
-#include <numeric>
 
 namespace reference_width_test {
 
@@ -82,7 +76,7 @@ TEST(ReferenceWidth, IsOfTheCellInWhichAPointLiesNow)
     std::vector<Index> cell(s.state.points.n_points());
     for (int step = 0; step < 200; ++step) {
       for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
-        const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+        const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
         before_eps[id] = block.row(eps)[lane], before[id] = block.row(softening)[lane];
         moved += step > 0 && cell[id] != block.cell;
         cell[id] = block.cell;
@@ -90,7 +84,7 @@ TEST(ReferenceWidth, IsOfTheCellInWhichAPointLiesNow)
       s.step();
       if (scheme == std::string("mpm_mixed")) continue;  // its points take means
       for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
-        const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+        const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
         const Real h = std::sqrt(s.model.mesh->geometry(cell[id]).volume);
         ASSERT_NEAR(block.row(softening)[lane] - before[id], h / 0.2 * (block.row(eps)[lane] - before_eps[id]), 1e-13);
       });

@@ -1,12 +1,6 @@
 // The loop: when outputs are due, how a run ends, and how it goes on.
-#include "simulation/run.hpp"
-#include "simulation/ledger.hpp"
 #include "simulation/reporter.hpp"
-#include "simulation/setup.hpp"
-#include "simulation/state_image.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace run_test {
 
@@ -225,7 +219,7 @@ TEST(Summarise, WhatAColumnOfAFewStepsIsOffByFallsWithTheirSquare)
 TEST(Summarise, ABodyWithoutALevelSurfaceHasNoCrest)
 {
   Simulation s = followed(short_column());
-  edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::x + 1)[lane] -= 0.06; });
+  edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(Rows::x + 1)[lane] -= 0.06; });
   EXPECT_FALSE(summarise(s.model, s.state).crest_x.has_value());
 }
 

@@ -1,8 +1,6 @@
 // When the search for equilibrium takes soil for at rest, and when for failing.
 #include "simulation/search_windows.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace search_windows_test {
 
@@ -16,8 +14,7 @@ SearchWindows after(const std::vector<Window>& seen)
   Simulation s(column("mpm_gp", 0.5));
   SearchWindows windows(s.model, s.state, 1.0);
   for (const Window& window : seen) {
-    edit_points(
-        s.state, [&](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::x)[lane] += window.moved; });
+    edit_points(s.state, [&](const PointBlock<2>& block, Index lane) { block.row(Rows::x)[lane] += window.moved; });
     windows.enter(s.state, window.out_of_balance, true);
   }
   return windows;

@@ -1,11 +1,6 @@
 // Parameters that vary, looked at over all points before a run.
 #include "simulation/settle_fields.hpp"
-#include "simulation/setup.hpp"
-#include "simulation/simulation.hpp"
-#include "support/cases.hpp"
-#include "support/problems.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace settle_fields_test {
 

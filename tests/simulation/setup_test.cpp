@@ -1,10 +1,6 @@
 // From a case to a model and its points: what follows from the case, and what is refused.
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/paths.hpp"
 #include "support/simulations.hpp"
-#include "support/problems.hpp"
-#include "support/test.hpp"
 
 namespace setup_test {
 

@@ -1,10 +1,6 @@
 // A run in memory: stepped in pieces, saved and restored, its fields read and set; many runs on one mesh.
-#include "simulation/simulation.hpp"
-#include "base/errors.hpp"
 #include "simulation/setup_mesh.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace simulation_test {
 

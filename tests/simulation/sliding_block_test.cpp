@@ -1,8 +1,6 @@
 // A stiff elastic block on a contact base, against the motion of a rigid one.
 #include "simulation/equilibrium.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 #include <atomic>
 
 namespace sliding_block_test {

@@ -1,11 +1,7 @@
 // A softening length against the cells and the section.
 #include "simulation/softening_scales.hpp"
 
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
-#include "support/problems.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace softening_scales_test {
 

@@ -1,11 +1,5 @@
 // The state as named arrays: all of it, to the bit, or refused.
-#include "simulation/state_image.hpp"
-#include "base/errors.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace state_image_test {
 
@@ -197,9 +191,8 @@ StateImage image_of_two_bodies(const Simulation& s)
 {
   StateImage image = make_image(s.state);
   std::vector<std::int64_t> body;
-  for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
-    body.push_back(std::llround(block.row(PointRows<2>::id)[lane]) % 2);
-  });
+  for_each_point(s.state.points,
+      [&](const PointBlock<2>& block, Index lane) { body.push_back(std::llround(block.row(Rows::id)[lane]) % 2); });
   const auto n = static_cast<std::int64_t>(body.size());
   image.arrays.push_back({"points/body", {n}, std::move(body)});
   return image;
@@ -218,9 +211,9 @@ TEST(StateImage, BodiesArePreservedWhilePointsMoveAndARunGoesOn)
     EXPECT_EQ(first_difference(make_image(whole.state), make_image(rest.state)), "") << scheme;
     Index n_moved = 0;
     for_each_point(rest.state.points, [&](const PointBlock<2>& block, Index lane) {
-      const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+      const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
       ASSERT_EQ(block.body, static_cast<Index>(id % 2));
-      if (std::abs(block.row(PointRows<2>::x)[lane] - rest.state.x_initial[2 * id]) > 0.3) ++n_moved;
+      if (std::abs(block.row(Rows::x)[lane] - rest.state.x_initial[2 * id]) > 0.3) ++n_moved;
     });
     EXPECT_GT(n_moved, 0) << scheme;
   }

@@ -1,8 +1,6 @@
 // Ids of a state: they count the points at t = 0, also when points have left.
 #include "simulation/state.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace state_test {
 

@@ -2,14 +2,9 @@
 #include "simulation/totals.hpp"
 #include "parallel/instructions.hpp"
 #include "simulation/kernels.hpp"
-#include "simulation/ledger.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace totals_test {
-
-using Rows = PointRows<2>;
 
 /// A column that flows, five steps after the audit has looked.
 struct Flowing : Simulation {
@@ -86,11 +81,7 @@ TEST(Totals, OfEachCopyOfTheKernelsAgree)
 TEST(Totals, NameThePointsWhoseHistoryWentBack)
 {
   Simulation s(column("mpm_gp", 0.5));
-  const auto strain_to = [&](std::int64_t id, Real eps) {
-    edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
-      if (static_cast<std::int64_t>(block.row(Rows::id)[lane]) == id) block.row(Rows::state)[lane] = eps;
-    });
-  };
+  const auto strain_to = [&](std::int64_t id, Real eps) { set_value(s.state, id, Rows::state, eps); };
   strain_to(7, 0.02);
   strain_to(9, 0.02);
   StrainMemory memory = remember_strain(s.model, s.state);

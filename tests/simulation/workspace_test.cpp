@@ -1,8 +1,6 @@
 // Scratch of the step: fitted to the occupied cells, and no memory asked for once a run is under way.
 #include "simulation/workspace.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 #include <atomic>
 #include <cstdlib>
 #include <new>

@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
-
 namespace points_test {
 
 StudySettings settings_of(const std::string& kind, Index n, int seed = 3)

@@ -6,11 +6,8 @@
 #include "study/study_text.hpp"
 #include "support/test.hpp"
 
-#include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 namespace reliability_test {
 

@@ -6,6 +6,8 @@
 
 namespace terp::test {
 
+using Rows = PointRows<2>;
+
 /// One material point; what a test does not set has values that no other field shares.
 struct PointValues {
   Vec<2> local{0.0, 0.0};
@@ -20,7 +22,6 @@ struct PointValues {
 inline void add_point(const Mesh<2>& mesh, Index cell, const PointValues& point, PointBlocks<2>& points,
     Index material = 0, Index body = 0)
 {
-  using Rows = PointRows<2>;
   std::vector<Real> values(points.n_rows(), 0.0);
   const Vec<2> x = place_in_cell(mesh, cell, point.local);
   for (int d = 0; d < 2; ++d) {

@@ -1,10 +1,8 @@
 // Soil of libraries that the build of the tests makes, and boxes of it that move.
 #pragma once
 
-#include "support/cases.hpp"
 #include "support/laws.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 #include "user_laws/user_law.hpp"
 
 namespace terp::test {

@@ -3,9 +3,7 @@
 #include "mesh/locate.hpp"
 
 #include "followers/followers.hpp"
-#include "simulation/setup.hpp"
 #include "simulation/state_arrays.hpp"
-#include "simulation/state_image.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +11,6 @@
 #include <set>
 
 namespace terp::test {
-
-using Rows = PointRows<2>;
 
 Simulation followed(const Case& description, int threads) { return Simulation(description, threads, all_followers()); }
 
@@ -119,6 +115,23 @@ bool same_array(const NamedArray& a, const NamedArray& b)
 
 }  // namespace
 
+void expect_same_bits(
+    const Case& c, const std::vector<int>& threads, const std::vector<Real>& times, std::int64_t n_steps)
+{
+  const auto end_of = [n_steps](Simulation&& s) {
+    n_steps > 0 ? s.step(n_steps - s.state.step) : s.run();
+    return s.save();
+  };
+  const StateImage whole = end_of(followed(c));
+  for (const int n : threads) EXPECT_EQ(first_difference(whole, end_of(followed(c, n))), "") << n << " threads";
+  for (const Real time : times) {
+    Simulation first = followed(c), second = followed(c);
+    first.advance_to(time);
+    second.restore(first.save());
+    EXPECT_EQ(first_difference(whole, end_of(std::move(second))), "") << "from " << time << " s on";
+  }
+}
+
 std::string first_difference(const StateImage& a, const StateImage& b)
 {
   if (a.time != b.time || a.step != b.step) return "time or step";
@@ -141,9 +154,24 @@ std::vector<std::string> different_arrays(const StateImage& a, const StateImage&
   return {names.begin(), names.end()};
 }
 
+void set_value(State& state, std::int64_t id, int row, Real value)
+{
+  edit_points(state, [&](const PointBlock<2>& block, Index lane) {
+    if (static_cast<std::int64_t>(block.row(Rows::id)[lane]) == id) block.row(row)[lane] = value;
+  });
+}
+
+std::vector<Real> row_by_id(const State& state, int row)
+{
+  std::vector<Real> values(static_cast<std::size_t>(state.n_ids()));
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    values[static_cast<std::size_t>(block.row(Rows::id)[lane])] = block.row(row)[lane];
+  });
+  return values;
+}
+
 void draw_points(Simulation& s, const std::function<Vec<2>(Vec<2>)>& place)
 {
-  using Rows = PointRows<2>;
   const Mesh<2>& mesh = *s.model.mesh;
   const PointBlocks<2>& before = s.state.points;
   PointBlocks<2> drawn(mesh.n_cells(), before.table());

@@ -1,13 +1,17 @@
-// The material points of a simulation as a test looks at them.
+// What nearly every test of a run takes, and the material points of a simulation as a test looks at them.
 #pragma once
 
-#include "base/errors.hpp"
+#include "simulation/ledger.hpp"
 #include "simulation/simulation.hpp"
+#include "simulation/state_image.hpp"
+#include "support/cases.hpp"
+#include "support/problems.hpp"
 
 #include <functional>
-#include <string>
 
 namespace terp::test {
+
+using Rows = PointRows<2>;
 
 /// A run that all followers look at.
 Simulation followed(const Case& description, int threads = 1);
@@ -54,8 +58,19 @@ void edit_points(State& state, F&& change)
   for_each_point(state.points, change);
 }
 
+/// Gives one point another value in a row.
+void set_value(State& state, std::int64_t id, int row, Real value);
+
+/// A row of all points, by id.
+std::vector<Real> row_by_id(const State& state, int row);
+
 /// Draws the soil anew: each point at place(where it was at t = 0) [m]. Nothing else of it changes.
 void draw_points(Simulation& s, const std::function<Vec<2>(Vec<2>)>& place);
+
+/// Expects that a run, with all followers, ends in the same bits on other numbers of threads, and where it goes on from
+/// a checkpoint at any of the times [s]. n_steps: that it makes; 0: to its end.
+void expect_same_bits(
+    const Case& c, const std::vector<int>& threads, const std::vector<Real>& times = {}, std::int64_t n_steps = 0);
 
 /// Name of the first array that differs in any bit, "" if none does.
 std::string first_difference(const StateImage& a, const StateImage& b);

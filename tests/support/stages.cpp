@@ -1,5 +1,4 @@
 #include "support/stages.hpp"
-#include "support/cases.hpp"
 #include "support/simulations.hpp"
 
 #include <memory>

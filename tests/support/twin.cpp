@@ -14,8 +14,6 @@ namespace terp::test {
 namespace {
 
 using Json = nlohmann::json;
-using Rows = PointRows<2>;
-
 const Json& scenarios()
 {
   static const Json all = Json::parse(std::ifstream(source_path("tests/reference/one_step.json"))).at("scenarios");

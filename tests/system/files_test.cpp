@@ -3,7 +3,6 @@
 #include "support/test.hpp"
 
 #include <cerrno>
-#include <filesystem>
 
 namespace files_test {
 

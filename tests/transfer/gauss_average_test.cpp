@@ -23,7 +23,7 @@ struct Cell {
     set_weights(mesh.geometry(0), gauss.volume, method, gauss);
     const SubCellMeans mean(gauss);
     for (int k = 0; k < 2; ++k) {
-      state[k] = sum_row_over_sub_cells<Quad4>(only_block(points, 0), PointRows<2>::state + k);
+      state[k] = sum_row_over_sub_cells<Quad4>(only_block(points, 0), Rows::state + k);
       mean(state[k]);
     }
     divide_by_volume(gauss);

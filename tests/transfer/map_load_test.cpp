@@ -7,7 +7,7 @@
 
 namespace map_load_test {
 
-constexpr int row = PointRows<2>::state;
+constexpr int row = Rows::state;
 
 /// Force of one point that carries a width of 0.2 m under 5 kPa.
 CornerVectors<Quad4> force_of(const Mesh<2>& mesh, Vec<2> local, Real size)

@@ -6,8 +6,6 @@
 
 namespace map_to_corners_test {
 
-using Rows = PointRows<2>;
-
 struct Cell {
   Mesh<2> mesh = make_rectangle({0.0, 0.0}, {2.0, 1.0}, {1, 1});
   PointBlocks<2> points{1, 0};

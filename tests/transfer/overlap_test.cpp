@@ -10,7 +10,6 @@ namespace terp {
 namespace overlap_test {
 
 using P = Patch<Quad4>;
-using Rows = PointRows<2>;
 using test::PointValues;
 
 constexpr int extent_row = Rows::state;  // the only row beyond the fixed ones

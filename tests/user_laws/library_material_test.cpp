@@ -1,13 +1,9 @@
 // Laws that fail: what is said, and that the run stops with everything else whole.
 #include "user_laws/library_material.hpp"
-#include "base/errors.hpp"
-#include "simulation/simulation.hpp"
-#include "support/cases.hpp"
 #include "support/law_cases.hpp"
 #include "support/process.hpp"
 #include "support/simulations.hpp"
 #include "support/stages.hpp"
-#include "support/test.hpp"
 #include "user_laws/law_cost.hpp"
 #include "user_laws/user_law.hpp"
 
@@ -251,8 +247,8 @@ TEST(LibraryMaterial, IsToldTheStrainAndTheDeformationGradientOfSoilThatStretche
   Simulation s(c);
   s.step(1);
   edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
-    block.row(PointRows<2>::v)[lane] = -w * (block.row(PointRows<2>::x + 1)[lane] - 1.0);
-    block.row(PointRows<2>::v + 1)[lane] = w * (block.row(PointRows<2>::x)[lane] - 2.0);
+    block.row(Rows::v)[lane] = -w * (block.row(Rows::x + 1)[lane] - 1.0);
+    block.row(Rows::v + 1)[lane] = w * (block.row(Rows::x)[lane] - 2.0);
   });
   s.step(1);
   const Real dt = s.model.dt, t = w * dt, e = a * dt, g = b * dt;  // g: tensorial shear strain, and -spin
@@ -314,8 +310,7 @@ TEST(LibraryMaterial, ThatAStageGivesToSoilOfAnotherKeepsItsPlasticStrainAlone)
         staged(c, {{stage("a", 0.01), {}}, {stage("b", 0.01), [](Case& now) { now.bodies[0].material = "second"; }}}));
     while (s.state.stages_done.empty()) s.step(1);
     const Real calls = static_cast<Real>(s.state.step);
-    edit_points(
-        s.state, [&](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::state + 1)[lane] = 8.0; });
+    edit_points(s.state, [&](const PointBlock<2>& block, Index lane) { block.row(Rows::state + 1)[lane] = 8.0; });
     s.step(1);
     for (const Point& p : points_by_id(s.state)) {
       EXPECT_EQ(p.material, 1);

@@ -39,11 +39,11 @@ void carry_weight(State& state, const Slope& slope)
 {
   const Real angle = -radians(slope.degrees);
   edit_points(state, [&](const PointBlock<2>& b, Index lane) {
-    const Vec<2> x = turned({b.row(PointRows<2>::x)[lane], b.row(PointRows<2>::x + 1)[lane]}, -angle);
+    const Vec<2> x = turned({b.row(Rows::x)[lane], b.row(Rows::x + 1)[lane]}, -angle);
     const Real n = -density * g * std::cos(angle) * (block[1] - x[1]);
-    b.row(PointRows<2>::sigma)[lane] = n * std::sin(angle) * std::sin(angle);
-    b.row(PointRows<2>::sigma + 1)[lane] = n * std::cos(angle) * std::cos(angle);
-    b.row(PointRows<2>::sigma + 3)[lane] = -n * std::sin(angle) * std::cos(angle);
+    b.row(Rows::sigma)[lane] = n * std::sin(angle) * std::sin(angle);
+    b.row(Rows::sigma + 1)[lane] = n * std::cos(angle) * std::cos(angle);
+    b.row(Rows::sigma + 3)[lane] = -n * std::sin(angle) * std::cos(angle);
   });
 }
 

@@ -2,8 +2,6 @@
 #include "ledger_rows.hpp"
 #include "support/test.hpp"
 
-#include <sstream>
-
 namespace overview_test {
 
 /// A case with a row that passes, two of one reason, and one that fails without a reason.

@@ -76,9 +76,9 @@ TEST_P(Patch, RotationGivesNoStrainAndOnlyTurnsTheStress)
   const Real angle = 1.0e-4;
   Simulation s = full_block(std::string(GetParam()->name), 7, ObjectiveRate::jaumann);
   edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
-    block.row(PointRows<2>::sigma)[lane] = -8000.0;
-    block.row(PointRows<2>::sigma + 1)[lane] = -20000.0;
-    block.row(PointRows<2>::sigma + 2)[lane] = -5000.0;
+    block.row(Rows::sigma)[lane] = -8000.0;
+    block.row(Rows::sigma + 1)[lane] = -20000.0;
+    block.row(Rows::sigma + 2)[lane] = -5000.0;
   });
   strain_all_cells(s, {{{0.0, -angle}, {angle, 0.0}}});
   for (const Point& p : points_by_id(s.state)) {
@@ -96,8 +96,8 @@ Real interior_force_share(const std::string& scheme, std::uint64_t seed)
   Simulation s = full_block(scheme, seed);
   edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
     const Real stress[] = {-9.0e3, -21.0e3, -14.0e3, 5.0e3};
-    for (int k = 0; k < 4; ++k) block.row(PointRows<2>::sigma + k)[lane] = stress[k];
-    block.row(PointRows<2>::volume)[lane] *= lane % 5 < 2 ? 1.3 : 0.8;
+    for (int k = 0; k < 4; ++k) block.row(Rows::sigma + k)[lane] = stress[k];
+    block.row(Rows::volume)[lane] *= lane % 5 < 2 ? 1.3 : 0.8;
   });
   strain_all_cells(s, {});
   std::vector<Vec<2>> force(s.model.mesh->nodes.size(), Vec<2>{0.0, 0.0});

@@ -22,7 +22,7 @@ Real error_after_a_period(const std::string& scheme, Real h, Real distortion)
   const Real speed = std::sqrt(law.p_wave_modulus() / 2000.0), period = 2.0 * length / speed,
              wave = std::numbers::pi / length;
   edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
-    block.row(PointRows<2>::v)[lane] = amplitude * std::sin(wave * block.row(PointRows<2>::x)[lane]);
+    block.row(Rows::v)[lane] = amplitude * std::sin(wave * block.row(Rows::x)[lane]);
   });
   s.step(std::llround(period / s.model.dt));
   Real square = 0.0;

@@ -1,10 +1,7 @@
 // Quantities off by a unit are compared with each other; soil as it is usually is not warned of.
 #include "warnings/setup_warnings.hpp"
 #include "simulation/soil_fields.hpp"
-#include "support/cases.hpp"
-#include "support/problems.hpp"
 #include "support/simulations.hpp"
-#include "support/test.hpp"
 
 namespace scale_warnings_test {
 

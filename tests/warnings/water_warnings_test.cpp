@@ -2,11 +2,8 @@
 // setup_warnings_test.cpp.
 #include "warnings/water_warnings.hpp"
 
-#include "support/cases.hpp"
-#include "support/problems.hpp"
 #include "support/simulations.hpp"
 #include "support/stages.hpp"
-#include "support/test.hpp"
 
 namespace water_warnings_test {
 
