@@ -219,15 +219,16 @@ std::vector<std::string> all_topics()
 [[noreturn]] void refuse_topic(const std::string& topic)
 {
   const std::string nearest = closest(topic, all_topics());
-  std::vector<std::string> schemes, sections;
+  std::vector<std::string> schemes, sections, files;
   for (const Scheme* scheme : all_schemes()) schemes.emplace_back(scheme->name);
   for (const SectionInfo& section : all_sections()) sections.push_back(topic_of(section.path));
+  for (const QuantityFile& file : files_of_quantities()) files.push_back(file.name);
   throw CaseError(
       fmt::format("error: there is nothing to explain about `{}`\n\n{}"
-                  "  Material models: {}\n  Schemes: {}\n  Sections: {}\n"
+                  "  Material models: {}\n  Schemes: {}\n  Sections: {}\n  Files of a run: {}\n"
                   "  Keys: dotted or by their last part, as in mesh.cell or courant\n",
           topic, nearest.empty() ? "" : fmt::format("  Did you mean `{}`?\n", nearest),
-          plain_list(material_model_names()), plain_list(schemes), plain_list(sections)));
+          plain_list(material_model_names()), plain_list(schemes), plain_list(sections), plain_list(files)));
 }
 
 template <class Infos>
