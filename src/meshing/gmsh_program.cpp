@@ -1,3 +1,6 @@
+// A folder is claimed by a lock as long as its process lives, so a folder without a lock is left over. Between making
+// and locking it has none either: only folders older than a minute are looked at.
+
 #include "meshing/gmsh_program.hpp"
 
 #include "base/errors.hpp"

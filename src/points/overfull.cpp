@@ -1,3 +1,6 @@
+// Only a cell that alone holds more than its area is looked at with its neighbours: where several hold too much
+// together, one of them does alone. Of all cells over their limits the one furthest over it is named.
+
 #include "points/overfull.hpp"
 
 #include <algorithm>
@@ -63,8 +66,7 @@ std::optional<Overfull> find_overfull(const Mesh<2>& mesh, const CellContents& c
 {
   std::optional<Overfull> worst;
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    if (contents.volume[cell] <= (1.0 + round_off) * mesh.geometry(cell).volume)
-      continue;  // where cells hold too much together, one does alone
+    if (contents.volume[cell] <= (1.0 + round_off) * mesh.geometry(cell).volume) continue;
     Overfull found = look_around(mesh, contents, cell);
     if (found.volume <= found.limit) continue;
     if (!worst || found.volume / found.limit > worst->volume / worst->limit) worst = std::move(found);

@@ -1,3 +1,7 @@
+// Each side counts its lower end and not its upper one, so that a ray through a corner is counted once; clipping takes
+// places on a limit for inside. Neither uses a tolerance. Only `crosses` errs to the safe side, since it decides where
+// an exact look is needed.
+
 #include "points/polygon.hpp"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Numbers of points count all that were seeded, wanted or not: a body that comes in a later stage has its numbers from
+// the start. Blocks get their size before they are filled, which needs the batch sorted by key; the points themselves
+// keep the order of seeding within a block.
+
 #include "simulation/add_points.hpp"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// A law that reads beyond its arrays gets what happens to lie there. So the same path is run with different numbers
+// behind the arrays, and the ends are compared to the bit. A law that does not repeat itself on equal numbers tells
+// nothing on that path. Each run makes the law anew: one that fails once stays failed.
+
 #include "user_laws/short_arrays.hpp"
 
 #include "user_laws/law_trial.hpp"
