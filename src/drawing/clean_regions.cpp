@@ -7,6 +7,7 @@
 #include "drawing/clean_regions.hpp"
 
 #include "base/errors.hpp"
+#include "base/plane.hpp"
 #include "points/body_outline.hpp"
 
 #include <fmt/format.h>
@@ -25,10 +26,8 @@ Real perimeter(const PlanarGraph& graph, const std::vector<FaceRing>& rings)
 {
   Real sum = 0.0;
   for (const FaceRing& ring : rings)
-    for (std::size_t k = 0; k < ring.places.size(); ++k) {
-      const Vec<2> a = graph.places[ring.places[k]], b = graph.places[ring.places[(k + 1) % ring.places.size()]];
-      sum += std::hypot(b[0] - a[0], b[1] - a[1]);
-    }
+    for (std::size_t k = 0; k < ring.places.size(); ++k)
+      sum += distance(graph.places[ring.places[k]], graph.places[ring.places[(k + 1) % ring.places.size()]]);
   return sum;
 }
 
@@ -157,8 +156,7 @@ class Assignment {
         const bool is_left = faces_.left[k] == static_cast<Index>(face);
         if (!is_left && faces_.right[k] != static_cast<Index>(face)) continue;
         const int other = region[is_left ? faces_.right[k] : faces_.left[k]];
-        const Vec<2> a = graph_.places[graph_.edges[k].a], b = graph_.places[graph_.edges[k].b];
-        if (other >= 0) shared[other] += std::hypot(b[0] - a[0], b[1] - a[1]);
+        if (other >= 0) shared[other] += distance(graph_.places[graph_.edges[k].a], graph_.places[graph_.edges[k].b]);
       }
       const auto most = std::ranges::max_element(shared);
       const bool is_thin = 2.0 * face_areas_[face] <= thin * perimeter(graph_, faces_.rings[face]);

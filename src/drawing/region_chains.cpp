@@ -1,3 +1,10 @@
+// A corner leaves by collapse of a segment: one corner x replaces b and c of a-b-c-d, where the area beside the chain
+// stays the same. x is rounded to the grid. The area that this loses is a debt, which the next collapse of the chain
+// pays. The debt makes waiting candidates out of date, so each is computed again before it is used. A small distance
+// from the drawn line does not keep chains apart: stays_apart looks at all chains before each collapse. Places are
+// added, never renumbered, as several chains refer to them. Areas are balanced last, by linear equations between the
+// regions, since joining and rounding have changed them.
+
 #include "drawing/region_chains.hpp"
 
 #include "base/plane.hpp"
@@ -56,12 +63,11 @@ Real distance_to(const Polygon& line, std::size_t first, std::size_t last, Vec<2
 {
   Real nearest = distance(line[first], x);
   for (std::size_t k = first; k < last; ++k) {
-    const Real length = distance(line[k], line[k + 1]);
-    const Real along = length > 0.0 ? ((x[0] - line[k][0]) * (line[k + 1][0] - line[k][0]) +
-                                          (x[1] - line[k][1]) * (line[k + 1][1] - line[k][1])) /
-                                          (length * length)
-                                    : 0.0;
-    nearest = std::min(nearest, distance(between(line[k], line[k + 1], std::clamp(along, 0.0, 1.0)), x));
+    const Vec<2> a = line[k], b = line[k + 1];
+    const Real length = distance(a, b);
+    const Real along = (x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1]);
+    nearest = std::min(
+        nearest, distance(between(a, b, length > 0.0 ? std::clamp(along / (length * length), 0.0, 1.0) : 0.0), x));
   }
   return nearest;
 }
@@ -445,13 +451,11 @@ void balance_areas(ChainMap& map, const std::vector<Real>& areas, Real farthest,
   const Real whole = std::accumulate(areas.begin(), areas.end(), 0.0);
   for (int round = 0; round < most_balance_rounds; ++round) {
     std::vector<Real> missing = region_areas(map, areas.size());
-    bool is_done = true;
     for (std::size_t k = 0; k < areas.size(); ++k) {
       missing[k] = areas[k] - missing[k];
       if (std::abs(missing[k]) <= 1e-11 * areas[k] + 1e-14 * whole) missing[k] = 0.0;  // round-off
-      is_done = is_done && missing[k] == 0.0;
     }
-    if (is_done) return;
+    if (std::ranges::count(missing, 0.0) == std::ssize(missing)) return;
     if (round == most_balance_rounds / 2) add_levers(map, missing);
     move_levers(map, missing, farthest, changes);
   }
@@ -469,7 +473,7 @@ PlanarGraph graph_of(const ChainMap& map)
 bool lines_are_apart(const PlanarGraph& graph)
 {
   std::vector<std::size_t> order(graph.edges.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::iota(order.begin(), order.end(), std::size_t{0});
   const auto low = [&](std::size_t k) {
     return std::min(graph.places[graph.edges[k].a][0], graph.places[graph.edges[k].b][0]);
   };

@@ -1,3 +1,9 @@
+// What is taken over is decided before anything is written: river, part of the section, size of cells, clean regions.
+// Then the order counts. Water comes first, as the phreatic line cuts layers into pieces; pieces give bodies and soils.
+// A trigger names another water for soils that are there, and the level of [flood]. Doubts look at all of it, last. A
+// sentence goes to one of four lists: doubts, which every command repeats; notes for the terminal; what was assumed;
+// what was left out.
+
 #include "dstability/case_folder.hpp"
 
 #include "base/errors.hpp"
@@ -129,8 +135,6 @@ class FolderMaker {
 
   const StixLayer& layer_of(int drawn) const { return stage_.layers[layers_[drawn]]; }
 
-  // ---------------------------------------------------------------------------------------------------------- water
-
   void make_water()
   {
     WaterText start = is_staged_ ? water_text(first_, layout_, "water_start", false) : WaterText{};
@@ -139,18 +143,18 @@ class FolderMaker {
       assumed_.push_back(filled<told::all_dry>());
       return;
     }
-    const bool has_start = is_staged_, is_dry = now.lines.empty();
+    const bool is_dry = now.lines.empty();
     for (auto& [water, stage] : {std::pair{&start, &first_.stage()}, {&now, &stage_}})
       if (is_staged_ && water->lines.empty()) {
         *water = water_below(layout_);
         assumed_.push_back(filled<told::water_beneath>(in_quotes(stage->label)));
       }
-    situation_ = has_start ? key_of_name(stage_.label, "stage") + "_water" : "";
+    situation_ = is_staged_ ? key_of_name(stage_.label, "stage") + "_water" : "";
     if (situation_ == raised_water) situation_ += "_2";
     phreatic_ = now.phreatic;
     const auto unit = CaseLine{
         "unit_weight", in_quotes(kilo_text((is_dry ? first_.stage() : stage_).water.unit_weight, "kN/m3")), ""};
-    if (has_start) {
+    if (is_staged_) {
       add_water(start, "[water]", fmt::format("Stage {}", in_quotes(scenario().stages.front().label)), {unit});
       add_water(now, "[[water.situation]]", fmt::format("Stage {}", in_quotes(stage_.label)),
           {{"name", in_quotes(situation_), ""}});
@@ -176,8 +180,6 @@ class FolderMaker {
   {
     return section_.column(left ? layout_.low[0] : layout_.high[0]).now().water().phreatic();
   }
-
-  // --------------------------------------------------------------------------------------------------------- bodies
 
   void make_pieces()
   {
@@ -325,8 +327,6 @@ class FolderMaker {
             "yield stress of {} on a grid, from the states of the file", is_staged_ ? "all stages" : "this stage")};
   }
 
-  // ------------------------------------------------------------------------------------------- river, loads, stages
-
   /// x of the river's end of the part that is taken over; where the river may be at both, of the left one.
   Real river_end() const { return river_.side == "right" ? layout_.high[0] - 1e-6 : layout_.low[0] + 1e-6; }
 
@@ -399,8 +399,6 @@ class FolderMaker {
     add(left_out_);
   }
 
-  // -------------------------------------------------------------------------------------------------------- trigger
-
   void make_trigger()
   {
     if (options_.trigger.kind == TriggerKind::strength) weaken();
@@ -439,8 +437,6 @@ class FolderMaker {
       if (const std::string path = strength_water_key(use); !path.empty())
         trigger_.sets.push_back(fmt::format("\"{}\" = {}", path, in_quotes(raised_water)));
   }
-
-  // --------------------------------------------------------------------------------------------------------- report
 
   std::string report() const
   {

@@ -36,6 +36,12 @@ bool is_empty_number(const std::string& text)
   return std::ranges::find(words, text) != words.end();
 }
 
+/// Where a key stands in `where`: "soils.json, Soils[0].Name".
+std::string path_of_key(const std::string& where, std::string_view key)
+{
+  return fmt::format("{}{}{}", where, where.find(", ") == std::string::npos ? ", " : ".", key);
+}
+
 /// The place without the numbers of members and list entries: "scenarios/scenario.json, Stages[].Label".
 std::string without_numbers(const std::string& where)
 {
@@ -63,7 +69,7 @@ void StixNotes::fault(const std::string& where, const std::string& what, const s
 
 void StixNotes::unknown_key(const std::string& where, const std::string& key)
 {
-  ++unknown_[fmt::format("{}{}{}", without_numbers(where), where.find(", ") == std::string::npos ? ", " : ".", key)];
+  ++unknown_[path_of_key(without_numbers(where), key)];
 }
 
 std::vector<StixRemark> StixNotes::finish()
@@ -138,8 +144,7 @@ std::string JsonCursor::id(const char* key)
 JsonCursor JsonCursor::object(const char* key)
 {
   const JsonNode* const value = find(key, JsonKind::object, "an object");
-  const std::string dot = where_.find(", ") == std::string::npos ? ", " : ".";
-  return {value == nullptr ? no_node : *value, where_ + dot + key, *notes_};
+  return {value == nullptr ? no_node : *value, path_of_key(where_, key), *notes_};
 }
 
 std::vector<JsonCursor> JsonCursor::list(const char* key)
@@ -147,10 +152,9 @@ std::vector<JsonCursor> JsonCursor::list(const char* key)
   std::vector<JsonCursor> entries;
   const JsonNode* const value = find(key, JsonKind::list, "a list");
   if (value == nullptr) return entries;
-  const std::string dot = where_.find(", ") == std::string::npos ? ", " : ".";
   entries.reserve(value->members.size());
   for (const auto& [none, entry] : value->members) {
-    const std::string where = fmt::format("{}{}{}[{}]", where_, dot, key, entries.size());
+    const std::string where = fmt::format("{}[{}]", path_of_key(where_, key), entries.size());
     if (entry.kind != JsonKind::object)
       notes_->fault(where, "is not an object", fmt::format("Got {}.", shown(entry)));
     else
@@ -227,7 +231,7 @@ void JsonCursor::tell_unknown() const
 
 void JsonCursor::fault(const char* key, const std::string& what, const std::string& detail) const
 {
-  notes_->fault(where_ + (where_.find(", ") == std::string::npos ? ", " : ".") + key, what, detail);
+  notes_->fault(path_of_key(where_, key), what, detail);
 }
 
 }  // namespace terp

@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "base/interpolate.hpp"
+#include "base/plane.hpp"
 #include "points/body_outline.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace terp {
@@ -45,10 +47,7 @@ Real ground_at(const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExc
 Real length_of(const Polygon& outline)
 {
   Real sum = 0.0;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const Vec<2> a = outline[k], b = outline[(k + 1) % outline.size()];
-    sum += std::hypot(b[0] - a[0], b[1] - a[1]);
-  }
+  for (std::size_t k = 0; k < outline.size(); ++k) sum += distance(outline[k], outline[(k + 1) % outline.size()]);
   return sum;
 }
 
@@ -81,8 +80,7 @@ Polygon without_straight_corners(Polygon outline)
   const std::size_t n = outline.size();
   for (std::size_t k = 0; k < n; ++k) {
     const Vec<2> a = kept.empty() ? outline[n - 1] : kept.back(), b = outline[k], c = outline[(k + 1) % n];
-    const Real twice = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
-    if (std::abs(twice) > 1e-9 * std::hypot(c[0] - a[0], c[1] - a[1])) kept.push_back(b);
+    if (std::abs(cross(a, b, c)) > 1e-9 * distance(a, c)) kept.push_back(b);
   }
   return kept;
 }
@@ -312,7 +310,7 @@ void put_on_top(BodyOrder& order)
     });
   }
   std::vector<std::size_t> by_size(n);
-  for (std::size_t k = 0; k < n; ++k) by_size[k] = k;
+  std::iota(by_size.begin(), by_size.end(), std::size_t{0});
   // Only a region inside another one must come after it; the order is else that of the file.
   std::vector<int> depth(n, 0);
   for (std::size_t k = 0; k < n; ++k)

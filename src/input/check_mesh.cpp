@@ -1,7 +1,9 @@
 #include "input/check_case.hpp"
 
+#include "base/plane.hpp"
 #include "input/mesh_kinds.hpp"
 #include "input/units.hpp"
+#include "points/polygon.hpp"
 
 #include <fmt/format.h>
 
@@ -49,18 +51,6 @@ void check_cells(const MeshCase& mesh, Problems& problems)
   }
 }
 
-Real distance(const Vec<2>& a, const Vec<2>& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
-
-Real twice_area(const std::vector<Vec<2>>& polygon)
-{
-  Real sum = 0.0;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec<2>&a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    sum += a[0] * b[1] - b[0] * a[1];
-  }
-  return sum;
-}
-
 /// One corner of the grid: the ends of two sides that must be the same place.
 struct GridCorner {
   int side, other;       ///< in the order of MeshCase::sides
@@ -97,7 +87,7 @@ void check_sides_turn(const MeshCase& mesh, Problems& problems)
   loop.insert(loop.end(), right.begin(), right.end());
   loop.insert(loop.end(), top.rbegin(), top.rend());
   loop.insert(loop.end(), left.rbegin(), left.rend());
-  if (twice_area(loop) > 0.0) return;
+  if (signed_area(loop) > 0.0) return;
   problems.push_back({"mesh.sides", "the four sides run clockwise",
       "Seen along bottom, the grid must lie to the left. Exchange left and right and write bottom and "
       "top the other way round.",
@@ -190,7 +180,7 @@ void check_mesh(const Node& root, const MeshCase& mesh, Findings& findings)
 
 void turn_counter_clockwise(MeshCase& mesh)
 {
-  if (twice_area(mesh.polygon) >= 0.0) return;
+  if (signed_area(mesh.polygon) >= 0.0) return;
   std::ranges::reverse(mesh.polygon);
   const auto n = static_cast<Index>(mesh.polygon.size());
   for (EdgesCase& side : mesh.edges)  // corner k is now n - 1 - k, so the edge from k to k + 1 starts at n - 2 - k

@@ -230,12 +230,10 @@ std::optional<RandomField> read_random_field(const Node& table, const FieldConte
       {table, join_path(outer.entry.path, table.name), outer.entry.key}, outer.folder, outer.findings, outer.needs};
   if (table.kind != NodeKind::table)
     return refuse_field(outer, context.entry.path, "`random` must be a table",
-               fmt::format("Got {}; keys of random: {}.", describe_value(table), plain_list(names_of_keys()))),
-           std::nullopt;
+        fmt::format("Got {}; keys of random: {}.", describe_value(table), plain_list(names_of_keys())));
   const Node* mean = find_item(table, "mean");
   if (mean == nullptr)
-    return refuse_field(outer, context.entry.path, "`random` needs `mean`", "A number, or a field: the trend."),
-           std::nullopt;
+    return refuse_field(outer, context.entry.path, "`random` needs `mean`", "A number, or a field: the trend.");
   RandomText text;
   if (!refuse_unknown(table, context)) return std::nullopt;
   const bool good = read_keys(table, context, text);

@@ -6,6 +6,7 @@
 #include "input/values.hpp"
 
 #include "base/closest.hpp"
+#include "base/plane.hpp"
 #include "input/expression.hpp"
 #include "input/field_kinds.hpp"
 #include "input/key_text.hpp"
@@ -20,12 +21,6 @@
 
 namespace terp {
 namespace {
-
-/// Twice the area of the triangle a b c, positive if it runs counter-clockwise.
-Real cross(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c)
-{
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
 
 /// 1: counter-clockwise, -1: clockwise, 0: no area up to round-off.
 int turn_of(const std::vector<Vec<2>>& corners)

@@ -25,13 +25,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// N of a name "<prefix>N.h5"; -1 if the name is not of this form.
 std::int64_t step_in_name(std::string_view name, std::string_view prefix)
 {
   constexpr std::string_view ending = ".h5";
   if (!name.starts_with(prefix) || !name.ends_with(ending)) return -1;
   const std::string_view digits = name.substr(prefix.size(), name.size() - prefix.size() - ending.size());
-  const bool all_digits = std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+  const bool all_digits = std::ranges::all_of(digits, is_digit);
   std::int64_t step = -1;
   const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), step);
   return all_digits && end.ec == std::errc() ? step : -1;
@@ -44,7 +46,6 @@ std::string stage_in_name(std::string_view name)
   if (!name.starts_with(prefix) || !name.ends_with(ending) || name.size() <= prefix.size() + ending.size() + 3)
     return "";
   const std::string_view middle = name.substr(prefix.size(), name.size() - prefix.size() - ending.size());
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const std::size_t end = middle.find('_');
   if (end == std::string_view::npos || end < 2 || !std::ranges::all_of(middle.substr(0, end), is_digit)) return "";
   return std::string(middle.substr(end + 1));
@@ -90,8 +91,7 @@ bool is_copy_of_input(std::string_view name)
   if (name == copy_of_import || std::ranges::find(mesh_copies, name) != std::end(mesh_copies)) return true;
   const auto is_numbered = [&](std::string_view begin, std::string_view end) {
     return name.starts_with(begin) && name.ends_with(end) && name.size() > begin.size() + end.size() &&
-           std::all_of(
-               name.begin() + begin.size(), name.end() - end.size(), [](char c) { return c >= '0' && c <= '9'; });
+           std::all_of(name.begin() + begin.size(), name.end() - end.size(), is_digit);
   };
   return is_numbered("points_", ".csv") || is_numbered("values_", ".csv") || is_numbered("library_", ".so");
 }

@@ -4,6 +4,7 @@
 
 #include "points/body_outline.hpp"
 
+#include "base/plane.hpp"
 #include "mesh/mesh_error.hpp"
 
 #include <algorithm>
@@ -24,22 +25,16 @@ std::string side_text(const Side& side)
   return fmt::format("from {} to {} m", place_text(side.a), place_text(side.b));
 }
 
-/// Twice the area of the triangle a, b, x: its sign says on which side of a -> b the place x lies.
-Real turn(Vec<2> a, Vec<2> b, Vec<2> x) { return (b[0] - a[0]) * (x[1] - a[1]) - (b[1] - a[1]) * (x[0] - a[0]); }
-
 /// Where two sides cross in their interiors; sides that only touch do not.
 std::optional<Vec<2>> crossing(const Side& one, const Side& two)
 {
-  const Real a = turn(two.a, two.b, one.a), b = turn(two.a, two.b, one.b);
-  const Real c = turn(one.a, one.b, two.a), d = turn(one.a, one.b, two.b);
-  const Real length =
-      std::hypot(one.b[0] - one.a[0], one.b[1] - one.a[1]) * std::hypot(two.b[0] - two.a[0], two.b[1] - two.a[1]);
-  const Real touch = no_area * length;
+  const Real a = cross(two.a, two.b, one.a), b = cross(two.a, two.b, one.b);
+  const Real c = cross(one.a, one.b, two.a), d = cross(one.a, one.b, two.b);
+  const Real touch = no_area * (distance(one.a, one.b) * distance(two.a, two.b));
   const bool crosses = std::min(std::abs(a), std::abs(b)) > touch && std::min(std::abs(c), std::abs(d)) > touch &&
                        a * b < 0.0 && c * d < 0.0;
   if (!crosses) return std::nullopt;
-  const Real t = a / (a - b);
-  return Vec<2>{one.a[0] + t * (one.b[0] - one.a[0]), one.a[1] + t * (one.b[1] - one.a[1])};
+  return between(one.a, one.b, a / (a - b));
 }
 
 Polygon without_repeated_corners(const Polygon& polygon)
@@ -69,21 +64,12 @@ std::optional<Vec<2>> first_crossing(const Polygon& one, const Polygon& two)
   return std::nullopt;
 }
 
-Real distance_to_side(const Side& side, Vec<2> x)
-{
-  const Vec<2> along{side.b[0] - side.a[0], side.b[1] - side.a[1]}, to{x[0] - side.a[0], x[1] - side.a[1]};
-  const Real length_squared = along[0] * along[0] + along[1] * along[1];
-  const Real t =
-      length_squared > 0.0 ? std::clamp((along[0] * to[0] + along[1] * to[1]) / length_squared, 0.0, 1.0) : 0.0;
-  return std::hypot(to[0] - t * along[0], to[1] - t * along[1]);
-}
-
 bool on_outline(const Polygon& polygon, Vec<2> x)
 {
   const BoundingBox box = box_around(polygon);
-  const Real touch = no_area * std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+  const Real touch = no_area * distance(box.low, box.high);
   for (std::size_t k = 0; k < polygon.size(); ++k)
-    if (distance_to_side(side_of(polygon, k), x) <= touch) return true;
+    if (distance_to_line(polygon[k], polygon[(k + 1) % polygon.size()], x) <= touch) return true;
   return false;
 }
 

@@ -335,18 +335,20 @@ void leave_out_frames(std::vector<ShownRun>& runs)
   });
 }
 
-void leave_out_points(std::vector<ShownRun>& runs)
+/// halving: how often that was done before.
+void leave_out_points(std::vector<ShownRun>& runs, int halving)
 {
-  for_each_array(runs, [](ShownRun& run, std::vector<Codes>& frames, Scale*, bool) {
+  const auto goes = [bit = 0x10000u << halving](std::uint32_t id) { return (scramble(id) & bit) != 0u; };
+  for_each_array(runs, [&](ShownRun& run, std::vector<Codes>& frames, Scale*, bool) {
     for (Codes& codes : frames) {
       std::size_t n = 0;
       for (std::size_t p = 0; p < codes.size(); ++p)
-        if ((scramble(run.ids[p]) & 0x10000u) == 0u) codes[n++] = codes[p];
+        if (!goes(run.ids[p])) codes[n++] = codes[p];
       codes.resize(n);
     }
   });
   for (ShownRun& run : runs) {
-    std::erase_if(run.ids, [](std::uint32_t id) { return (scramble(id) & 0x10000u) != 0u; });
+    std::erase_if(run.ids, goes);
     run.point_size *= std::sqrt(2.0);
   }
 }
@@ -402,6 +404,7 @@ std::size_t estimate_bytes(const std::vector<ShownRun>& runs)
 
 void fit(std::vector<ShownRun>& runs, std::size_t most_bytes)
 {
+  int halvings = 0;
   for (int round = 0; round < 16 && estimate_bytes(runs) > most_bytes; ++round) {
     const std::size_t n_frames = fewest_frames(runs);
     if (round < 3)
@@ -415,7 +418,7 @@ void fit(std::vector<ShownRun>& runs, std::size_t most_bytes)
     else if (n_frames > 20)
       leave_out_frames(runs);
     else
-      leave_out_points(runs);
+      leave_out_points(runs, halvings++);
   }
 }
 

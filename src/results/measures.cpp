@@ -359,7 +359,8 @@ void add_followers(Measures& all, const std::vector<RunResults>& runs)
           .unit = std::string(info.unit),
           .value = [name = info.name](Run run) -> Value {
             const auto found = run.summary.values.numbers.find(name);
-            return found == run.summary.values.numbers.end() ? std::nullopt : finite(found->second);
+            const bool is_known = found != run.summary.values.numbers.end() && !summary_is_behind(run);
+            return is_known ? finite(found->second) : std::nullopt;
           }});
 }
 

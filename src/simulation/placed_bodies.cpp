@@ -156,7 +156,8 @@ void change_bodies(const Model& model, State& state)
 {
   if (model.held_row < 0) return;
   const std::vector<BodyCase>& bodies = model.description.bodies;
-  const std::vector<Index> body = seeds_of(model).bodies;
+  const Seeds seeds = seeds_of(model);
+  const std::vector<Index>& body = seeds.bodies;
   std::vector<bool> comes = bodies_in(state, body, bodies.size()), goes = comes;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     comes[b] = !comes[b] && bodies[b].is_there;
@@ -168,7 +169,7 @@ void change_bodies(const Model& model, State& state)
   });
   if (std::ranges::find(comes, true) == comes.end()) return;
   place(model, body, comes, state);
-  set_point_parameters(model, seeds_of(model).places, state, comes);
+  set_point_parameters(model, seeds.places, state, comes);
 }
 
 void remove_held_bodies(const Model& model, State& state)

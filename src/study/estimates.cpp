@@ -84,7 +84,7 @@ EventEstimate EventCounts::flood(Real confidence) const
 }
 EventEstimate EventCounts::flood_after_slide(Real confidence) const
 {
-  return estimate_event(flooded_after_slide, slid_judged, failed + slid - slid_judged, confidence);
+  return estimate_event(flooded_after_slide, slid_judged, unknown(&EventCounts::flooded_after_slide), confidence);
 }
 
 EventCounts operator+(const EventCounts& a, const EventCounts& b)

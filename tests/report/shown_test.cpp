@@ -164,4 +164,17 @@ TEST(Fit, LeavesOutPointsLast)
   EXPECT_NEAR(runs[0].x.lo + runs[0].x.step * runs[0].x_codes[0][p], 0.5 * runs[0].ids[p], runs[0].x.step);
 }
 
+TEST(Fit, HalvesThePointsUntilTheyFit)
+{
+  const ShownRun full = Folder(4000, 4, 1.0).shown(4000);
+  std::vector<ShownRun> runs{full};
+  constexpr std::size_t most = 6000;
+  fit(runs, most);
+  EXPECT_LE(estimate_bytes(runs), most);
+  const auto n = static_cast<Real>(runs[0].ids.size());
+  EXPECT_LT(n, 1500.0);  // more than one halving
+  EXPECT_GT(n, 100.0);
+  EXPECT_NEAR(runs[0].point_size, full.point_size * std::sqrt(4000.0 / n), 0.1 * runs[0].point_size);
+}
+
 }  // namespace shown_test

@@ -36,6 +36,17 @@ TEST(Measures, TakeNoInputForAResult)
   EXPECT_THAT(named, HasSubstr(" halo_fraction "));
 }
 
+TEST(Measures, OfFollowersAreNotDefinedWhileTheSummaryIsBehind)
+{
+  RunResults run;
+  run.summary.values.numbers["halo_fraction"] = 0.25;
+  run.summary.values.n_steps = 1;
+  const auto all = measures_of({run});
+  EXPECT_THAT(measure(all, "halo_fraction").value(run), Optional(0.25));
+  run.summary.values.n_steps = 0;
+  EXPECT_EQ(measure(all, "halo_fraction").value(run), std::nullopt);
+}
+
 TEST(Measures, OfEverySlideThatSomeRunHas)
 {
   const ScratchFolder scratch;
