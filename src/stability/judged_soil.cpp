@@ -1,3 +1,8 @@
+// A part-filled cell takes its nodes out of the count, and a cell with such a node its points: the ring of filled cells
+// beside it is left out too, as its nodes move with the soil that ravels. In thin soil nothing may be left; then all of
+// it counts, or a trial would see no motion and call any factor stable.
+// Forces are summed with their signs over the steps of a window, so that vibration cancels before absolute values.
+
 #include "stability/judged_soil.hpp"
 
 #include "transfer/gauss_average.hpp"
@@ -32,19 +37,20 @@ JudgedSoil::JudgedSoil(const Model& model, const State& state)
       node_(model.mesh->nodes.size(), true),
       force_(model.mesh->nodes.size(), Vec<2>{0.0, 0.0})
 {
-  std::vector<Index> part_filled;
   for (const Index cell : state.points.occupied())
-    if (!is_filled(model, state, cell)) part_filled.push_back(cell);
-  if (part_filled.size() == state.points.occupied().size()) return;
-  for (const Index cell : part_filled)
-    for (const Index node : model.mesh->cells[cell]) node_[node] = false;
+    if (!is_filled(model, state, cell))
+      for (const Index node : model.mesh->cells[cell]) node_[node] = false;
+  bool any = false;
   for (const Index cell : state.points.occupied()) {
-    const auto& corners = model.mesh->cells[cell];
-    if (std::ranges::all_of(corners, [&](Index node) { return node_[node]; })) continue;
+    const bool counts = std::ranges::all_of(model.mesh->cells[cell], [&](Index node) { return node_[node]; });
+    any |= counts;
     for_each_block(state.points, cell, [&](const PointBlock<2>& block, Index) {
-      for (Index lane = 0; lane < block.n; ++lane) point_[id_of(block, lane)] = false;
+      for (Index lane = 0; lane < block.n; ++lane) point_[id_of(block, lane)] = counts;
     });
   }
+  if (any) return;
+  point_.assign(point_.size(), true);
+  node_.assign(node_.size(), true);
 }
 
 Real JudgedSoil::largest_displacement(const State& state) const

@@ -8,7 +8,7 @@
 
 namespace terp {
 
-/// Chosen once, where the soil is at rest. A case without any filled cell is judged by all its soil.
+/// Chosen once, where the soil is at rest. Where none of it is left, all soil is judged.
 class JudgedSoil {
  public:
   JudgedSoil(const Model& model, const State& state);
@@ -22,7 +22,7 @@ class JudgedSoil {
   Real take_out_of_balance();
 
  private:
-  std::vector<bool> point_;    // by id: it began in a filled cell
+  std::vector<bool> point_;    // by id: no node of its cell is out of the count
   std::vector<bool> node_;     // no part-filled cell holds it
   std::vector<Vec<2>> force_;  // sum of m a over the steps, by node [N per m]
   Real weight_ = 0.0;          // sum of |m g| over nodes and steps [N per m]

@@ -53,6 +53,17 @@ TEST(JudgedSoil, IsAllSoilWhereNoCellIsFilled)
   EXPECT_NEAR(soil.largest_displacement(thin.state), 0.01, 1e-12);
 }
 
+TEST(JudgedSoil, IsAllSoilWhereEachFilledCellHoldsOnToAPartFilledOne)
+{
+  Box thin(0.85);  // a row of filled cells below one that is 40 % full
+  JudgedSoil soil(thin.model, thin.state);
+  thin.shift(0.0, 0.01);
+  EXPECT_NEAR(soil.largest_displacement(thin.state), 0.01, 1e-12);
+  thin.model.step(thin.model, thin.state, thin.work);
+  soil.add_forces(thin.model, thin.work);
+  EXPECT_NEAR(soil.take_out_of_balance(), 1.0, 1e-12);
+}
+
 TEST(JudgedSoil, IsOutOfBalanceByItsWholeWeightInFreeFall)
 {
   Box box(1.25);
