@@ -9,7 +9,8 @@
 
 namespace terp {
 
-/// A gzip stream (RFC 1952) with no name and no time in it: equal bytes give equal streams.
+/// A gzip stream (RFC 1952) with no name and no time in it: equal bytes give equal streams. Throws
+/// std::length_error for more than 4 GB.
 std::string gzip(std::string_view bytes, int level = 6);
 
 /// The bytes of a gzip stream. Throws FileError if it is damaged.

@@ -12,6 +12,12 @@ TEST(Compress, ComesBackToTheByte)
   for (const std::string& text : {bytes, std::string(), std::string("\0\0a", 3)}) EXPECT_EQ(gunzip(gzip(text)), text);
 }
 
+TEST(Compress, RefusesMoreThanAStreamCanCount)
+{
+  const char start = '\0';  // the rest is not looked at
+  EXPECT_THROW(static_cast<void>(gzip(std::string_view(&start, 5'000'000'000))), std::length_error);
+}
+
 TEST(Compress, EqualBytesGiveEqualStreamsOfGzip)
 {
   const std::string stream = gzip("soil soil soil soil soil soil soil soil");
