@@ -78,13 +78,22 @@ struct BodyChange {
   std::string place_key, remove_key;  ///< where they say so
 };
 
-/// The number of a body in a list of a stage, if there is one of that name that may come or go.
-std::optional<std::size_t> find_body(
-    const Case& values, std::size_t k, const char* key, std::size_t entry, const std::string& name, Findings& findings)
+/// A name in a list of a stage: stage[k].place[number].
+struct NamedInStage {
+  std::size_t stage;
+  const char* key;
+  std::size_t number;
+  const std::string& name;
+
+  std::string path() const { return fmt::format("stage[{}].{}[{}]", stage, key, number); }
+};
+
+/// The number of the body that is named, if there is one of that name that may come or go.
+std::optional<std::size_t> find_body(const Case& values, const NamedInStage& entry, Findings& findings)
 {
-  const std::string path = fmt::format("stage[{}].{}[{}]", k, key, entry);
+  const std::string& name = entry.name;
   const auto refuse = [&](std::string what, std::string detail) {
-    findings.problems.push_back({path, std::move(what), std::move(detail), fmt::format("stage.{}", key)});
+    findings.problems.push_back({entry.path(), std::move(what), std::move(detail), fmt::format("stage.{}", entry.key)});
     return std::nullopt;
   };
   std::vector<std::string> names;
@@ -98,8 +107,8 @@ std::optional<std::size_t> find_body(
             (names.empty() ? "No [[body]] of this case has a name: give it name = \"berm\"."
                            : "Bodies with a name: " + plain_list(names)));
   }
-  if (k == 0)
-    return refuse(fmt::format("the first stage cannot {} a body", key),
+  if (entry.stage == 0)
+    return refuse(fmt::format("the first stage cannot {} a body", entry.key),
         "It begins with the soil as it is at the start. Draw the section so, or give a stage before it.");
   return static_cast<std::size_t>(found - values.bodies.begin());
 }
@@ -110,17 +119,17 @@ void read_bodies_of_stage(
 {
   const char* const key = places ? "place" : "remove";
   const std::vector<std::string>& names = places ? values.stages[k].place : values.stages[k].remove;
-  for (std::size_t entry = 0; entry < names.size(); ++entry) {
-    const auto b = find_body(values, k, key, entry, names[entry], findings);
+  for (std::size_t number = 0; number < names.size(); ++number) {
+    const NamedInStage entry{k, key, number, names[number]};
+    const auto b = find_body(values, entry, findings);
     if (!b) continue;
     std::string& said = places ? bodies[*b].place_key : bodies[*b].remove_key;
-    const std::string path = fmt::format("stage[{}].{}[{}]", k, key, entry);
     if (!said.empty())
-      findings.problems.push_back({path,
-          fmt::format("the body `{}` is {} twice", names[entry], places ? "placed" : "removed"),
+      findings.problems.push_back({entry.path(),
+          fmt::format("the body `{}` is {} twice", entry.name, places ? "placed" : "removed"),
           "A body comes once and goes once: draw another one, with a name of its own.", fmt::format("stage.{}", key)});
     else
-      said = path, (places ? bodies[*b].placed : bodies[*b].removed) = k + 1;
+      said = entry.path(), (places ? bodies[*b].placed : bodies[*b].removed) = k + 1;
   }
 }
 

@@ -5,14 +5,14 @@
 
 #include "meshing/generate.hpp"
 
+#include "base/checksum.hpp"
+#include "mesh/mesh_error.hpp"
 #include "meshing/geo_text.hpp"
 #include "meshing/gmsh_file.hpp"
 #include "meshing/gmsh_program.hpp"
 #include "meshing/improve.hpp"
 #include "meshing/mesh_cache.hpp"
 #include "meshing/msh_content.hpp"
-#include "base/checksum.hpp"
-#include "mesh/mesh_error.hpp"
 
 #include <fmt/format.h>
 
@@ -116,32 +116,36 @@ class Waiting {
     fmt::print(stderr, "{}: {:.0f} s of at most {:.0f} s\n", what_, seconds, longest_);
     next_ = std::max(2.0 * next_, next_ + 10.0);
   }
+  double longest() const { return longest_; }
 
  private:
   std::string what_;
   double longest_, next_;
 };
 
-/// What gmsh writes for one recipe, with better cells; empty, and the reason in `why`, if they are not all convex
-/// quadrilaterals. seconds: that gmsh may take.
-std::string try_recipe(const PolygonMesh& mesh, const PlanarMap& map, const Recipe& recipe, const std::string& folder,
-    Waiting waiting, double seconds, std::string& why)
+/// What gmsh writes for one recipe, with better cells; empty, and why, if they are not all convex quadrilaterals.
+struct Attempt {
+  std::string bytes, why;
+};
+
+Attempt try_recipe(
+    const PolygonMesh& mesh, const PlanarMap& map, const Recipe& recipe, const std::string& folder, Waiting waiting)
 {
   const std::string script = folder + "/section.geo", result = folder + "/section.msh";
   std::ofstream(script) << geo_text(mesh, map, recipe);
   std::filesystem::remove(result);
   const ProcessResult run =
-      run_gmsh({"-2", script, "-o", result, "-nt", "1", "-v", "2"}, folder, seconds, std::ref(waiting));
-  why = run.timed_out        ? fmt::format("gmsh did not finish in {:.3g} s", seconds)
-        : run.signal != 0    ? fmt::format("gmsh crashed (signal {})", run.signal)
-        : run.output.empty() ? fmt::format("gmsh ended with status {}", run.status)
-                             : run.output;
+      run_gmsh({"-2", script, "-o", result, "-nt", "1", "-v", "2"}, folder, waiting.longest(), std::ref(waiting));
+  const std::string why = run.timed_out        ? fmt::format("gmsh did not finish in {:.3g} s", waiting.longest())
+                          : run.signal != 0    ? fmt::format("gmsh crashed (signal {})", run.signal)
+                          : run.output.empty() ? fmt::format("gmsh ended with status {}", run.status)
+                                               : run.output;
   std::string bytes = bytes_of(result);
-  if (!run.succeeded() || bytes.empty()) return "";
+  if (!run.succeeded() || bytes.empty()) return {"", why};
   const MshContent file = read_msh(result, bytes);
-  if (file.quads.empty() || file.n_others > 0) return "";
-  why = "some of its cells are not convex";
-  return improve_file(mesh, map, file, bytes) ? bytes : "";
+  if (file.quads.empty() || file.n_others > 0) return {"", why};
+  if (!improve_file(mesh, map, file, bytes)) return {"", "some of its cells are not convex"};
+  return {bytes, ""};
 }
 
 /// For a mesh that takes gmsh minutes.
@@ -164,8 +168,9 @@ std::string make_mesh(const PolygonMesh& mesh, const PlanarMap& map, const GmshT
     const double seconds = std::min(times.recipe, times.all - passed);
     if (seconds <= 0.0) break;
     const std::string what = fmt::format("gmsh, recipe {} of {}", k + 1, all.size());
-    std::string bytes = try_recipe(mesh, map, all[k], folder, Waiting(what, seconds, times.first_word), seconds, why);
-    if (!bytes.empty()) return bytes;
+    Attempt attempt = try_recipe(mesh, map, all[k], folder, Waiting(what, seconds, times.first_word));
+    if (!attempt.bytes.empty()) return attempt.bytes;
+    why = attempt.why;
     if (k + 1 < all.size()) fmt::print(stderr, "{} gave no mesh ({}); trying the next\n", what, first_line(why));
   }
   throw MeshError(

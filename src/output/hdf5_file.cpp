@@ -170,16 +170,26 @@ Id open_to_read(hid_t file, std::size_t n_bytes_in_memory, const std::string& pa
   return dataset;
 }
 
+/// An attribute of an object in a file.
+struct AttributePlace {
+  hid_t file;
+  const std::string &path, &object, &name;
+};
+
+struct AttributeValues {
+  hid_t disk_type, type, space;
+  const void* data;
+};
+
 /// One that is there already is replaced.
-void write_attribute(hid_t file, const std::string& path, const std::string& object, const std::string& name,
-    hid_t disk_type, hid_t type, hid_t space, const void* values)
+void write_attribute(const AttributePlace& at, const AttributeValues& values)
 {
-  const Id opened{checked(H5Oopen(file, object.c_str(), H5P_DEFAULT), "open", path, object), H5Oclose};
-  if (H5Aexists(opened, name.c_str()) > 0) H5Adelete(opened, name.c_str());
-  const Id made{
-      checked(H5Acreate2(opened, name.c_str(), disk_type, space, H5P_DEFAULT, H5P_DEFAULT), "write", path, name),
+  const Id opened{checked(H5Oopen(at.file, at.object.c_str(), H5P_DEFAULT), "open", at.path, at.object), H5Oclose};
+  if (H5Aexists(opened, at.name.c_str()) > 0) H5Adelete(opened, at.name.c_str());
+  const Id made{checked(H5Acreate2(opened, at.name.c_str(), values.disk_type, values.space, H5P_DEFAULT, H5P_DEFAULT),
+                    "write", at.path, at.name),
       H5Aclose};
-  checked(H5Awrite(made, type, values), "write", path, name);
+  checked(H5Awrite(made, values.type, values.data), "write", at.path, at.name);
 }
 
 /// File access: no lock; the format of HDF5 1.10, in which all metadata carry checksums, so that a damaged file is
@@ -397,14 +407,15 @@ void Hdf5File::set_text(const std::string& object, const std::string& attribute,
   const Id type{H5Tcopy(H5T_C_S1), H5Tclose};  // ASCII, fixed length
   H5Tset_size(type, std::max<std::size_t>(1, value.size()));
   H5Tset_strpad(type, H5T_STR_NULLPAD);
-  write_attribute(file_, path_, object, attribute, type, type, Id{H5Screate(H5S_SCALAR), H5Sclose}, value.c_str());
+  const Id space{H5Screate(H5S_SCALAR), H5Sclose};
+  write_attribute({file_, path_, object, attribute}, {type, type, space, value.c_str()});
 }
 
 void Hdf5File::set_real(const std::string& object, const std::string& attribute, Real value)
 {
   const Hdf5Turn turn;
   const Id space{H5Screate(H5S_SCALAR), H5Sclose};
-  write_attribute(file_, path_, object, attribute, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, space, &value);
+  write_attribute({file_, path_, object, attribute}, {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, space, &value});
 }
 
 void Hdf5File::set_integers(
@@ -412,7 +423,7 @@ void Hdf5File::set_integers(
 {
   const Hdf5Turn turn;
   const Id space = values.size() == 1 ? make_space({}) : make_space({values.size()});
-  write_attribute(file_, path_, object, attribute, H5T_STD_I64LE, H5T_NATIVE_INT64, space, values.data());
+  write_attribute({file_, path_, object, attribute}, {H5T_STD_I64LE, H5T_NATIVE_INT64, space, values.data()});
 }
 
 namespace {
