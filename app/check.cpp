@@ -13,13 +13,13 @@
 #include "simulation/ground_section.hpp"
 #include "simulation/loads.hpp"
 #include "simulation/output_costs.hpp"
-#include "warnings/setup_warnings.hpp"
 #include "simulation/side_shape.hpp"
 #include "simulation/simulation.hpp"
-#include "simulation/softening_scales.hpp"
 #include "simulation/slip_planes.hpp"
+#include "simulation/softening_scales.hpp"
 #include "simulation/strength_profile.hpp"
 #include "user_laws/law_cost.hpp"
+#include "warnings/setup_warnings.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -150,8 +150,8 @@ void declare_study(CLI::App& app, StudyCommand& command)
 {
   CLI::App* study = add_command(app, "study", "Solve",
       "how probable a slide and a flood are\nSolves many realisations of a case with random numbers and fields, or a "
-      "table "
-      "of\nits keys (docs/probability.md). What is solved is kept: after a kill the same\ncommand goes on.\n\nACTION\n"
+      "table of\nits keys (docs/probability.md). What is solved is kept: after a kill the same\ncommand goes "
+      "on.\n\nACTION\n"
       "  check   what would run, how long, on what\n"
       "  sample  what would be drawn: histograms of the input\n"
       "  run     solve, or go on; results go to runs/NAME/. Under mpirun or srun all\n"

@@ -73,10 +73,8 @@ void declare_assess(CLI::App& app, AssessCommand& command)
 {
   CLI::App* assess = add_command(app, "assess", "Solve",
       "all sections of a reach: import, check, run, report\nOne page and one table of all (docs/assess.md): "
-      "index.html, "
-      "reach.csv,\nreach.json. Sections that are solved already are kept, and one that was\ninterrupted goes on. A "
-      "file "
-      "that cannot be read stops none of the others.",
+      "index.html, reach.csv,\nreach.json. Sections that are solved already are kept, and one that was\ninterrupted "
+      "goes on. A file that cannot be read stops none of the others.",
       "  terp assess *.stix -o reach -j 2 --estimate\n  terp assess *.stix -o reach -j 2 --trigger strength --language "
       "nl\n");
   assess->add_option("FILE", command.files, "D-Stability files, case files, folders with a case.toml")

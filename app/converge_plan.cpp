@@ -13,8 +13,8 @@
 #include "output/summary_json.hpp"
 #include "progress.hpp"
 #include "simulation/setup_mesh.hpp"
-#include "warnings/setup_warnings.hpp"
 #include "simulation/turned_mesh.hpp"
+#include "warnings/setup_warnings.hpp"
 
 #include <algorithm>
 #include <cctype>

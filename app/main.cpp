@@ -1,8 +1,8 @@
 // The program: reads the command line and calls one function per command.
 
+#include "base/closest.hpp"
 #include "command_line.hpp"
 #include "input/case_file.hpp"
-#include "base/closest.hpp"
 #include "input/case_schema.hpp"
 #include "input/explain.hpp"
 #include "input/printable.hpp"

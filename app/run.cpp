@@ -18,7 +18,6 @@
 #include "simulation/library_watch.hpp"
 #include "simulation/no_equilibrium.hpp"
 #include "simulation/other_run.hpp"
-#include "warnings/setup_warnings.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/softening_scales.hpp"
 #include "simulation/stages.hpp"
@@ -26,6 +25,7 @@
 #include "simulation/state_image.hpp"
 #include "system/stop.hpp"
 #include "system/terminal.hpp"
+#include "warnings/setup_warnings.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,8 +1,8 @@
 // How far a study is, on one line that renews itself on a terminal.
 #pragma once
 
-#include "study/store.hpp"
 #include "study/estimates.hpp"
+#include "study/store.hpp"
 
 #include <array>
 #include <chrono>

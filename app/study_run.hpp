@@ -2,9 +2,9 @@
 #pragma once
 
 #include "commands.hpp"
-#include "system/launcher.hpp"
 #include "study/study.hpp"
 #include "system/children.hpp"
+#include "system/launcher.hpp"
 
 #include <optional>
 #include <string>

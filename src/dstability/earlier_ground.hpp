@@ -2,8 +2,8 @@
 // Not for: what it does to strengths (preload.hpp, section.hpp).
 #pragma once
 
-#include "dstability/project.hpp"
 #include "base/sentence.hpp"
+#include "dstability/project.hpp"
 
 #include <optional>
 

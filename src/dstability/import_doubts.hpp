@@ -2,10 +2,10 @@
 // Not for: what was assumed or moved without doubt (folder_report.hpp), the side of the river (river_side.hpp).
 #pragma once
 
+#include "base/sentence.hpp"
 #include "dstability/case_text.hpp"
 #include "dstability/preload.hpp"
 #include "dstability/section_layout.hpp"
-#include "base/sentence.hpp"
 
 #include <string>
 #include <vector>

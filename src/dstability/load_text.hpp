@@ -2,10 +2,10 @@
 // Not for: what they do to stresses of the file (section.hpp).
 #pragma once
 
+#include "base/sentence.hpp"
 #include "dstability/case_text.hpp"
 #include "dstability/project.hpp"
 #include "dstability/section_layout.hpp"
-#include "base/sentence.hpp"
 
 namespace terp {
 

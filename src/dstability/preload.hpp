@@ -2,9 +2,9 @@
 // Not for: the yield stress at a place (section.hpp), the text of a material (soil_text.hpp).
 #pragma once
 
+#include "base/sentence.hpp"
 #include "drawing/clean_regions.hpp"
 #include "dstability/section.hpp"
-#include "base/sentence.hpp"
 
 #include <optional>
 #include <string>

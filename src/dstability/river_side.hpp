@@ -2,8 +2,8 @@
 // Not for: its level under a trigger (trigger.hpp).
 #pragma once
 
-#include "dstability/section.hpp"
 #include "base/sentence.hpp"
+#include "dstability/section.hpp"
 
 #include <string>
 

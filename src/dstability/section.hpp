@@ -2,8 +2,8 @@
 // Not for: reading the file (read_stix.hpp), comparing with stored slices (slices.hpp).
 #pragma once
 
-#include "dstability/ground_column.hpp"
 #include "base/sentence.hpp"
+#include "dstability/ground_column.hpp"
 #include "dstability/soil_strength.hpp"
 #include "dstability/water_column.hpp"
 

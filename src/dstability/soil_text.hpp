@@ -2,9 +2,9 @@
 // Not for: the tables of defaults (soil_defaults.hpp), which body is of which material (case_folder.hpp).
 #pragma once
 
+#include "base/sentence.hpp"
 #include "dstability/case_text.hpp"
 #include "dstability/section.hpp"
-#include "base/sentence.hpp"
 #include "dstability/soil_defaults.hpp"
 
 #include <optional>

@@ -2,8 +2,8 @@
 // Not for: the water of a stage (water_text.hpp), which level or factor a trigger has (trigger.hpp).
 #pragma once
 
-#include "dstability/case_text.hpp"
 #include "base/sentence.hpp"
+#include "dstability/case_text.hpp"
 
 namespace terp {
 

@@ -123,8 +123,7 @@ inline constexpr SentenceForm deep_water{
     "The phreatic line of stage `{}` lies {:.1f} m or more below the ground, more than twice the height of the dike "
     "({:.1f} m). Is the water of another datum?",
     "De freatische lijn van fase `{}` ligt {:.1f} m of meer onder het maaiveld, meer dan tweemaal de hoogte van de "
-    "dijk "
-    "({:.1f} m). Is het water van een ander referentievlak?"};
+    "dijk ({:.1f} m). Is het water van een ander referentievlak?"};
 inline constexpr SentenceForm left_end{"left", "linker"};
 inline constexpr SentenceForm right_end{"right", "rechter"};
 inline constexpr SentenceForm tops_and_toes_differ{
@@ -209,8 +208,7 @@ inline constexpr SentenceForm large_load{
     "De belasting `{}` is {:g} kPa, zoveel als {:.0f} m grond. Is het een andere eenheid?"};
 inline constexpr SentenceForm empty_below{
     "Below the layer `{}` no layer covers {:.3g} m2, up to {:.2f} m high, between x = {:.2f} and {:.2f} m: it is "
-    "empty. "
-    "Is a layer missing?",
+    "empty. Is a layer missing?",
     "Onder de laag `{}` bedekt geen laag {:.3g} m2, tot {:.2f} m hoog, tussen x = {:.2f} en {:.2f} m: daar is niets. "
     "Ontbreekt er een laag?"};
 inline constexpr SentenceForm layers_overlap{
@@ -230,14 +228,12 @@ inline constexpr SentenceForm reduced_friction{
     "{}: phi' = {:g} degrees and c' = {:g} kPa of the file were reduced to {:.2f} and {:.2f}, as D-Stability reduces "
     "them on slip planes of soil that dilates by {:g} degrees.",
     "{}: phi' = {:g} graden en c' = {:g} kPa van het bestand zijn verlaagd tot {:.2f} en {:.2f}, zoals D-Stability "
-    "doet "
-    "op glijvlakken in grond met {:g} graden dilatantie."};
+    "doet op glijvlakken in grond met {:g} graden dilatantie."};
 inline constexpr SentenceForm line_of_table{
     "{}: its SigmaTauTable was replaced by the straight line nearest to it from 0 to {:.0f} kPa: {:.2f} kPa + {:.3f} "
     "sigma'_n.",
     "{}: de SigmaTauTable is vervangen door de rechte lijn die er van 0 tot {:.0f} kPa het dichtst bij ligt: {:.2f} "
-    "kPa "
-    "+ {:.3f} sigma'_n."};
+    "kPa + {:.3f} sigma'_n."};
 inline constexpr SentenceForm steep_line{
     "{}: the friction angle of its line is {:.1f} degrees; taken was {:g}, the most that the law takes. The soil is "
     "weaker than in the file.",
@@ -245,8 +241,7 @@ inline constexpr SentenceForm steep_line{
     "kent. De grond is zwakker dan in het bestand."};
 inline constexpr SentenceForm no_strength{
     "{}: the file has c' = 0 and phi' = 0 {} the phreatic line; taken was c' = {:g} kPa, so that the soil does not "
-    "flow "
-    "like water.",
+    "flow like water.",
     "{}: het bestand heeft c' = 0 en phi' = 0 {} de freatische lijn; genomen is c' = {:g} kPa, zodat de grond niet als "
     "water wegvloeit."};
 inline constexpr SentenceForm least_su{
@@ -261,11 +256,9 @@ inline constexpr SentenceForm load_spread{
     "Belasting {}: de spreiding van {:g} graden is niet opgelegd; de berekening bepaalt haar."};
 inline constexpr SentenceForm load_consolidation{
     "Load {}: undrained soil does not gain strength from it, whatever its degree of consolidation; drained soil does "
-    "at "
-    "once, as at 100 %.",
+    "at once, as at 100 %.",
     "Belasting {}: ongedraineerde grond wordt er niet sterker door, wat de consolidatiegraad ook is; gedraineerde "
-    "grond "
-    "meteen, als bij 100 %."};
+    "grond meteen, als bij 100 %."};
 inline constexpr SentenceForm all_dry{"The stage has no water: the case has none, and all soil is dry.",
     "De fase heeft geen water: de invoer ook niet, en alle grond is droog."};
 inline constexpr SentenceForm water_beneath{"Stage {} has no water: in the case it stands below the section.",

@@ -50,10 +50,8 @@ class DampingShare : public Follower {
 const FollowerType damping_share_follower{.name = "damping_share",
     .summary = {{"damping_over_promised", "-", "damping over what it promises",
                     "work of local damping over alpha times the kinetic energy that was gained and lost from row to "
-                    "row of the "
-                    "ledger: 1.4 to 5.6 in a smooth collapse, 8 to 18 where noise brakes the soil; `null`: no local "
-                    "damping, or "
-                    "viscous damping beside it"},
+                    "row of the ledger: 1.4 to 5.6 in a smooth collapse, 8 to 18 where noise brakes the soil; `null`: "
+                    "no local damping, or viscous damping beside it"},
         {"damping_fraction", "-", "part that damping took",
             "work of local and viscous damping over the largest energy exchanged; `null`: no local damping"}},
     .make = make_follower<DampingShare>};

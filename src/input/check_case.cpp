@@ -196,8 +196,7 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
   if (stress == InitialStress::none && !weightless && values.water.is_given())
     findings.warnings.push_back({"water", "the soil carries nothing at the start",
         "initial.stress is none: gravity and water fall at once on soil without stress. Give stress = \"equilibrium\" "
-        "in "
-        "[initial],\nor \"k0\" where the ground is level.",
+        "in [initial],\nor \"k0\" where the ground is level.",
         "initial.stress", true, {"initial.stress"}});
   const auto warn_unless = [&](const char* key, InitialStress used, const char* word) {
     const std::string path = std::string("initial.") + key;

@@ -3,9 +3,9 @@
 
 #include "input/explain.hpp"
 
+#include "base/closest.hpp"
 #include "followers/followers.hpp"
 #include "input/case_file.hpp"
-#include "base/closest.hpp"
 #include "input/field_kinds.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"

@@ -3,8 +3,8 @@
 
 #include "input/expression.hpp"
 
-#include "base/errors.hpp"
 #include "base/closest.hpp"
+#include "base/errors.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -32,8 +32,7 @@ const std::vector<SectionInfo>& all_sections()
       {"time", "how long to solve, in which steps", true},
       {"stage[]",
           "a part of the run with values of its own for some keys: loads, gravity, strengths (docs/stages.md); as many "
-          "as "
-          "needed, one after the other"},
+          "as needed, one after the other"},
       {"mesh", "the background mesh; its kind follows from the keys that are given", true},
       {"mesh.sides", "four lines between which a grid is spanned; they meet at the corners"},
       {"mesh.refine[]", "a place with smaller cells in a mesh from a polygon; as many as needed"},
@@ -45,8 +44,7 @@ const std::vector<SectionInfo>& all_sections()
       {"material.NAME.above", "the same above the phreatic line"},
       {"material.NAME.softening",
           "softening over a distance instead of in each point, so that a slip surface takes the same energy on any "
-          "mesh; "
-          "of laws that soften (docs/softening_length.md)"},
+          "mesh; of laws that soften (docs/softening_length.md)"},
       {"forces", "gravity and damping"},
       {"forces.damping", "damping of the nodal motion"},
       {"initial", "the stress before t = 0"},

@@ -28,8 +28,7 @@ std::vector<KeyInfo> method_keys()
           .meaning =
               "where a material point counts: in the sub-cell that holds its centre (point), or in every sub-cell "
               "by the part of its extent that lies in it (overlap). by_law: overlap, but point in a case with a fluid "
-              "and "
-              "in schemes that know no other"},
+              "and in schemes that know no other"},
       {.path = "method.weights",
           .field = [](Case& c, std::size_t) { return word_field(c.method.weights); },
           .words = weights_words,

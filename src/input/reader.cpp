@@ -7,10 +7,10 @@
 #include "input/reader.hpp"
 
 #include "base/closest.hpp"
-#include "input/key_text.hpp"
-#include "input/parameters.hpp"
 #include "input/key_table.hpp"
+#include "input/key_text.hpp"
 #include "input/mesh_kinds.hpp"
+#include "input/parameters.hpp"
 #include "input/side_kinds.hpp"
 
 #include <fmt/format.h>
@@ -222,8 +222,7 @@ void CaseReader::read_parts(const Node& table, const std::string& path)
     if (below == nullptr && above == nullptr)
       report({join_path(path, of), "`density` cannot vary from place to place",
           "Got a table without `below` and `above`; allowed: a number, or { below = ..., above = ... }: of the soil "
-          "below "
-          "the phreatic line, and above it.",
+          "below the phreatic line, and above it.",
           "material.density", true});
     else
       report({of.empty() ? path : join_path(path, of), "`below` and `above` belong together",

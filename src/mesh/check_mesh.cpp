@@ -18,18 +18,14 @@ constexpr Real largest_coordinate = 1e9;  // [m]; beyond it a cell of a metre is
 
 const std::string reshape_advice =
     "Every cell must be convex. In gmsh: optimise the mesh (Optimize Mesh, Laplace2D), use a smaller element size "
-    "there, or recombine with "
-    "Mesh.SubdivisionAlgorithm = 1.";
+    "there, or recombine with Mesh.SubdivisionAlgorithm = 1.";
 const std::string turn_advice =
     "The nodes of a cell run counter-clockwise. A surface drawn the other way round, all its cells clockwise, is "
-    "turned; among others such a "
-    "cell is folded over. In gmsh: move its nodes, optimise the mesh, or use a smaller element size there. In a file "
-    "written by a program: "
-    "give its nodes in the other order.";
+    "turned; among others such a cell is folded over. In gmsh: move its nodes, optimise the mesh, or use a smaller "
+    "element size there. In a file written by a program: give its nodes in the other order.";
 const std::string coherence_advice =
     "Two surfaces that touch must share their curve and its nodes. In gmsh: `Coherence;` in the .geo file before "
-    "meshing, or "
-    "`Coherence Mesh;` after it (Tools menu: Remove duplicate nodes).";
+    "meshing, or `Coherence Mesh;` after it (Tools menu: Remove duplicate nodes).";
 
 Vec<2> between(Vec<2> from, Vec<2> to) { return {to[0] - from[0], to[1] - from[1]}; }
 Real cross(Vec<2> a, Vec<2> b) { return a[0] * b[1] - a[1] * b[0]; }

@@ -23,8 +23,7 @@ namespace {
 
 const std::string all_quads_advice =
     "Terp takes 4-node quadrilaterals only. In gmsh: `Recombine Surface {:};` with Mesh.SubdivisionAlgorithm = 1 (all "
-    "quads) and "
-    "Mesh.ElementOrder = 1.";
+    "quads) and Mesh.ElementOrder = 1.";
 
 std::string contents_of(const std::string& path)
 {

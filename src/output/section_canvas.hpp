@@ -3,8 +3,8 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
-#include "points/body_outline.hpp"
 #include "output/svg.hpp"
+#include "points/body_outline.hpp"
 
 #include <algorithm>
 #include <cmath>

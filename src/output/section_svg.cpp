@@ -9,9 +9,9 @@
 #include "output/svg.hpp"
 #include "simulation/loads.hpp"
 #include "simulation/overburden.hpp"
-#include "simulation/slip_planes.hpp"
 #include "simulation/setup_points.hpp"
 #include "simulation/side_shape.hpp"
+#include "simulation/slip_planes.hpp"
 
 #include <algorithm>
 #include <cmath>

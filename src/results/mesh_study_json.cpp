@@ -49,9 +49,8 @@ const JsonKey entries[] = {
         }},
     {{"answer", "", "",
          "`same`: equal at all sizes; `settled`: within the tolerance; `unresolved`: within the resolution; `tends`: "
-         "changes by more, "
-         "towards a limit; `depends`: changes by more; `some_sizes`: some sizes have it and others not; `none`: "
-         "too few sizes"},
+         "changes by more, towards a limit; `depends`: changes by more; `some_sizes`: some sizes have it and others "
+         "not; `none`: too few sizes"},
         [](Q q) { return Json(info_of(q.answer).key); }},
     {{"sentence", "", "", "the same in words"}, [](Q q) { return Json(sentence_on(q)); }},
     {{"change", "unit", "", "finest value less the one before"}, [](Q q) { return or_null(q.change); }},

@@ -1,8 +1,8 @@
 #include "results/table.hpp"
 
 #include "base/errors.hpp"
-#include "output/files.hpp"
 #include "followers/followers.hpp"
+#include "output/files.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -74,13 +74,11 @@ std::string describe_failure(const Model& model, const State& state, Real moved,
 {
   return fmt::format(
       "no equilibrium: the soil fails in the section as it is drawn; after {} steps a hundredth of it had moved by "
-      "more "
-      "than {:.2g} m, ever faster\n\n"
+      "more than {:.2g} m, ever faster\n\n"
       "  where    {}\n"
       "  likely   it cannot stand under its weight, its water and its loads\n"
       "  try      initial.stress = \"k0\", to see it fail; a stronger soil; or at_strength below 1 in a first stage, "
-      "as "
-      "`terp import --held` writes it (docs/troubleshooting.md#no-equilibrium)",
+      "as `terp import --held` writes it (docs/troubleshooting.md#no-equilibrium)",
       state.equilibrium_steps, moved, describe_moved(model, state, stiffening));
 }
 
@@ -93,8 +91,7 @@ std::string describe_no_equilibrium(const Model& model, const State& state, cons
       "           {}\n"
       "  likely   the body cannot stand under its own weight, or needs more steps\n"
       "  try      initial.stress = \"none\" or \"k0\", a stronger soil, a larger initial.max_steps, or at_strength "
-      "below "
-      "1 in a first stage, as `terp import --held` writes it (docs/troubleshooting.md#no-equilibrium)",
+      "below 1 in a first stage, as `terp import --held` writes it (docs/troubleshooting.md#no-equilibrium)",
       initial.max_steps, work.unbalanced_ratio, initial.limit, describe_unbalanced(model, state, work),
       describe_moved(model, state, stiffening));
 }

@@ -50,8 +50,7 @@ const SummaryQuantity quantities[] = {
         &Summary::max_eps_eq_p},
     {{"softened_strain", "-", "strain of softened soil",
          "plastic strain from which soil counts as softened, where 95 % of the softening is done (3/eta): the smallest "
-         "of "
-         "the laws in use; `null`: nothing softens"},
+         "of the laws in use; `null`: nothing softens"},
         &Summary::softened_strain},
     {{"points_eps_eq_p_fell", "-", "points whose eps_eq_p ever fell",
          "points whose plastic strain fell between any two rows of the ledger"},
@@ -63,8 +62,7 @@ const SummaryQuantity quantities[] = {
     {{"energy_balance_error", "-", "energy balance error",
          "at the end, without sign: `numerical` and half of the work of the last step (docs/methods.md, section 5) "
          "over the energy exchanged, that is, the sum of the sizes of the works of gravity, damping, boundaries, "
-         "water and loads, `plastic`, and kinetic + "
-         "elastic at t = 0"},
+         "water and loads, `plastic`, and kinetic + elastic at t = 0"},
         &Summary::energy_balance_error},
     {{"clamped_points", "-", "points put back at a wall", "`clamped` of the ledger at the end"},
         &Summary::clamped_points},

@@ -2,9 +2,9 @@
 // Not for: files and terminal (output, app).
 #pragma once
 
+#include "simulation/reduce.hpp"
 #include "stability/bisection.hpp"
 #include "stability/mesh_error.hpp"
-#include "simulation/reduce.hpp"
 
 #include <functional>
 

@@ -5,12 +5,12 @@
 #include "stability/trial.hpp"
 
 #include "base/errors.hpp"
-#include "simulation/run.hpp"
 #include "simulation/point_parameters.hpp"
+#include "simulation/reduce.hpp"
+#include "simulation/run.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
 #include "stability/judged_soil.hpp"
-#include "simulation/reduce.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -179,8 +179,7 @@ void RankServer::check_that_somebody_works() const
   refuse_given_up();
   throw FileError(
       "all ranks are lost, or none of them reaches rank 0\n  What is solved is kept. Go on with the same command. "
-      "Where "
-      "no rank ever\n  worked, see that the machines may talk to each other over TCP.");
+      "Where no rank ever\n  worked, see that the machines may talk to each other over TCP.");
 }
 
 }  // namespace terp

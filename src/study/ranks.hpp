@@ -2,9 +2,9 @@
 // realisations and writes the store; workers of all ranks solve them. A worker that dies loses what it was solving.
 #pragma once
 
+#include "study/store.hpp"
 #include "system/launcher.hpp"
 #include "system/line_socket.hpp"
-#include "study/store.hpp"
 
 #include <atomic>
 #include <chrono>

@@ -5,9 +5,9 @@
 
 #include "study/realise.hpp"
 
+#include "base/philox.hpp"
 #include "events/moved.hpp"
 #include "followers/followers.hpp"
-#include "base/philox.hpp"
 #include "input/printable.hpp"
 #include "simulation/ground_section.hpp"
 #include "simulation/no_equilibrium.hpp"

@@ -1,8 +1,8 @@
 #include "study/store_head.hpp"
 
 #include "base/errors.hpp"
-#include "system/build_id.hpp"
 #include "parallel/instructions.hpp"
+#include "system/build_id.hpp"
 
 #include <fmt/format.h>
 

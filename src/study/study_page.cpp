@@ -300,8 +300,7 @@ std::string kinds_section(const Study& study, const Realisations& rows, Index n)
   }
   return out + end_of_table +
          "<p class=\"muted\">Slides are counted as retreats of the crest (docs/formats.md); a slide beside it leaves "
-         "the "
-         "crest where it is. The example is the one with the median volume: <code>terp study run STUDY.toml --keep "
+         "the crest where it is. The example is the one with the median volume: <code>terp study run STUDY.toml --keep "
          "N</code> opens it.</p></section>\n";
 }
 

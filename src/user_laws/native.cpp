@@ -1,9 +1,9 @@
 // Terp's own interface (terp_law.h): one call for a block of points. Where the law asks for a smaller step, all points
 // of the block are taken in halves of the step, then quarters.
 
-#include "user_laws/interface.hpp"
 #include "base/errors.hpp"
 #include "parallel/guarded_call.hpp"
+#include "user_laws/interface.hpp"
 #include "user_laws/terp_law.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // runs for an order or a limit, and no key that a kind ignores, because the author may rely on it.
 #include "verification/expected.hpp"
 
-#include "input/case_file.hpp"
 #include "base/closest.hpp"
+#include "input/case_file.hpp"
 #include "input/render.hpp"
 #include "input/values.hpp"
 #include "stability/bisection.hpp"

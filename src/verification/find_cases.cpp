@@ -1,7 +1,7 @@
 #include "verification/find_cases.hpp"
 
-#include "base/errors.hpp"
 #include "base/closest.hpp"
+#include "base/errors.hpp"
 #include "system/files.hpp"
 
 #include <algorithm>

@@ -1,16 +1,16 @@
 #include "warnings/setup_warnings.hpp"
 
 #include "mesh/mesh_error.hpp"
-#include "warnings/flood_warnings.hpp"
 #include "simulation/footings.hpp"
-#include "warnings/library_warnings.hpp"
 #include "simulation/overburden.hpp"
 #include "simulation/reference_width.hpp"
 #include "simulation/settle_fields.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
-#include "warnings/shared_cells.hpp"
 #include "simulation/softening_scales.hpp"
+#include "warnings/flood_warnings.hpp"
+#include "warnings/library_warnings.hpp"
+#include "warnings/shared_cells.hpp"
 #include "warnings/water_warnings.hpp"
 
 #include <algorithm>
