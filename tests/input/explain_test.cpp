@@ -112,7 +112,8 @@ TEST(Explain, OffersTheNearestTopic)
   EXPECT_THAT(refusal<CaseError>([] { explain("tresca_softning"); }),
       HasSubstr("error: there is nothing to explain about `tresca_softning`\n\n  Did you mean "
                 "`tresca_softening`?\n  Material models: linear_elastic"));
-  EXPECT_THAT(refusal<CaseError>([] { explain("summary"); }), HasSubstr("\n  Files of a run: history.csv, ledger.csv, "));
+  EXPECT_THAT(
+      refusal<CaseError>([] { explain("summary"); }), HasSubstr("\n  Files of a run: history.csv, ledger.csv, "));
 }
 
 TEST(List, NamesMaterialsSchemesAndFields)
