@@ -42,6 +42,8 @@ void check_method(const Node& root, const Case& values, std::vector<Problem>& wa
 
 /// What parameters that vary need: water, gravity, outlines. The values may be incomplete.
 void check_fields(const Case& values, std::vector<Problem>& problems);
+
+/// at_strength where a law has no strength that could be divided, or no material any.
 void check_at_strength(const Case& values, std::vector<Problem>& problems);
 
 /// Softening that cannot be, or does nothing. The values may be incomplete.
@@ -53,9 +55,11 @@ void check_drainage(const Node& root, const Case& values, Findings& findings);
 /// [water]: lines that contradict each other; and drainage. The values may be incomplete.
 void check_water(const Node& root, const Case& values, Findings& findings);
 
+/// [flood] without any ground that could hold the water; a fluid that is called ground. The values may be incomplete.
+void check_flood(const Node& root, const Case& values, std::vector<Problem>& problems);
+
 /// What can be computed but is hardly meant, and shows before a mesh is made: gravity, damping. The values may be
 /// incomplete.
-void check_flood(const Node& root, const Case& values, std::vector<Problem>& problems);
 void check_physics(const Node& root, const Case& values, std::vector<Problem>& warnings);
 
 }  // namespace terp
