@@ -43,7 +43,7 @@ demo: build      ## run the paper's models with both schemes, draw figures 1 to 
 test: install    ## install, build and run the tests
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
 	@cmake --build $(BUILD)
-	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 2 -LE verify
+	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 3 -LE verify
 
 package: build   ## a Debian package: program, Python package, documents, cases, manual page, completion
 	@cmake --build $(BUILD) --target manual
