@@ -16,13 +16,22 @@ std::string example_of(const std::string& side, const SideKindInfo& kind, std::s
   return fmt::format("{} = {{ {} = {}, {} = ... }}", side, kind.key, value, with);
 }
 
+/// Whether the side is of this kind. True too where the word is none, which is refused elsewhere.
+bool may_be(const Node& side, const SideKindInfo& kind)
+{
+  const Node* named = find_item(side, kind.key);
+  if (named == nullptr || named->kind != NodeKind::text || named->text == kind.word) return named != nullptr;
+  return std::ranges::none_of(
+      kinds_named_by(kind.key), [&](const SideKindInfo* other) { return other->word == named->text; });
+}
+
 /// A key that is given without one that names a kind which takes it.
 void check_key(const Node& side, const Node& item, const std::string& path, std::vector<Problem>& problems)
 {
   const SideKindInfo* first = nullptr;
   for (const SideKindInfo& kind : side_kinds()) {
     if (std::ranges::find(kind.takes, item.name) == kind.takes.end()) continue;
-    if (find_item(side, kind.key) != nullptr) return;
+    if (may_be(side, kind)) return;
     if (first == nullptr) first = &kind;
   }
   if (first == nullptr) return;  // another key, or none at all
