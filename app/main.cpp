@@ -3,7 +3,6 @@
 #include "base/closest.hpp"
 #include "command_line.hpp"
 #include "input/case_file.hpp"
-#include "input/case_schema.hpp"
 #include "input/explain.hpp"
 #include "input/printable.hpp"
 #include "parallel/instructions.hpp"

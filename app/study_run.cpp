@@ -9,7 +9,7 @@
 #include "parallel/threads.hpp"
 #include "study/adaptive.hpp"
 #include "study/ranks.hpp"
-#include "study/store_check.hpp"
+#include "study/store.hpp"
 #include "study/study_folder.hpp"
 #include "study/study_text.hpp"
 #include "study_progress.hpp"

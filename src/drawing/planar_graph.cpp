@@ -257,107 +257,13 @@ class Joiner {
   std::map<Ends, std::vector<Index>> cuts_;
 };
 
-/// Both directions of edge k are 2k and 2k + 1: from a to b, from b to a.
-class FaceWalk {
- public:
-  explicit FaceWalk(const PlanarGraph& graph) : graph_(graph), leaving_(graph.places.size())
-  {
-    const Index n = 2 * static_cast<Index>(graph.edges.size());
-    for (Index half = 0; half < n; ++half) leaving_[from(half)].push_back(half);
-    for (auto& halves : leaving_)
-      std::ranges::sort(halves, {}, [&](Index half) {
-        const Vec<2> a = graph_.places[from(half)], b = graph_.places[from(half ^ 1)];
-        return std::atan2(b[1] - a[1], b[0] - a[0]);
-      });
-    ring_of_.assign(n, -1);
-    for (Index start = 0; start < n; ++start)
-      if (ring_of_[start] < 0) walk(start);
-    number_parts();
-  }
-
-  PlanarFaces faces()
-  {
-    PlanarFaces found;
-    found.rings.emplace_back();
-    std::vector<Index> face_of_ring(rings_.size(), 0);
-    std::vector<Polygon> corners;
-    std::vector<Real> areas;
-    for (const FaceRing& ring : rings_) {
-      corners.push_back(corners_of(graph_, ring));
-      areas.push_back(signed_area(corners.back()));
-    }
-    for (std::size_t k = 0; k < rings_.size(); ++k)
-      if (areas[k] > 0.0) {
-        face_of_ring[k] = static_cast<Index>(found.rings.size());
-        found.rings.push_back({rings_[k]});
-      }
-    for (std::size_t hole = 0; hole < rings_.size(); ++hole) {
-      if (areas[hole] > 0.0) continue;
-      std::size_t around = rings_.size();
-      for (std::size_t k = 0; k < rings_.size(); ++k)
-        if (areas[k] > 0.0 && part_of(k) != part_of(hole) && (around == rings_.size() || areas[k] < areas[around]) &&
-            contains(corners[k], corners[hole][0]))
-          around = k;
-      if (around < rings_.size()) face_of_ring[hole] = face_of_ring[around];
-      found.rings[face_of_ring[hole]].push_back(rings_[hole]);
-    }
-    for (std::size_t k = 0; k < graph_.edges.size(); ++k) {
-      found.left.push_back(face_of_ring[ring_of_[2 * k]]);
-      found.right.push_back(face_of_ring[ring_of_[2 * k + 1]]);
-    }
-    return found;
-  }
-
- private:
-  Index from(Index half) const { return half % 2 == 0 ? graph_.edges[half / 2].a : graph_.edges[half / 2].b; }
-
-  /// The sharpest turn to the left: the one before the way back, counter-clockwise.
-  Index next(Index half) const
-  {
-    const auto& halves = leaving_[from(half ^ 1)];
-    const auto back = std::ranges::find(halves, half ^ 1) - halves.begin();
-    return halves[(back + static_cast<Index>(halves.size()) - 1) % halves.size()];
-  }
-
-  void walk(Index start)
-  {
-    FaceRing ring;
-    for (Index half = start; ring_of_[half] < 0; half = next(half)) {
-      ring_of_[half] = static_cast<Index>(rings_.size());
-      ring.places.push_back(from(half));
-      ring.edges.push_back(half / 2);
-    }
-    rings_.push_back(std::move(ring));
-  }
-
-  void number_parts()
-  {
-    part_.resize(graph_.places.size());
-    std::iota(part_.begin(), part_.end(), Index{0});
-    for (const GraphEdge& e : graph_.edges) part_[root(e.a)] = root(e.b);
-  }
-  Index root(Index k)
-  {
-    while (part_[k] != k) k = part_[k] = part_[part_[k]];
-    return k;
-  }
-  Index part_of(std::size_t ring) { return root(rings_[ring].places[0]); }
-
-  const PlanarGraph& graph_;
-  std::vector<std::vector<Index>> leaving_;  ///< directions that leave a place, counter-clockwise
-  std::vector<Index> ring_of_;
-  std::vector<FaceRing> rings_;
-  std::vector<Index> part_;
-};
-
 }  // namespace
 
 bool lines_cross(Vec<2> a, Vec<2> b, Vec<2> c, Vec<2> d, Vec<2>& x)
 {
   const Real at_a = cross(c, d, a), at_b = cross(c, d, b), at_c = cross(a, b, c), at_d = cross(a, b, d);
   if (!(at_a * at_b < 0.0 && at_c * at_d < 0.0)) return false;
-  const Real t = at_a / (at_a - at_b);
-  x = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+  x = between(a, b, at_a / (at_a - at_b));
   return true;
 }
 
@@ -365,10 +271,9 @@ Vec<2> place_in(const Polygon& outline)
 {
   std::size_t longest = 0;
   Real most = 0.0;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const Vec<2> a = outline[k], b = outline[(k + 1) % outline.size()];
-    if (const Real length = std::hypot(b[0] - a[0], b[1] - a[1]); length > most) most = length, longest = k;
-  }
+  for (std::size_t k = 0; k < outline.size(); ++k)
+    if (const Real length = distance(outline[k], outline[(k + 1) % outline.size()]); length > most)
+      most = length, longest = k;
   const Vec<2> a = outline[longest], b = outline[(longest + 1) % outline.size()];
   const Real off = 1e-7;  // of the edge, to its left
   return {0.5 * (a[0] + b[0]) - off * (b[1] - a[1]), 0.5 * (a[1] + b[1]) + off * (b[0] - a[0])};
@@ -376,7 +281,12 @@ Vec<2> place_in(const Polygon& outline)
 
 PlanarGraph join_lines(const std::vector<DrawnLine>& lines, Real snap) { return Joiner(lines, snap).join(); }
 
-PlanarFaces find_faces(const PlanarGraph& graph) { return FaceWalk(graph).faces(); }
+PlanarFaces find_faces(const PlanarGraph& graph)
+{
+  std::vector<std::array<Index, 2>> ends;
+  for (const GraphEdge& edge : graph.edges) ends.push_back({edge.a, edge.b});
+  return find_faces(graph.places, ends);
+}
 
 Polygon corners_of(const PlanarGraph& graph, const FaceRing& ring)
 {

@@ -3,6 +3,7 @@
 // whose polygon must never move.
 #pragma once
 
+#include "meshing/planar_map.hpp"
 #include "points/polygon.hpp"
 
 #include <string>
@@ -47,19 +48,7 @@ struct PlanarGraph {
 /// InputError if the lines are so many and so near to each other that this comes to no end.
 PlanarGraph join_lines(const std::vector<DrawnLine>& lines, Real snap);
 
-/// A closed walk with one face to its left.
-struct FaceRing {
-  std::vector<Index> places;  ///< in order
-  std::vector<Index> edges;   ///< edge k goes from places[k] to the next
-};
-
-/// Faces of a graph. Face 0 is everything outside; its rings run clockwise. The first ring of any other face is its
-/// outline, counter-clockwise; the others are its holes, clockwise.
-struct PlanarFaces {
-  std::vector<std::vector<FaceRing>> rings;  ///< by face
-  std::vector<Index> left, right;            ///< face on each side of each edge, looking from a to b
-};
-
+/// Its faces; sides of an edge are those looking from a to b.
 PlanarFaces find_faces(const PlanarGraph& graph);
 
 /// Corners of a ring [m].

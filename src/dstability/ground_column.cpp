@@ -5,6 +5,8 @@
 
 #include "dstability/ground_column.hpp"
 
+#include "points/polygon.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,17 +44,6 @@ std::vector<Real> crossings(const StixLine& outline, Real x, bool at_right_end)
   }
   std::ranges::sort(levels);
   return levels;
-}
-
-/// Twice the area of an outline [m^2].
-Real twice_area(const StixLine& outline)
-{
-  Real sum = 0.0;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const Vec<2> a = outline[k], b = outline[k + 1 < outline.size() ? k + 1 : 0];
-    sum += a[0] * b[1] - b[0] * a[1];
-  }
-  return std::abs(sum);
 }
 
 struct Crossed {
@@ -93,7 +84,7 @@ std::vector<SoilBand> soil_bands(const StixStage& stage, Real x)
     std::vector<Real> at = crossings(outline, inside, inside >= reach.high);
     if (at.empty()) continue;
     levels.insert(levels.end(), at.begin(), at.end());
-    crossed.push_back({k, twice_area(outline), std::move(at)});
+    crossed.push_back({k, std::abs(signed_area(outline)), std::move(at)});
   }
   std::ranges::sort(levels, std::ranges::greater{});
   std::ranges::sort(crossed, {}, &Crossed::area);

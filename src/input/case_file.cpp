@@ -9,7 +9,6 @@
 #include "input/other_files.hpp"
 #include "input/overrides.hpp"
 #include "input/printable.hpp"
-#include "input/read_stages.hpp"
 #include "input/reader.hpp"
 #include "input/render.hpp"
 #include "input/syntax_advice.hpp"

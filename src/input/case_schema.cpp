@@ -1,6 +1,6 @@
 // Each key becomes a property of the object that its path leads to. Names that the user chooses (of materials, head
 // lines, points, sides of a mesh) are additional properties. A number with a unit may be a text.
-#include "input/case_schema.hpp"
+#include "input/explain.hpp"
 
 #include "input/document.hpp"
 #include "input/expression.hpp"

@@ -5,6 +5,7 @@
 #include "input/cell_size.hpp"
 
 #include "input/printable.hpp"
+#include "points/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,16 +22,6 @@ constexpr Real most_rounding = 0.02;  // of a number of cells, relative: the siz
 [[noreturn]] void refuse(const CaseFile& file, Real cell, const std::string& what, const std::string& detail)
 {
   throw CaseError(printable(fmt::format("error: {}: cells of {:g} m: {}\n  {}\n", file.path, cell, what, detail)));
-}
-
-Real area_within(const std::vector<Vec<2>>& corners)
-{
-  Real twice = 0.0;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec<2>&a = corners[k], &b = corners[(k + 1) % corners.size()];
-    twice += a[0] * b[1] - b[0] * a[1];
-  }
-  return 0.5 * std::abs(twice);
 }
 
 /// Outline of a mapped grid: bottom, right, top and left once around, ends twice.
@@ -63,7 +54,8 @@ Real height_of(const MeshCase& mesh)
 std::vector<std::string> changes_of_grid(const CaseFile& file, Real cell)
 {
   const MeshCase& mesh = file.values.mesh;
-  const Real area = mesh.kind == MeshKind::graded ? mesh.size[0] * mesh.size[1] : area_within(outline_of(mesh));
+  const Real area =
+      mesh.kind == MeshKind::graded ? mesh.size[0] * mesh.size[1] : std::abs(signed_area(outline_of(mesh)));
   const auto [nx, ny] = mesh.cells;
   const Real present = std::sqrt(area / (static_cast<Real>(nx) * static_cast<Real>(ny))), more = present / cell;
   const Real x = static_cast<Real>(nx) * more, y = static_cast<Real>(ny) * more;

@@ -36,11 +36,7 @@ std::vector<KeyInfo> flood_keys()
           .usual = {1e-4, 1.0},
           .meaning = "plastic strain eps_eq_p below which soil counts as intact"},
       {.path = "flood.river",
-          .field =
-              [](Case& c, std::size_t) {
-                return WordField{[&river = c.flood.river] { return static_cast<int>(river); },
-                    [&river = c.flood.river](int word) { river = static_cast<RiverSide>(word); }};
-              },
+          .field = [](Case& c, std::size_t) { return word_field(c.flood.river); },
           .words = river_words,
           .meaning = "end of the section at which the river is; deduced: where the free water stands higher, or the "
                      "ground lies below the level if it does not at the other end"},

@@ -5,6 +5,7 @@
 #include "input/library_keys.hpp"
 
 #include "input/document.hpp"
+#include "input/key_table.hpp"
 #include "input/key_text.hpp"
 #include "input/units.hpp"
 #include "schemes/scheme.hpp"
@@ -101,12 +102,6 @@ OwnForm numbers_field(std::vector<NamedNumber>& numbers, NumbersReader reader)
       [&numbers] { return numbers_text(numbers); }};
 }
 
-WordField interface_field(LawInterface& value)
-{
-  return {
-      [&value] { return static_cast<int>(value); }, [&value](int word) { value = static_cast<LawInterface>(word); }};
-}
-
 constexpr Real stress_units[] = {1.0, 1e3, 1e6};
 std::vector<std::string> stress_unit_words() { return {"Pa", "kPa", "MPa"}; }
 
@@ -130,7 +125,7 @@ std::vector<KeyInfo> keys_of_law_itself()
               "file of the shared library that has the law, relative to the case file. It is copied into the run "
               "folder. Loading a library runs its code: take one from people you trust"},
       {.path = "material.NAME.interface",
-          .field = [](Case& c, std::size_t i) { return interface_field(c.materials[i].library.interface); },
+          .field = [](Case& c, std::size_t i) { return word_field(c.materials[i].library.interface); },
           .words = interface_words,
           .required = true,
           .meaning = interface_meanings()},

@@ -13,11 +13,6 @@ namespace {
 // In the order of the enum.
 std::vector<std::string> drainage_words() { return {"by_law", "drained", "undrained", "undrained_effective"}; }
 
-WordField drainage_field(Drainage& value)
-{
-  return {[&value] { return static_cast<int>(value); }, [&value](int word) { value = static_cast<Drainage>(word); }};
-}
-
 /// "#rrggbb".
 OwnForm color_field(std::string& color)
 {
@@ -58,7 +53,7 @@ std::vector<KeyInfo> material_keys()
                      "divided by 9.81 m/s^2, whatever the gravity of the case. A table { below = N, above = N }: below "
                      "the phreatic line at t = 0, and above it"},
       {.path = "material.NAME.drainage",
-          .field = [](Case& c, std::size_t i) { return drainage_field(c.materials[i].drainage); },
+          .field = [](Case& c, std::size_t i) { return word_field(c.materials[i].drainage); },
           .words = drainage_words,
           .in_stage = true,
           .meaning =

@@ -1,4 +1,6 @@
-#include "input/parameters.hpp"
+// Parameters of a material once its section is read: those that follow from a ratio or from another one.
+
+#include "input/reader.hpp"
 
 #include "input/document.hpp"
 #include "input/keys.hpp"

@@ -1,14 +1,13 @@
 // How it works: the tree of the file takes the values that a stage sets, as it takes those of --set, and is read again.
 // The nodes keep their places, so that a message about a value points at the stage that sets it.
 
-#include "input/read_stages.hpp"
+#include "input/reader.hpp"
 
 #include "input/case_file.hpp"
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"
 #include "input/library_keys.hpp"
 #include "input/overrides.hpp"
-#include "input/reader.hpp"
 #include "input/render.hpp"
 #include "simulation/stages.hpp"
 

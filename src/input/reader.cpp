@@ -10,7 +10,6 @@
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"
 #include "input/mesh_kinds.hpp"
-#include "input/parameters.hpp"
 #include "input/side_kinds.hpp"
 
 #include <fmt/format.h>

@@ -11,18 +11,7 @@ namespace terp {
 namespace {
 
 std::vector<std::string> until_words() { return {"end", "at_rest"}; }  // in the order of Until
-
-WordField until_field(Until& until)
-{
-  return {[&until] { return static_cast<int>(until); }, [&until](int word) { until = static_cast<Until>(word); }};
-}
-
 std::vector<std::string> rest_words() { return {"fastest", "mean"}; }  // in the order of RestBy
-
-WordField rest_field(RestBy& by)
-{
-  return {[&by] { return static_cast<int>(by); }, [&by](int word) { by = static_cast<RestBy>(word); }};
-}
 
 using Changes = std::vector<std::pair<std::string, std::string>>;
 
@@ -56,7 +45,7 @@ std::vector<KeyInfo> time_keys()
           .required_for = "a run without stages that does not end at rest",
           .meaning = "time at which the run ends; it starts at 0"},
       {.path = "time.until",
-          .field = [](Case& c, std::size_t) { return until_field(c.time.until); },
+          .field = [](Case& c, std::size_t) { return word_field(c.time.until); },
           .words = until_words,
           .meaning = "at_rest: the run ends as soon as the soil is at rest (docs/stages.md)"},
       {.path = "time.at_most",
@@ -67,7 +56,7 @@ std::vector<KeyInfo> time_keys()
           .required_for = "until = \"at_rest\"",
           .meaning = "time at which a run ends that has not come to rest before"},
       {.path = "time.rest_by",
-          .field = [](Case& c, std::size_t) { return rest_field(c.time.rest_by); },
+          .field = [](Case& c, std::size_t) { return word_field(c.time.rest_by); },
           .words = rest_words,
           .meaning = "which motion counts for rest: fastest, the speed of the fastest node; mean, how far soil went "
                      "in rest_time, so that soil that swings in place rests (docs/stages.md)"},
@@ -106,7 +95,7 @@ std::vector<KeyInfo> stage_keys()
           .required_for = "a stage that does not end at rest",
           .meaning = "time that the stage takes"},
       {.path = "stage[].until",
-          .field = [](Case& c, std::size_t i) { return until_field(c.stages[i].until); },
+          .field = [](Case& c, std::size_t i) { return word_field(c.stages[i].until); },
           .words = until_words,
           .meaning = "at_rest: the stage ends as soon as the soil is at rest; see time.rest_speed"},
       {.path = "stage[].at_most",

@@ -1,4 +1,6 @@
-#include "meshing/convert.hpp"
+// Mesh files in other formats than MSH 4.1, converted by gmsh.
+
+#include "meshing/msh_content.hpp"
 
 #include "mesh/mesh_error.hpp"
 #include "meshing/gmsh_program.hpp"

@@ -5,7 +5,6 @@
 #include "meshing/gmsh_file.hpp"
 
 #include "mesh/check_mesh.hpp"
-#include "meshing/convert.hpp"
 #include "meshing/msh_content.hpp"
 
 #include <algorithm>

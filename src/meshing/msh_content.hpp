@@ -1,4 +1,4 @@
-// What a gmsh mesh file holds, as it stands there: MSH 4.1, text or binary.
+// What a gmsh mesh file holds, as it stands there: MSH 4.1, text or binary; other formats as gmsh converts them.
 // Not for: cells, sides and regions (gmsh_file.hpp).
 #pragma once
 
@@ -47,5 +47,12 @@ std::string msh_type_name(int type);
 /// Throws MeshError with the path and the line (text) or byte (binary) of what it cannot read. path: for messages;
 /// text: the whole file.
 MshContent read_msh(const std::string& path, std::string text);
+
+/// True for older files of gmsh, by their first words, and for those of others that it can read, by their ending: .unv,
+/// .bdf, .nas, .vtk. text: the whole file.
+bool needs_conversion(const std::string& path, const std::string& text);
+
+/// The file as gmsh converts it to MSH 4.1. Throws MeshError, also where gmsh is not installed.
+MshContent convert_by_gmsh(const std::string& path);
 
 }  // namespace terp

@@ -179,100 +179,108 @@ void check_overlap(const Polygon& polygon)
     }
 }
 
-/// Closed walk along lines with the same face to the left, and what is needed to sort walks into faces.
-struct Loop {
-  std::vector<Index> lines;  ///< signed, see Face
-  Polygon outline;
-  Real area = 0.0;  ///< negative: a hole, or the outside of everything
-  Index part = 0;   ///< connected part of the map that it belongs to
-};
-
-/// Both directions of line k are 2k and 2k + 1: from a to b, from b to a.
-class LoopFinder {
+/// Both directions of edge k are 2k and 2k + 1: from its first place to the second, and back.
+class FaceWalk {
  public:
-  LoopFinder(const std::vector<Vec<2>>& places, const std::vector<CutLine>& lines)
-      : places_(places), lines_(lines), leaving_(places.size())
+  FaceWalk(const std::vector<Vec<2>>& places, const std::vector<std::array<Index, 2>>& edges)
+      : places_(places), edges_(edges), leaving_(places.size())
   {
-    for (Index half = 0; half < 2 * static_cast<Index>(lines.size()); ++half) leaving_[from(half)].push_back(half);
+    const Index n = 2 * static_cast<Index>(edges.size());
+    for (Index half = 0; half < n; ++half) leaving_[from(half)].push_back(half);
     for (auto& halves : leaving_)
-      std::ranges::sort(halves, [&](Index k, Index other) { return angle(k) < angle(other); });
-    number_parts();
+      std::ranges::sort(halves, {}, [&](Index half) {
+        const Vec<2> a = places_[from(half)], b = places_[from(half ^ 1)];
+        return std::atan2(b[1] - a[1], b[0] - a[0]);
+      });
+    ring_of_.assign(n, -1);
+    for (Index start = 0; start < n; ++start)
+      if (ring_of_[start] < 0) walk(start);
+    part_.resize(places.size());
+    std::iota(part_.begin(), part_.end(), Index{0});
+    for (const auto& [a, b] : edges) part_[root(a)] = root(b);
   }
 
-  std::vector<Loop> loops() const
+  PlanarFaces faces()
   {
-    std::vector<Loop> found;
-    std::vector<bool> walked(2 * lines_.size(), false);
-    for (Index start = 0; start < static_cast<Index>(walked.size()); ++start) {
-      if (walked[start]) continue;
-      Loop loop;
-      for (Index half = start; !walked[half]; half = next(half)) {
-        walked[half] = true;
-        loop.lines.push_back(half % 2 == 0 ? half / 2 + 1 : -(half / 2 + 1));
-        loop.outline.push_back(places_[from(half)]);
+    PlanarFaces found;
+    found.rings.emplace_back();
+    std::vector<Index> face_of_ring(rings_.size(), 0);
+    std::vector<Polygon> corners;
+    std::vector<Real> areas;
+    for (const FaceRing& ring : rings_) {
+      Polygon& outline = corners.emplace_back();
+      for (const Index k : ring.places) outline.push_back(places_[k]);
+      areas.push_back(area(outline));
+    }
+    for (std::size_t k = 0; k < rings_.size(); ++k)
+      if (areas[k] > 0.0) {
+        face_of_ring[k] = static_cast<Index>(found.rings.size());
+        found.rings.push_back({rings_[k]});
       }
-      loop.area = area(loop.outline);
-      loop.part = part_of_place_[from(start)];
-      found.push_back(std::move(loop));
+    for (std::size_t hole = 0; hole < rings_.size(); ++hole) {
+      if (areas[hole] > 0.0) continue;
+      std::size_t around = rings_.size();
+      for (std::size_t k = 0; k < rings_.size(); ++k)
+        if (areas[k] > 0.0 && part_of(k) != part_of(hole) && (around == rings_.size() || areas[k] < areas[around]) &&
+            holds(corners[k], corners[hole][0]))
+          around = k;
+      if (around < rings_.size()) face_of_ring[hole] = face_of_ring[around];
+      found.rings[face_of_ring[hole]].push_back(rings_[hole]);
+    }
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      found.left.push_back(face_of_ring[ring_of_[2 * k]]);
+      found.right.push_back(face_of_ring[ring_of_[2 * k + 1]]);
     }
     return found;
   }
 
  private:
-  Index from(Index half) const { return half % 2 == 0 ? lines_[half / 2].a : lines_[half / 2].b; }
-  Index to(Index half) const { return from(half ^ 1); }
-  Real angle(Index half) const
-  {
-    return std::atan2(places_[to(half)][1] - places_[from(half)][1], places_[to(half)][0] - places_[from(half)][0]);
-  }
+  Index from(Index half) const { return edges_[half / 2][half % 2]; }
 
   /// The sharpest turn to the left: the one before the way back, counter-clockwise.
   Index next(Index half) const
   {
-    const auto& halves = leaving_[to(half)];
+    const auto& halves = leaving_[from(half ^ 1)];
     const auto back = std::ranges::find(halves, half ^ 1) - halves.begin();
     return halves[(back + static_cast<Index>(halves.size()) - 1) % halves.size()];
   }
 
-  void number_parts()
+  void walk(Index start)
   {
-    part_of_place_.resize(places_.size());
-    std::iota(part_of_place_.begin(), part_of_place_.end(), 0);
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (const CutLine& line : lines_) {
-        Index &a = part_of_place_[line.a], &b = part_of_place_[line.b];
-        changed = changed || a != b;
-        a = b = std::min(a, b);
-      }
+    FaceRing ring;
+    for (Index half = start; ring_of_[half] < 0; half = next(half)) {
+      ring_of_[half] = static_cast<Index>(rings_.size());
+      ring.places.push_back(from(half));
+      ring.edges.push_back(half / 2);
     }
+    rings_.push_back(std::move(ring));
   }
+
+  Index root(Index k)
+  {
+    while (part_[k] != k) k = part_[k] = part_[part_[k]];
+    return k;
+  }
+  Index part_of(std::size_t ring) { return root(rings_[ring].places[0]); }
 
   const std::vector<Vec<2>>& places_;
-  const std::vector<CutLine>& lines_;
+  const std::vector<std::array<Index, 2>>& edges_;
   std::vector<std::vector<Index>> leaving_;  ///< directions that leave a place, counter-clockwise
-  std::vector<Index> part_of_place_;
+  std::vector<Index> ring_of_;
+  std::vector<FaceRing> rings_;
+  std::vector<Index> part_;  ///< connected part of the map that a place belongs to: another place of it, or itself
 };
 
-std::vector<Face> faces_of(const std::vector<Loop>& loops)
+/// The rings of a face with the directions of their lines.
+Face signed_lines(const PlanarMap& map, const std::vector<FaceRing>& rings)
 {
-  std::vector<Face> faces;
-  std::vector<const Loop*> outer;
-  for (const Loop& loop : loops)
-    if (loop.area > 0.0) {
-      faces.push_back({loop.lines});
-      outer.push_back(&loop);
-    }
-  for (const Loop& hole : loops) {
-    if (hole.area > 0.0) continue;
-    std::size_t around = outer.size();
-    for (std::size_t k = 0; k < outer.size(); ++k)
-      if (outer[k]->part != hole.part && holds(outer[k]->outline, hole.outline[0]) &&
-          (around == outer.size() || outer[k]->area < outer[around]->area))
-        around = k;
-    if (around < outer.size()) faces[around].push_back(hole.lines);
+  Face face;
+  for (const FaceRing& ring : rings) {
+    std::vector<Index>& loop = face.emplace_back();
+    for (std::size_t k = 0; k < ring.edges.size(); ++k)
+      loop.push_back(map.lines[ring.edges[k]].a == ring.places[k] ? ring.edges[k] + 1 : -(ring.edges[k] + 1));
   }
-  return faces;
+  return face;
 }
 
 }  // namespace
@@ -292,8 +300,16 @@ PlanarMap cut_polygon(const Polygon& polygon, const std::vector<Polygon>& follow
   for (const Polygon& outline : follow) cutter.add_outline(outline);
   cutter.add_crossings();
   PlanarMap map{cutter.places(), cutter.split(), {}};
-  map.faces = faces_of(LoopFinder(map.places, map.lines).loops());
+  std::vector<std::array<Index, 2>> ends;
+  for (const CutLine& line : map.lines) ends.push_back({line.a, line.b});
+  const PlanarFaces faces = find_faces(map.places, ends);
+  for (std::size_t k = 1; k < faces.rings.size(); ++k) map.faces.push_back(signed_lines(map, faces.rings[k]));
   return map;
+}
+
+PlanarFaces find_faces(const std::vector<Vec<2>>& places, const std::vector<std::array<Index, 2>>& edges)
+{
+  return FaceWalk(places, edges).faces();
 }
 
 }  // namespace terp

@@ -30,4 +30,20 @@ struct PlanarMap {
 PlanarMap cut_polygon(
     const std::vector<Vec<2>>& polygon, const std::vector<std::vector<Vec<2>>>& follow, Real tolerance);
 
+/// A closed walk with one face to its left.
+struct FaceRing {
+  std::vector<Index> places;  ///< in order
+  std::vector<Index> edges;   ///< edge k goes from places[k] to the next
+};
+
+/// Face 0 is everything outside; its rings run clockwise. The first ring of any other face is its outline,
+/// counter-clockwise; the others are its holes, clockwise.
+struct PlanarFaces {
+  std::vector<std::vector<FaceRing>> rings;  ///< by face
+  std::vector<Index> left, right;            ///< face on each side of each edge, looking from its first place
+};
+
+/// Faces between edges, each from place to place, that meet only at places.
+PlanarFaces find_faces(const std::vector<Vec<2>>& places, const std::vector<std::array<Index, 2>>& edges);
+
 }  // namespace terp

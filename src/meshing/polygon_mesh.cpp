@@ -1,5 +1,6 @@
 #include "meshing/polygon_mesh.hpp"
 
+#include "base/plane.hpp"
 #include "mesh/box_grid.hpp"
 
 #include <algorithm>
@@ -17,11 +18,8 @@ Real cells_of_strip(Real length, Real distance, Real small, Real large) { return
 Real estimate_cells(const PolygonMesh& mesh)
 {
   Real twice_area = 0.0;
-  for (std::size_t k = 0; k < mesh.polygon.size(); ++k) {
-    const Vec<2>&a = mesh.polygon[k], &b = mesh.polygon[(k + 1) % mesh.polygon.size()];
-    twice_area += (a[0] - mesh.polygon[0][0]) * (b[1] - mesh.polygon[0][1]) -
-                  (b[0] - mesh.polygon[0][0]) * (a[1] - mesh.polygon[0][1]);
-  }
+  for (std::size_t k = 0; k < mesh.polygon.size(); ++k)
+    twice_area += cross(mesh.polygon[0], mesh.polygon[k], mesh.polygon[(k + 1) % mesh.polygon.size()]);
   return 0.5 * std::abs(twice_area) / (mesh.cell * mesh.cell);
 }
 
@@ -31,10 +29,8 @@ Real estimate_more_cells(const PolygonMesh& mesh, const Refinement& refine)
   const BoundingBox box = box_around(mesh.polygon);
   const Real reach = std::min(refine.distance, std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]));
   Real n = 0.0;
-  for (std::size_t k = 1; k < refine.line.size(); ++k) {
-    const Vec<2>&a = refine.line[k - 1], &b = refine.line[k];
-    n += 2.0 * cells_of_strip(std::hypot(b[0] - a[0], b[1] - a[1]), reach, refine.cell, mesh.cell);
-  }
+  for (std::size_t k = 1; k < refine.line.size(); ++k)
+    n += 2.0 * cells_of_strip(distance(refine.line[k - 1], refine.line[k]), reach, refine.cell, mesh.cell);
   if (!refine.line.empty()) return n;
   Vec<2> side;
   for (int d = 0; d < 2; ++d)

@@ -17,21 +17,13 @@ namespace {
 
 using Spot = std::array<Index, 2>;  // of a corner in the grid; of a square that of its first corner
 
-Real distance_to_segment(Vec<2> a, Vec<2> b, Vec<2> x)
-{
-  const Real along_x = b[0] - a[0], along_y = b[1] - a[1];
-  const Real square = along_x * along_x + along_y * along_y;
-  const Real t = std::clamp(((x[0] - a[0]) * along_x + (x[1] - a[1]) * along_y) / square, 0.0, 1.0);
-  return std::hypot(x[0] - a[0] - t * along_x, x[1] - a[1] - t * along_y);
-}
-
 /// By crossings of the ray from x to the right.
 bool is_well_inside(const std::vector<Vec<2>>& polygon, Vec<2> x, Real clearance)
 {
   bool inside = false;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Vec<2>&a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    if (distance_to_segment(a, b, x) < clearance) return false;
+    if (distance_to_line(a, b, x) < clearance) return false;
     const bool crosses = (a[1] > x[1]) != (b[1] > x[1]);
     if (crosses && x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
   }

@@ -29,11 +29,6 @@ std::string refusal_of(const Study& study, const std::vector<std::string>& chang
   }
 }
 
-std::vector<std::string> changes_with(const Study& study, const std::string& change)
-{
-  return changes_with(study, std::vector<std::string>{change});
-}
-
 std::vector<std::string> changes_with(const Study& study, const std::vector<std::string>& changes)
 {
   std::vector<std::string> all = study.settings.set;

@@ -1,4 +1,4 @@
-#include "study/field_picture.hpp"
+#include "study/study_page.hpp"
 
 #include <fmt/format.h>
 

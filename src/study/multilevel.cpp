@@ -180,7 +180,7 @@ void prepare_coarse(Study& study, std::vector<Problem>& problems)
   if (std::string why = refusal_of(study, changes_with(study, changes)); !why.empty()) {
     std::string at = "estimator.coarse";
     for (const std::string& change : changes)
-      if (const std::string own = refusal_of(study, changes_with(study, change)); !own.empty()) {
+      if (const std::string own = refusal_of(study, changes_with(study, {change})); !own.empty()) {
         at = join_path(at, change.substr(0, change.find('='))), why = own;
         break;
       }

@@ -1,6 +1,7 @@
-// How it thinks: two changes that have nothing to do with each other give the same case in either order.
+// Keys of a study that set the same value of the case. How it thinks: two changes that have nothing to do with each
+// other give the same case in either order.
 
-#include "study/overlaps.hpp"
+#include "study/case_refusal.hpp"
 
 #include "input/overrides.hpp"
 

@@ -10,17 +10,6 @@ namespace {
 
 constexpr std::string_view file_begin = "terp ranks 1", hello_begin = "hello 1";
 
-std::vector<std::string> cut(std::string_view text, char at)
-{
-  std::vector<std::string> words;
-  for (;;) {
-    const std::size_t end = text.find(at);
-    words.emplace_back(text.substr(0, end));
-    if (end == std::string_view::npos) return words;
-    text.remove_prefix(end + 1);
-  }
-}
-
 }  // namespace
 
 std::string text_of(const RankPlace& place)
@@ -31,7 +20,7 @@ std::string text_of(const RankPlace& place)
 
 std::optional<RankPlace> rank_place_of(std::string_view text)
 {
-  std::vector<std::string> lines = cut(text, '\n');
+  std::vector<std::string> lines = split(text, '\n');
   if (lines.size() < 7 || lines[0] != file_begin) return std::nullopt;
   RankPlace place{.job = lines[1], .machine = lines[2], .token = lines[3]};
   const std::string& port = lines[4];
@@ -48,7 +37,7 @@ std::string line_of(const RankHello& hello)
 
 std::optional<RankHello> rank_hello_of(std::string_view line)
 {
-  const std::vector<std::string> words = cut(line, '\t');
+  const std::vector<std::string> words = split(line, '\t');
   if (words.size() != 8 || words[0] != hello_begin) return std::nullopt;
   return RankHello{.token = words[1],
       .name = words[2],

@@ -1,4 +1,4 @@
-#include "study/read_distribution.hpp"
+// A distribution as a study file writes it: `distribution` and what it needs.
 
 #include "study/study_keys.hpp"
 

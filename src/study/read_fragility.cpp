@@ -1,7 +1,6 @@
-#include "study/read_fragility.hpp"
+// The section [fragility] of a study file: a load, its levels, and how the case follows it.
 
 #include "input/expression.hpp"
-#include "study/read_distribution.hpp"
 #include "study/study_keys.hpp"
 
 #include <fmt/format.h>

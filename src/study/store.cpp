@@ -34,17 +34,6 @@ std::optional<std::string_view> checked(std::string_view line)
   return digits_of(text) == line.substr(0, n_digits) ? std::optional(text) : std::nullopt;
 }
 
-std::vector<std::string_view> split(std::string_view text, char at)
-{
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(at);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 template <class Number>
 bool to_number(std::string_view text, Number& value)
 {
@@ -55,7 +44,7 @@ bool to_number(std::string_view text, Number& value)
 bool to_numbers(std::string_view text, std::size_t n, std::vector<Real>& values)
 {
   if (text.empty()) return n == 0;
-  for (const std::string_view part : split(text, ' '))
+  for (const std::string& part : split(text, ' '))
     if (!to_number(part, values.emplace_back())) return false;
   return values.size() == n;
 }
@@ -93,7 +82,7 @@ void read_part(const Study& study, const std::string& path, StoredStudy& stored)
   const std::string text = read_file(path);
   const std::size_t n_inputs = study.input_names().size();
   std::optional<StoreHead> head;
-  for (const std::string_view line : split(text, '\n')) {
+  for (const std::string& line : split(text, '\n')) {
     if (line.empty()) continue;
     const auto content = checked(line);
     if (!content) {
@@ -166,7 +155,7 @@ StoreWriter::StoreWriter(const Study& study, const std::string& folder, const St
   if (!text.empty() && text.back() != '\n') file_.append("\n");  // a line that a kill has cut
   const std::string own = line_of(head_of(study));
   std::string last;
-  for (const std::string_view line : split(text, '\n'))
+  for (const std::string& line : split(text, '\n'))
     if (const auto content = checked(line); content && is_head(*content)) last = *content;
   if (last != own) file_.append(with_checksum(own));
 }

@@ -1,4 +1,6 @@
-#include "study/store_check.hpp"
+// Stores that another build, or another instruction set, began.
+
+#include "study/store.hpp"
 
 #include "base/errors.hpp"
 

@@ -16,20 +16,20 @@ constexpr std::string_view store_format =
     "6";  // before: no processor time; 4: no build and no instruction set, `still_moves` of floods alone
 constexpr std::size_t n_words = 7;
 
-std::vector<std::string> words_of(std::string_view line)
-{
-  std::vector<std::string> words;
-  for (;;) {
-    const std::size_t end = line.find('\t');
-    words.emplace_back(line.substr(0, end));
-    if (end == std::string_view::npos) return words;
-    line.remove_prefix(end + 1);
-  }
-}
-
 bool has_fused_products(const std::string& instructions) { return instructions.starts_with("avx"); }
 
 }  // namespace
+
+std::vector<std::string> split(std::string_view text, char at)
+{
+  std::vector<std::string> parts;
+  for (;;) {
+    const std::size_t end = text.find(at);
+    parts.emplace_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
 
 StoreHead head_of(const Study& study)
 {
@@ -50,7 +50,7 @@ bool is_head(std::string_view line) { return line.starts_with(begin); }
 
 StoreHead read_head(std::string_view line, const std::string& path)
 {
-  const std::vector<std::string> words = words_of(line);
+  const std::vector<std::string> words = split(line, '\t');
   if (!is_head(line) || (words[1] == store_format && words.size() != n_words))
     throw FileError(fmt::format("{}: this is no store of a study\n  Choose another folder: -o DIR", path));
   if (words[1] != store_format)

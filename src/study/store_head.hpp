@@ -16,6 +16,9 @@ struct StoreHead {
   bool operator==(const StoreHead&) const = default;
 };
 
+/// The parts of a text between letters `at`; at least one.
+std::vector<std::string> split(std::string_view text, char at);
+
 /// Of this process.
 StoreHead head_of(const Study& study);
 

@@ -17,7 +17,6 @@
 #include "stability/factor_of_safety.hpp"
 #include "study/case_refusal.hpp"
 #include "study/multilevel.hpp"
-#include "study/overlaps.hpp"
 #include "study/points.hpp"
 #include "study/reliability.hpp"
 
@@ -39,7 +38,7 @@ void check_numbers(const Study& study, std::vector<Problem>& problems)
   for (const RandomNumber& number : study.settings.numbers) {
     const auto refusal = [&](Real p) {
       return refusal_of(
-          study, changes_with(study, fmt::format("{}={:.12g}", number.key, number.distribution.quantile(p))));
+          study, changes_with(study, {fmt::format("{}={:.12g}", number.key, number.distribution.quantile(p))}));
     };
     if (const std::string why = refusal(0.5); !why.empty()) {
       problems.push_back(
@@ -156,9 +155,9 @@ void check_fields_of_study(Study& study, std::vector<Problem>& problems)
   for (const RandomFieldKey& field : study.settings.fields) {
     const auto change = std::ranges::find_if(
         draw.changes, [&](const std::string& text) { return text.starts_with(field.key + "={ random"); });
-    std::string why = refusal_of(study, changes_with(study, *change));
+    std::string why = refusal_of(study, changes_with(study, {*change}));
     if (why.empty()) try {
-        const CaseFile file = read_case_text(study.case_text, study.case_path, changes_with(study, *change));
+        const CaseFile file = read_case_text(study.case_text, study.case_path, changes_with(study, {*change}));
         build_model(file.values, study.mesh, 1);
       } catch (const InputError& error) {
         why = error.what();
@@ -186,7 +185,8 @@ void check_sweep(const Study& study, std::vector<Problem>& problems)
   if (study.settings.form == SweepForm::table) return check_table(study, problems);
   for (const SweepKey& sweep : study.settings.sweep)
     for (std::size_t k = 0; k < sweep.values.size(); ++k)
-      if (const std::string why = refusal_of(study, changes_with(study, sweep.key + "=" + toml_value(sweep.values[k])));
+      if (const std::string why =
+              refusal_of(study, changes_with(study, {sweep.key + "=" + toml_value(sweep.values[k])}));
           !why.empty()) {
         problems.push_back({fmt::format("{}[{}]", join_path(sweep.path, "values"), k),
             fmt::format("the case does not take `{}`", sweep.key), why, ""});

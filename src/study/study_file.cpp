@@ -13,8 +13,6 @@
 #include "input/render.hpp"
 #include "output/files.hpp"
 #include "study/points.hpp"
-#include "study/read_distribution.hpp"
-#include "study/read_fragility.hpp"
 #include "study/study_inputs.hpp"
 #include "study/study_keys.hpp"
 

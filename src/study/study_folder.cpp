@@ -7,7 +7,6 @@
 #include "input/printable.hpp"
 #include "study/fragility_text.hpp"
 #include "study/study_inputs.hpp"
-#include "study/study_json.hpp"
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
 #include "system/files.hpp"

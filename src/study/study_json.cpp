@@ -1,5 +1,3 @@
-#include "study/study_json.hpp"
-
 #include "study/adaptive.hpp"
 #include "study/fragility.hpp"
 #include "study/study_text.hpp"

@@ -8,10 +8,8 @@
 #include "input/keys.hpp"
 #include "report/plain_page.hpp"
 #include "study/adaptive.hpp"
-#include "study/field_picture.hpp"
 #include "study/fragility_text.hpp"
 #include "study/study_text.hpp"
-#include "study/sweep_page.hpp"
 
 #include <fmt/format.h>
 

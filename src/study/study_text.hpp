@@ -59,4 +59,7 @@ std::string study_text(const Study& study, const Realisations& rows);
 /// results.csv: a line per realisation of the table; numbers to the bit, nan where there is none.
 std::string study_csv(const Study& study, const Realisations& rows);
 
+/// results.json, for other programs: null where nothing is known. Keys: docs/formats.md.
+std::string study_json(const Study& study, const Realisations& rows);
+
 }  // namespace terp

@@ -1,4 +1,6 @@
-#include "study/sweep_page.hpp"
+// The section of a sweep. Not for: its table, which is that of all studies (study_page.cpp).
+
+#include "study/study_page.hpp"
 
 #include "input/keys.hpp"
 #include "input/units.hpp"

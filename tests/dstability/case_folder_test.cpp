@@ -5,6 +5,7 @@
 #include "dstability/read_stix.hpp"
 #include "input/case_file.hpp"
 #include "points/overlay.hpp"
+#include "archives.hpp"
 #include "sections.hpp"
 #include "support/paths.hpp"
 #include "support/problems.hpp"
@@ -14,14 +15,6 @@
 #include <fmt/format.h>
 
 namespace case_folder_test {
-
-const std::vector<SoilKind>& kinds()
-{
-  static const auto table = read_soil_defaults("table", soil_defaults_table());
-  return table;
-}
-
-std::string sample(const std::string& name) { return source_path("tests/dstability/samples/" + name + ".stix"); }
 
 /// Writes the folder to a place of its own, as tests run side by side, and reads its case.
 CaseFile read_folder(const CaseFolder& folder)
@@ -90,7 +83,7 @@ class Sample : public testing::TestWithParam<Wanted> {};
 TEST_P(Sample, GivesACaseThatIsReadAndWeighsWhatItsPolygonsWeigh)
 {
   const auto [name, scenario, stage] = GetParam();
-  const StixProject project = read_stix(sample(name));
+  const StixProject project = read_stix(sample_path(name));
   const CaseFolder folder = case_folder_of(
       project, {.scenario = scenario, .stage = stage, .between = Vec<2>{-1e4, 1e4}, .base = -1e4, .kinds = kinds()});
   const CaseFile file = read_folder(folder);
@@ -113,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Files, Sample,
 const CaseFolder& tutorial()
 {
   static const CaseFolder folder = [] {
-    const StixProject project = read_stix(sample("tutorial-2023"));
+    const StixProject project = read_stix(sample_path("tutorial-2023"));
     return case_folder_of(project, {.scenario = 1, .stage = 1, .kinds = kinds()});
   }();
   return folder;
@@ -147,7 +140,7 @@ TEST(CaseFolder, GoesFromDailyWaterToTheAnalysedStage)
 
 TEST(CaseFolder, HasTheWaterPressuresOfTheFile)
 {
-  const StixProject project = read_stix(sample("tutorial-2023"));
+  const StixProject project = read_stix(sample_path("tutorial-2023"));
   const StixSection section(project, 1, 1, StixBasis::deterministic);
   const WaterCase water = read_folder(tutorial()).values.water;
   Real most = 0.0;
@@ -173,7 +166,7 @@ TEST(CaseFolder, CutsASoilThatDiffersAboveThePhreaticLine)
 TEST(CaseFolder, HasTheColoursAndSlipPlanesOfTheFile)
 {
   const Case description = read_folder(tutorial()).values;
-  const StixProject project = read_stix(sample("tutorial-2023"));
+  const StixProject project = read_stix(sample_path("tutorial-2023"));
   std::vector<StixCalculation> stored = project.scenarios[1].calculations;
   std::erase_if(stored, [](const StixCalculation& c) { return c.result->slip_plane.empty(); });  // probabilistic
   ASSERT_EQ(stored.size(), 3u);
@@ -203,7 +196,7 @@ TEST(CaseFolder, ReportsWhatWasAssumed)
 
 TEST(CaseFolder, WritesTheYieldStressOnAGridWhereTheGroundChanged)
 {
-  const StixProject project = read_stix(sample("tutorial-2023"));
+  const StixProject project = read_stix(sample_path("tutorial-2023"));
   const CaseFolder folder = case_folder_of(project, {.scenario = 2, .stage = 2, .kinds = kinds()});
   const auto is_grid = [](const auto& file) { return file.first.starts_with("yield_stress_"); };
   const auto grid = std::ranges::find_if(folder.files, is_grid);
@@ -214,7 +207,7 @@ TEST(CaseFolder, WritesTheYieldStressOnAGridWhereTheGroundChanged)
 
 TEST(CaseFolder, TakesAPartOfTheSection)
 {
-  const StixProject project = read_stix(sample("tutorial-2023"));
+  const StixProject project = read_stix(sample_path("tutorial-2023"));
   const CaseFolder folder =
       case_folder_of(project, {.scenario = 1, .stage = 1, .between = Vec<2>{-30.0, 60.0}, .kinds = kinds()});
   const Case description = read_folder(folder).values;
@@ -377,10 +370,9 @@ TEST(HandSection, OfADrawingRefusesWhatIsNoOutline)
 // Its water stands on the last 0.6 m of the section, and no ground lies below it on cells of 2 m.
 TEST(CaseFolder, HasNoFloodWhereTheRiverIsNarrowerThanACell)
 {
-  static const auto kinds = read_soil_defaults("table", soil_defaults_table());
-  const StixProject project = read_stix(sample("example-2020.03-v1"));
+  const StixProject project = read_stix(sample_path("example-2020.03-v1"));
   const auto text_of = [&](Real cell) {
-    return case_folder_of(project, {.stage = 1, .cell = cell, .kinds = kinds}).files;
+    return case_folder_of(project, {.stage = 1, .cell = cell, .kinds = kinds()}).files;
   };
   EXPECT_THAT(text_of(2.0).front().second, testing::Not(HasSubstr("\n[flood]\n")));
   EXPECT_THAT(text_of(2.0).back().second,

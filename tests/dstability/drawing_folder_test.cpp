@@ -1,16 +1,10 @@
 // Drawings as case folders to fill in.
 #include "dstability/drawing_folder.hpp"
 
+#include "sections.hpp"
 #include "support/problems.hpp"
-#include "support/test.hpp"
 
 namespace drawing_folder_test {
-
-const std::vector<SoilKind>& kinds()
-{
-  static const auto table = read_soil_defaults("table", soil_defaults_table());
-  return table;
-}
 
 const DxfRegions two_layers{{{"Zand 1", {{0, 0}, {40, 0}, {40, 2}, {0, 2}}},
                                 {"klei", {{0, 2}, {40, 2}, {40, 4}, {25, 4}, {22, 7}, {18, 7}, {12, 4}, {0, 4}}}},

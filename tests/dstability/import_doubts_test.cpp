@@ -13,8 +13,7 @@ namespace import_doubts_test {
 
 CaseFolder folder_of(const StixProject& project)
 {
-  static const auto kinds = read_soil_defaults("table", soil_defaults_table());
-  return case_folder_of(project, {.stage = project.scenarios[0].stages.size() - 1, .cell = 1.0, .kinds = kinds});
+  return case_folder_of(project, {.stage = project.scenarios[0].stages.size() - 1, .cell = 1.0, .kinds = kinds()});
 }
 
 std::vector<std::string> notes_of(const StixProject& project) { return in_english(folder_of(project).notes); }

@@ -87,8 +87,7 @@ TEST(RiverLevel, OfTheFileChangesNothing)
 
 TEST(RiverLevel, IsSaidInTheCaseAndAsksWhetherItFloods)
 {
-  static const auto kinds = read_soil_defaults("table", soil_defaults_table());
-  const CaseFolder folder = case_folder_of(dike(2), {.stage = 1, .kinds = kinds, .river = 3.0});
+  const CaseFolder folder = case_folder_of(dike(2), {.stage = 1, .kinds = kinds(), .river = 3.0});
   const std::string& text = folder.files.front().second;
   EXPECT_THAT(text, HasSubstr("title  = \"high, river at 3.00 m\""));
   EXPECT_THAT(text, HasSubstr("water_level = 3.0"));
@@ -97,7 +96,7 @@ TEST(RiverLevel, IsSaidInTheCaseAndAsksWhetherItFloods)
   EXPECT_THAT(
       in_english(folder.notes), Contains(HasSubstr("The river stands at 3.00 m instead of the 2.00 m of the file")));
   EXPECT_THAT(folder.files.back().second, HasSubstr("- The river stands at 3.00 m instead of the 2.00 m of the file"));
-  const CaseFolder dry = case_folder_of(dike(2), {.stage = 1, .kinds = kinds, .river = 0.0});
+  const CaseFolder dry = case_folder_of(dike(2), {.stage = 1, .kinds = kinds(), .river = 0.0});
   EXPECT_THAT(dry.files.front().second, testing::Not(HasSubstr("\n[flood]\n")));
   EXPECT_THAT(in_english(dry.notes),
       Contains(HasSubstr("No water stands on the ground at the river's end (left) of the section: the "

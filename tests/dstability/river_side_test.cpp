@@ -25,7 +25,7 @@ StixRiver river_of(const StixProject& project)
 
 std::string text_of(const StixProject& project, std::size_t file = 0)
 {
-  const CaseFolder folder = case_folder_of(project, {.kinds = read_soil_defaults("t", soil_defaults_table())});
+  const CaseFolder folder = case_folder_of(project, {.kinds = kinds()});
   return file == 0 ? folder.files.front().second : folder.files.back().second;
 }
 

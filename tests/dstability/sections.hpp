@@ -1,7 +1,9 @@
 // Small sections made by hand, for stresses that can be computed by hand.
 #pragma once
 
+#include "dstability/case_text.hpp"
 #include "dstability/section.hpp"
+#include "dstability/soil_defaults.hpp"
 #include "support/test.hpp"
 
 namespace terp::test {
@@ -64,6 +66,20 @@ inline StixProject listed_project()
   project.scenarios[0].calculations = {c, {.label = "Later", .method = "Spencer", .kind_word = "Deterministic"}};
   project.remarks = {{"soils.json", "A remark."}};
   return project;
+}
+
+/// The table of the program.
+inline const std::vector<SoilKind>& kinds()
+{
+  static const auto table = read_soil_defaults("table", soil_defaults_table());
+  return table;
+}
+
+/// Empty: there is no such key.
+inline std::string value_of_key(const std::vector<CaseLine>& lines, const std::string& key)
+{
+  const auto line = std::ranges::find(lines, key, &CaseLine::key);
+  return line == lines.end() ? "" : line->value;
 }
 
 inline const auto always_fits = [](std::size_t, std::size_t) { return std::string("fits"); };

@@ -6,12 +6,6 @@
 
 namespace soil_text_test {
 
-const std::vector<SoilKind>& kinds()
-{
-  static const auto table = read_soil_defaults("table", soil_defaults_table());
-  return table;
-}
-
 SoilUse use_of(const StixSoil& soil, bool above = false)
 {
   return {.soil = &soil,
@@ -31,8 +25,7 @@ SoilText text_of(const StixSoil& soil, bool above = false, StixBasis basis = Sti
 
 std::string value_of_key(const SoilText& text, const std::string& key)
 {
-  const auto line = std::ranges::find(text.material.lines, key, &CaseLine::key);
-  return line == text.material.lines.end() ? "" : line->value;
+  return test::value_of_key(text.material.lines, key);
 }
 
 std::vector<Problem> problems_with(const StixSoil& soil, StixBasis basis = StixBasis::deterministic)

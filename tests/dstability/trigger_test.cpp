@@ -121,7 +121,7 @@ TEST(Trigger, WaterOfAMeshIsRefused)
 
 CaseFolder folder_with(const FolderTrigger& trigger, const StixProject& project = dike())
 {
-  return case_folder_of(project, {.kinds = read_soil_defaults("table", soil_defaults_table()), .trigger = trigger});
+  return case_folder_of(project, {.kinds = kinds(), .trigger = trigger});
 }
 
 TEST(Trigger, OfWeakerSoilIsALastStageThatTheReportExplains)

@@ -16,11 +16,7 @@ WaterText text_of(const StixStage& stage)
   return water_text({project, 0, 0, StixBasis::deterministic}, layout(), "water", false);
 }
 
-std::string value_of_key(const WaterText& text, const std::string& key)
-{
-  const auto line = std::ranges::find(text.lines, key, &CaseLine::key);
-  return line == text.lines.end() ? "" : line->value;
-}
+std::string value_of_key(const WaterText& text, const std::string& key) { return test::value_of_key(text.lines, key); }
 
 StixStage with_phreatic(const StixLine& line)
 {

@@ -1,5 +1,5 @@
 // The cases of the stages of a run.
-#include "input/read_stages.hpp"
+#include "input/reader.hpp"
 #include "input/render.hpp"
 #include "input/samples.hpp"
 #include "support/test.hpp"

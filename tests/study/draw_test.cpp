@@ -17,12 +17,6 @@ between = ["material.clay.su_peak", "material.clay.eta"]
 value = -0.5
 )";
 
-Study study_of(const std::string& text)
-{
-  const ScratchFolder folder;
-  return prepare_study(read_study(write_study(folder.path(), text)));
-}
-
 /// Inputs of all realisations, by number of the input.
 std::vector<std::vector<Real>> inputs_of(const Study& study)
 {

@@ -18,31 +18,9 @@ namespace engine_test {
 
 Real outcome(const Realisation& r, const char* name) { return r.outcomes[outcome_number(name)]; }
 
-struct Place {
-  ScratchFolder folder;
-  Study study;
-  explicit Place(const std::string& text, const std::string& column = column_case)
-      : study(prepare_study(read_study(write_study(folder.path(), text, column))))
-  {
-  }
-
-  std::string of(const std::string& name) const
-  {
-    const std::string path = folder.path() + '/' + name;
-    make_folder(path);
-    return path;
-  }
-  Realisations run(const std::string& name, EngineOptions options = {}) const
-  {
-    Realisations rows = read_store(study, of(name)).rows;
-    run_realisations(study, of(name), options, never_stop, rows);
-    return rows;
-  }
-};
-
 TEST(Engine, TheTableHasTheSameBitsOnAnyNumberOfThreads)
 {
-  const Place place(column_study);
+  const StudyWithStores place(column_study);
   const Realisations one = place.run("one");
   const std::string table = study_csv(place.study, one);
   EXPECT_EQ(std::ranges::count(table, '\n'), 13);
@@ -56,7 +34,7 @@ TEST(Engine, TheTableHasTheSameBitsOnAnyNumberOfThreads)
 
 TEST(Engine, PartsMakeTheWholeTable)
 {
-  const Place place(field_study);
+  const StudyWithStores place(field_study);
   const std::string table = study_csv(place.study, place.run("whole"));
   for (const Index k : {2, 1, 3}) place.run("parts", {.part = {k, 3}});
   EXPECT_EQ(study_csv(place.study, read_store(place.study, place.of("parts")).rows), table);
@@ -64,7 +42,7 @@ TEST(Engine, PartsMakeTheWholeTable)
 
 TEST(Engine, WhatAKillHasCutIsMadeAgain)
 {
-  const Place place(column_study);
+  const StudyWithStores place(column_study);
   const std::string table = study_csv(place.study, place.run("whole"));
   const std::string file = place.of("whole") + "/part_1_of_1.rows", text = read_file(file);
   for (const std::size_t size : {text.size() - 1, text.size() - 40, text.size() / 2, std::size_t{30}, std::size_t{0}}) {
@@ -77,11 +55,12 @@ TEST(Engine, WhatAKillHasCutIsMadeAgain)
 
 TEST(Engine, AStoreOfAnotherStudyIsRefused)
 {
-  const Place place(column_study), seed(changed(column_study, "seed = 3", "seed = 4"));
+  const StudyWithStores place(column_study), seed(changed(column_study, "seed = 3", "seed = 4"));
   place.run("done");
   EXPECT_THAT(refusal<FileError>([&] { read_store(seed.study, place.of("done")); }),
       HasSubstr("this is the store of another study: what is drawn, its seed or the events are others"));
-  const Place stiffer(changed(column_study, "seed = 3", "seed = 3\nset = { \"material.clay.density\" = 2000.0 }"));
+  const StudyWithStores stiffer(
+      changed(column_study, "seed = 3", "seed = 3\nset = { \"material.clay.density\" = 2000.0 }"));
   EXPECT_THAT(refusal<FileError>([&] { read_store(stiffer.study, place.of("done")); }), HasSubstr("another study"));
   const std::string row = digits_of("terp study\t1\t0.1.0\ta\tb") + "\tterp study\t1\t0.1.0\ta\tb\n";
   write_file_atomically(place.of("old") + "/part_1_of_1.rows", row);
@@ -93,7 +72,7 @@ TEST(Engine, AStoreOfAnotherStudyIsRefused)
 
 TEST(Engine, TheFormatOfTheStoreIsThatOfTheDocuments)
 {
-  const Place place(column_study);
+  const StudyWithStores place(column_study);
   place.run("one");
   const std::string head = read_file(place.of("one") + "/part_1_of_1.rows");
   std::smatch format;
@@ -105,7 +84,7 @@ TEST(Engine, TheFormatOfTheStoreIsThatOfTheDocuments)
 TEST(Engine, RealisationsThatFailAreCountedAndBoundP)
 {
   // Where the field falls below the residual strength, the case is refused.
-  const Place place(changed(field_study, "number = 6", "number = 12"),
+  const StudyWithStores place(changed(field_study, "number = 6", "number = 12"),
       changed(column_case, "sensitivity = 2.0", "su_residual = 4.5e3"));
   const Realisations rows = place.run("some");
   const StudyEstimates e = estimate(place.study, rows);
@@ -123,7 +102,7 @@ TEST(Engine, RealisationsThatFailAreCountedAndBoundP)
 // The volume of the event has moved as far as its displacement where, and only where, the event happened.
 TEST(Engine, TheDisplacementOfTheVolumeSaysHowFarAwayTheEventIs)
 {
-  const Place place(column_study);
+  const StudyWithStores place(column_study);
   Real of_what_stands = 0.0;
   for (const auto& [number, r] : place.run("all")) {
     const Real moved = r.outcomes[outcome_number("event_displacement")];
@@ -138,7 +117,7 @@ TEST(Engine, ARunThatEndsWhileSoilFallsSaysSo)
 {
   // Without damping what stands goes on vibrating.
   const std::string damped = changed(column_case, "-9.81]\n", "-9.81]\ndamping = { local = 0.3 }\n");
-  const Place soon(column_study, damped), late(column_study, changed(damped, "end = 0.8", "end = 4.0"));
+  const StudyWithStores soon(column_study, damped), late(column_study, changed(damped, "end = 0.8", "end = 4.0"));
   const auto early = soon.run("soon"), rest = late.run("late");
   int n_moving = 0, n_later = 0;
   for (const auto& [number, r] : early) {
@@ -157,7 +136,7 @@ TEST(Engine, ARunThatEndsWithItsEventsLeavesThemAsTheyAreAndTheEndUnknown)
   const auto with_end = [](const std::string& text) {
     return changed(text, "displacement = 0.3", "displacement = 0.3\nends_run = true");
   };
-  const Place whole(column_study), ends(with_end(column_study));
+  const StudyWithStores whole(column_study), ends(with_end(column_study));
   const Realisations a = whole.run("whole"), b = ends.run("ends");
   int n_ended = 0;
   for (const auto& [number, r] : a) {
@@ -192,7 +171,7 @@ TEST(Engine, AResultThatDiffersIsNamed)
 
 TEST(Engine, SoilTooWeakToStandAsDrawnIsCountedAsASlide)
 {
-  const Place place(changed(column_study, "number = 12", "number = 6"),
+  const StudyWithStores place(changed(column_study, "number = 12", "number = 6"),
       changed(column_case, "su_peak = 6.0e3\nsensitivity = 2.0", "su_peak = 6.0e3\nsensitivity = 1.0") +
           "[initial]\nstress = \"equilibrium\"\n");
   const Realisations rows = place.run("weak");
@@ -213,7 +192,7 @@ TEST(Engine, SoilTooWeakToStandAsDrawnIsCountedAsASlide)
 
 TEST(Engine, ACopyOfTheStudyReadsItsStore)
 {
-  const Place place(field_study);
+  const StudyWithStores place(field_study);
   const std::string folder = place.of("copied");
   write_copies(place.study, StudyPlace(folder, "part_1_of_1"));
   const std::string table = study_csv(place.study, place.run("copied"));
@@ -263,7 +242,7 @@ TEST(Engine, AnotherLibraryOfTheSameNameIsAnotherStudy)
 
 TEST(Engine, NumbersOfASweepAreInTheTableInFull)
 {
-  const Place place(R"(case = "column.toml"
+  const StudyWithStores place(R"(case = "column.toml"
 [estimator]
 kind = "sweep"
 [[sweep]]
@@ -276,7 +255,7 @@ values = [1000001, 1000002]
 
 TEST(Engine, ACopyFollowsTheStudyAsLongAsItIsTheSame)
 {
-  const Place place(column_study);
+  const StudyWithStores place(column_study);
   const std::string folder = place.of("results");
   write_copies(place.study, StudyPlace(folder, "report"));
   const std::string path =
@@ -290,7 +269,7 @@ TEST(Engine, ACopyFollowsTheStudyAsLongAsItIsTheSame)
 
 TEST(Engine, FoldersOfTheUserAreLeftAlone)
 {
-  const Place place(column_study);
+  const StudyWithStores place(column_study);
   const auto refused = [&](const std::string& folder) {
     return refusal<FileError>([&] { check_study_folder(place.study, folder); });
   };
@@ -330,7 +309,7 @@ TEST(Engine, AReportAndTheEndOfARunWriteOneAfterTheOther)
 
 TEST(Engine, AStoreIsClearedByWhoHoldsAllOfItAlone)
 {
-  const Place place(column_study);
+  const StudyWithStores place(column_study);
   const std::string folder = place.of("results");
   {
     const StudyPlace writer(folder, "part_1_of_1");

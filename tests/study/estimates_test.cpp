@@ -8,11 +8,9 @@
 
 namespace estimates_test {
 
-Study study_of(const std::string& rule)
-{
-  const ScratchFolder folder;
-  return prepare_study(read_study(write_study(folder.path(), changed(column_study, "number = 12", rule))));
-}
+Study study_with(const std::string& rule) { return study_of(changed(column_study, "number = 12", rule)); }
+
+const std::string sweep_head = "case = \"column.toml\"\n[estimator]\nkind = \"sweep\"\n";
 
 /// Every third slides, every sixth floods too; the input falls with the number of the slide.
 Realisations rows_of(Index n)
@@ -36,7 +34,7 @@ Realisations rows_of(Index n)
 
 TEST(Estimates, ProbabilitiesOfEventsWithTheirBounds)
 {
-  const Study study = study_of("number = 60");
+  const Study study = study_with("number = 60");
   const StudyEstimates e = estimate(study, rows_of(60));
   EXPECT_TRUE(e.rule_met);
   EXPECT_EQ(e.n_moving_without_slide, 0) << "all that move have slid";
@@ -53,7 +51,7 @@ TEST(Estimates, ProbabilitiesOfEventsWithTheirBounds)
 
 TEST(Estimates, SoilThatSlidesAsDrawnIsASlideOfWhichTheFloodIsNotKnown)
 {
-  const Study study = study_of("number = 60");
+  const Study study = study_with("number = 60");
   Realisations rows = rows_of(60);
   for (const Index k : {0, 6, 12}) {  // slid and flooded
     rows.at(k).fault = "slides as drawn: no equilibrium", rows.at(k).flooded = false;
@@ -82,7 +80,7 @@ TEST(Estimates, SoilThatSlidesAsDrawnIsASlideOfWhichTheFloodIsNotKnown)
 
 TEST(Estimates, WhatIsNotKnownOfSlidesIsNotZero)
 {
-  const Study study = study_of("number = 60");
+  const Study study = study_with("number = 60");
   Realisations rows = rows_of(60);
   for (auto& [number, r] : rows)
     if (r.slid) r.fault = "slides as drawn: no equilibrium", r.flooded = false, r.outcomes.clear();
@@ -95,7 +93,7 @@ TEST(Estimates, WhatIsNotKnownOfSlidesIsNotZero)
 
 TEST(Estimates, AFloodThatIsNotJudgedIsNotKnown)
 {
-  const Study study = study_of("number = 60");
+  const Study study = study_with("number = 60");
   Realisations rows = rows_of(60);
   for (const Index k : {1, 3}) rows.at(k).judges_flood = false;  // the second has slid
   const StudyEstimates e = estimate(study, rows);
@@ -111,7 +109,7 @@ TEST(Estimates, AFloodThatIsNotJudgedIsNotKnown)
 
 TEST(Estimates, SoilThatMovesAtTheEndMaySlideLater)
 {
-  const Study study = study_of("number = 60");
+  const Study study = study_with("number = 60");
   Realisations rows = rows_of(60);
   for (auto& [number, r] : rows) r.judges_flood = r.flooded = false;
   for (const Index k : {1, 2, 3}) rows.at(k).outcomes[outcome_number("still_moves")] = 1.0;
@@ -121,16 +119,13 @@ TEST(Estimates, SoilThatMovesAtTheEndMaySlideLater)
 
 TEST(Estimates, BoundsAndStopRulesSayWhatTheyAreWorth)
 {
-  const Study cov = study_of("number = 600\ncov = 0.3");
+  const Study cov = study_with("number = 600\ncov = 0.3");
   EXPECT_THAT(study_text(cov, rows_of(600)), HasSubstr("(k - 1)/(n - 1) = "));
-  const ScratchFolder folder;
-  const Study cube =
-      prepare_study(read_study(write_study(folder.path(), changed(column_study, "monte_carlo", "latin_hypercube"))));
+  const Study cube = study_of(changed(column_study, "monte_carlo", "latin_hypercube"));
   const std::string page = page_of_study(cube, rows_of(12), "now");
   EXPECT_THAT(page, HasSubstr("as far as independent realisations would say, with 95 % confidence"));
   EXPECT_THAT(page, Not(HasSubstr("of all studies like this one")));
-  const Study weak = prepare_study(read_study(
-      write_study(folder.path(), changed(column_study, "seed = 3", "seed = 3\nset = { at_strength = 1.2 }"))));
+  const Study weak = study_of(changed(column_study, "seed = 3", "seed = 3\nset = { at_strength = 1.2 }"));
   EXPECT_THAT(study_text(weak, rows_of(12)), HasSubstr("All strengths are divided by 1.2 (at_strength)"));
 }
 
@@ -138,7 +133,7 @@ TEST(Estimates, OnlyWhatHasNoGapBeforeItCounts)
 {
   Realisations rows = rows_of(60);
   rows.erase(7), rows.erase(30);
-  const StudyEstimates e = estimate(study_of("number = 60"), rows);
+  const StudyEstimates e = estimate(study_with("number = 60"), rows);
   EXPECT_EQ(e.n_made, 7) << "the quick ones behind it would have more say than the slow one that is missing";
   EXPECT_EQ(e.n_beyond, 51);
   EXPECT_FALSE(e.rule_met);
@@ -146,7 +141,7 @@ TEST(Estimates, OnlyWhatHasNoGapBeforeItCounts)
 
 TEST(Estimates, ARuleOnTheCoefficientOfVariationStopsAtTheSameRealisation)
 {
-  const Study study = study_of("number = 600\ncov = 0.2");
+  const Study study = study_with("number = 600\ncov = 0.2");
   bool met = false;
   // F in every sixth, from the first on: the last of 1/0.2^2 = 25 events is realisation 6 x 24
   const Index n = count_in_table(study, rows_of(200), met);
@@ -157,7 +152,7 @@ TEST(Estimates, ARuleOnTheCoefficientOfVariationStopsAtTheSameRealisation)
 
 TEST(Estimates, ThePageStandsAloneAndSaysWhatTheNumbersMean)
 {
-  const std::string page = page_of_study(study_of("number = 60"), rows_of(60), "now");
+  const std::string page = page_of_study(study_with("number = 60"), rows_of(60), "now");
   EXPECT_THAT(page, StartsWith("<!doctype html>"));
   EXPECT_THAT(page, HasSubstr("The land floods with probability 0.17; with 95 % confidence it lies between"));
   EXPECT_THAT(page, HasSubstr("P(F) over the realisations"));
@@ -169,11 +164,7 @@ TEST(Estimates, ThePageStandsAloneAndSaysWhatTheNumbersMean)
 
 TEST(Estimates, APageOfASweepShowsTheFirstKeyOfNumbers)
 {
-  const ScratchFolder folder;
-  const std::string text = R"(case = "column.toml"
-[estimator]
-kind = "sweep"
-[[sweep]]
+  const Study study = study_of(sweep_head + R"([[sweep]]
 key = "scheme"
 values = ["mpm_gp", "mpm_mixed"]
 [[sweep]]
@@ -182,15 +173,8 @@ values = [6e3, 7e3]
 [[sweep]]
 key = "material.clay.eta"
 values = [5, 6, 7, 8]
-)";
-  const Study study = prepare_study(read_study(write_study(folder.path(), text)));
-  Realisations rows;
-  for (Index k = 0; k < study.n_realisations; ++k) {
-    Realisation r{.number = k, .inputs = draw_realisation(study, k).inputs};
-    r.outcomes.assign(study_outcomes().size(), static_cast<Real>(k));
-    rows.emplace(k, r);
-  }
-  const std::string page = page_of_study(study, rows, "now");
+)");
+  const std::string page = page_of_study(study, rows_without_runs(study, [](Real k) { return k; }), "now");
   EXPECT_THAT(page, AllOf(HasSubstr("Results over <code>material.clay.su_peak</code>"),
                         HasSubstr("material.clay.su_peak [Pa]"), HasSubstr("volume that slid [m^2]"),
                         HasSubstr("A line for each value of scheme, material.clay.eta; 6 of 8 are drawn."),
@@ -201,22 +185,11 @@ values = [5, 6, 7, 8]
 
 TEST(Estimates, APageOfASweepTakesNumbersWithUnitsAsNumbers)
 {
-  const ScratchFolder folder;
-  const std::string text = R"(case = "column.toml"
-[estimator]
-kind = "sweep"
-[[sweep]]
+  const Study study = study_of(sweep_head + R"([[sweep]]
 key = "material.clay.su_peak"
 values = ["6 kPa", "7 kPa", "13 kPa"]
-)";
-  const Study study = prepare_study(read_study(write_study(folder.path(), text)));
-  Realisations rows;
-  for (Index k = 0; k < study.n_realisations; ++k) {
-    Realisation r{.number = k, .inputs = draw_realisation(study, k).inputs};
-    r.outcomes.assign(study_outcomes().size(), static_cast<Real>(k));
-    rows.emplace(k, r);
-  }
-  const std::string page = page_of_study(study, rows, "now");
+)");
+  const std::string page = page_of_study(study, rows_without_runs(study, [](Real k) { return k; }), "now");
   EXPECT_THAT(
       page, AllOf(HasSubstr("Results over <code>material.clay.su_peak</code>"), HasSubstr("material.clay.su_peak [Pa]"),
                 HasSubstr(">8000</text>"), HasSubstr(">12000</text>"), HasSubstr(">13 kPa</td>")));
@@ -225,22 +198,12 @@ values = ["6 kPa", "7 kPa", "13 kPa"]
 // Soil that slides as drawn has no result but that it slides; numbers that differ by rounding are no result either.
 TEST(Estimates, APageOfASweepShowsTheEventsAndNoNoise)
 {
-  const ScratchFolder folder;
-  const std::string text = R"(case = "column.toml"
-[estimator]
-kind = "sweep"
-[[sweep]]
+  const Study study = study_of(sweep_head + R"([[sweep]]
 key = "material.clay.su_peak"
 values = [6e3, 7e3, 8e3]
-)";
-  const Study study = prepare_study(read_study(write_study(folder.path(), text)));
-  Realisations rows;
-  for (Index k = 0; k < 3; ++k) {
-    Realisation r{.number = k, .inputs = draw_realisation(study, k).inputs};
-    r.outcomes.assign(study_outcomes().size(), 1.0 + 1e-8 * static_cast<Real>(k));
-    r.slid = k == 0;
-    rows.emplace(k, r);
-  }
+)");
+  Realisations rows = rows_without_runs(study, [](Real k) { return 1.0 + 1e-8 * k; });
+  rows.at(0).slid = true;
   const std::string page = page_of_study(study, rows, "now");
   EXPECT_THAT(page, AllOf(HasSubstr(">slide, I (1: yes)<"), Not(HasSubstr("flood, F")),
                         Not(HasSubstr("A line for each")), Not(HasSubstr(">highest ground that remains<")),
@@ -249,8 +212,7 @@ values = [6e3, 7e3, 8e3]
 
 TEST(Estimates, APageOfSamplesShowsHistogramsAndFields)
 {
-  const ScratchFolder folder;
-  const Study study = prepare_study(read_study(write_study(folder.path(), field_study)));
+  const Study study = study_of(field_study);
   const std::string page = page_of_samples(study, 6, "now");
   EXPECT_THAT(page, HasSubstr("Field of <code>material.clay.su_peak</code>"));
   EXPECT_THAT(page, HasSubstr("realisation 3, over the trend: dark 0.5, bright 2"));

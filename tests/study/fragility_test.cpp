@@ -26,12 +26,6 @@ decimation_height = 0.4
 "forces.gravity" = [0.0, "-9.81 * h"]
 )";
 
-Study study_of(const std::string& text)
-{
-  const ScratchFolder folder;
-  return prepare_study(read_study(write_study(folder.path(), text)));
-}
-
 /// Sample s slides at level l where s < slides[l], and floods where s < floods[l].
 Realisations rows_of(const Study& study, const std::vector<Index>& slides, const std::vector<Index>& floods)
 {
@@ -168,7 +162,7 @@ TEST(Fragility, EveryLevelIsJudgedAgainstTheWaterOfOneEnd)
   const auto study = [&](const std::string& land, const std::string& more) {
     const std::string text = changed(curve_text, "\"forces.gravity\" = [0.0, \"-9.81 * h\"]",
         "\"water.phreatic_line\" = [[0.0, \"h\"], [8.0, \"" + land + " + 0*h\"]]" + more);
-    return refusal<CaseError>([&] { prepare_study(read_study(write_study(folder.path(), text, dike_case()))); });
+    return refusal<CaseError>([&] { study_in(folder.path(), text, dike_case()); });
   };
   EXPECT_EQ(study("0", ""), "");
   EXPECT_THAT(
@@ -238,51 +232,45 @@ TEST(Fragility, APageHasALineForWhatRemainsAtEachLevel)
 
 TEST(Fragility, ARunSlidesMoreOftenUnderMoreWeight)
 {
-  const ScratchFolder folder;
-  const Study study = prepare_study(read_study(write_study(folder.path(), curve_text)));
-  Realisations rows;
-  run_realisations(study, folder.path(), {.threads = 2}, never_stop, rows);
+  const StudyWithStores place(curve_text);
+  const Study& study = place.study;
+  const Realisations rows = place.run("all", {.threads = 2});
+  const std::string folder = place.of("all");
   const FragilityCurve curve = estimate_fragility(study, rows);
   EXPECT_EQ(curve.levels[0].slide.solved, 8);
   EXPECT_LT(curve.levels[0].slide.happened, curve.levels[2].slide.happened);
   EXPECT_EQ(curve.n_falling_slides, 0);
-  write_results(study, StudyPlace(folder.path(), "report"), rows, "now");
-  EXPECT_TRUE(std::filesystem::exists(folder.path() + '/' + fragility_table));
-  EXPECT_FALSE(std::filesystem::exists(folder.path() + '/' + fragility_of_slides)) << "gravity is no water level";
-  const Study other = prepare_study(read_study(
-      write_study(folder.path(), changed(curve_text, "decimation_height = 0.4", "decimation_height = 0.7"))));
+  write_results(study, StudyPlace(folder, "report"), rows, "now");
+  EXPECT_TRUE(std::filesystem::exists(folder + '/' + fragility_table));
+  EXPECT_FALSE(std::filesystem::exists(folder + '/' + fragility_of_slides)) << "gravity is no water level";
+  const Study other = study_of(changed(curve_text, "decimation_height = 0.4", "decimation_height = 0.7"));
   EXPECT_EQ(other.study_digits, study.study_digits) << "the distribution of the load needs no new runs";
-  const Study levels =
-      prepare_study(read_study(write_study(folder.path(), changed(curve_text, "0.4, 0.8", "0.4, 0.9"))));
+  const Study levels = study_of(changed(curve_text, "0.4, 0.8", "0.4, 0.9"));
   EXPECT_NE(levels.study_digits, study.study_digits);
 }
 
 TEST(Fragility, WithOneMistakeHasOneMessage)
 {
-  struct Row {
-    const char *from, *to, *expected;
-  };
-  const Row rows[] = {
-      {"levels = [0.4, 0.8, 1.6]", "levels = [0.4, 1.6, 0.8]", "Got 0.8 after 1.6."},
-      {"levels = [0.4, 0.8, 1.6]", "levels = [0.4]", "`levels` must be a list of numbers that ascend"},
-      {"levels = [0.4, 0.8, 1.6]\n", "", "`levels` must be a list of numbers that ascend"},
-      {"\"-9.81 * h\"", "\"-9.81 * h +\"", "this is no formula of h"},
-      {"\"-9.81 * h\"", "\"log(h - 2)\"", "is no number at h = 0.4"},
-      {"\"-9.81 * h\"", "-9.81", "`forces.gravity` does not follow the load"},
-      {"[0.0, \"-9.81 * h\"]", "\"h\"", "the case does not take h = 0.4"},
-      {"\"forces.gravity\"", "\"forces.gravty\"", "the case does not take h = 0.4"},
-      {"\"forces.gravity\" = [0.0, \"-9.81 * h\"]", "", "`set` must say which keys of the case follow the load"},
-      {"\"forces.gravity\" = [0.0,", "\"material.clay.su_peak\" = [0.0,", "`material.clay.su_peak` is given twice"},
-      {"number = 8", "number = 800\ncov = 0.3", "a fragility curve has the same number of realisations at each level"},
-      {"location = 0.5", "mean = 0.5", "the distribution is given twice"},
-      {"location = 0.5\n", "", "a gumbel distribution needs `location` too"},
-      {"decimation_height = 0.4", "decimation_height = -0.4", "`decimation_height` is out of range"},
-      {"name = \"weight\"", "nam = \"weight\"", "Did you mean `name`?"},
-      {"monte_carlo", "sweep", "a sweep has no fragility curve"},
-  };
-  for (const Row& row : rows)
-    EXPECT_THAT(refusal<CaseError>([&] { study_of(changed(curve_text, row.from, row.to)); }), HasSubstr(row.expected))
-        << row.to;
+  expect_messages(curve_text,
+      {
+          {"levels = [0.4, 0.8, 1.6]", "levels = [0.4, 1.6, 0.8]", "Got 0.8 after 1.6."},
+          {"levels = [0.4, 0.8, 1.6]", "levels = [0.4]", "`levels` must be a list of numbers that ascend"},
+          {"levels = [0.4, 0.8, 1.6]\n", "", "`levels` must be a list of numbers that ascend"},
+          {"\"-9.81 * h\"", "\"-9.81 * h +\"", "this is no formula of h"},
+          {"\"-9.81 * h\"", "\"log(h - 2)\"", "is no number at h = 0.4"},
+          {"\"-9.81 * h\"", "-9.81", "`forces.gravity` does not follow the load"},
+          {"[0.0, \"-9.81 * h\"]", "\"h\"", "the case does not take h = 0.4"},
+          {"\"forces.gravity\"", "\"forces.gravty\"", "the case does not take h = 0.4"},
+          {"\"forces.gravity\" = [0.0, \"-9.81 * h\"]", "", "`set` must say which keys of the case follow the load"},
+          {"\"forces.gravity\" = [0.0,", "\"material.clay.su_peak\" = [0.0,", "`material.clay.su_peak` is given twice"},
+          {"number = 8", "number = 800\ncov = 0.3",
+              "a fragility curve has the same number of realisations at each level"},
+          {"location = 0.5", "mean = 0.5", "the distribution is given twice"},
+          {"location = 0.5\n", "", "a gumbel distribution needs `location` too"},
+          {"decimation_height = 0.4", "decimation_height = -0.4", "`decimation_height` is out of range"},
+          {"name = \"weight\"", "nam = \"weight\"", "Did you mean `name`?"},
+          {"monte_carlo", "sweep", "a sweep has no fragility curve"},
+      });
 }
 
 }  // namespace fragility_test

@@ -6,7 +6,6 @@
 #include "study/fragility.hpp"
 #include "study/samples.hpp"
 #include "study/study_folder.hpp"
-#include "study/study_json.hpp"
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
 #include "support/test.hpp"
@@ -22,12 +21,6 @@ const std::string two_levels = changed(changed(column_study, "kind = \"monte_car
     "seed = 3", "seed = 3\nset = { \"mesh.cell\" = 0.5 }");
 
 StudySettings settings_of(const std::string& text) { return read_study_text(text, "demo.toml"); }
-
-Study study_of(const std::string& text)
-{
-  const ScratchFolder folder;
-  return prepare_study(read_study(write_study(folder.path(), text)));
-}
 
 /// The coarse level slides with probability 0.2. Of what slides there 0.6 slides with the fine case, of the rest 0.02.
 /// Half of what slides floods. So P(I) = 0.136 and P(F) = 0.068.
@@ -212,23 +205,9 @@ TEST(Multilevel, PairsComeFirstAndHaveTheSameInput)
   EXPECT_NE(study_of(changed(two_levels, "cell\" = 1.0", "cell\" = 0.25")).case_digits, study.case_digits);
 }
 
-struct Place {
-  ScratchFolder folder;
-  Study study;
-  explicit Place(const std::string& text) : study(prepare_study(read_study(write_study(folder.path(), text)))) {}
-  Realisations run(const std::string& name, const EngineOptions& options = {}) const
-  {
-    const std::string path = folder.path() + '/' + name;
-    make_folder(path);
-    Realisations rows = read_store(study, path).rows;
-    run_realisations(study, path, options, never_stop, rows);
-    return read_store(study, path).rows;
-  }
-};
-
 TEST(Multilevel, TheTableHasTheSameBitsOnThreadsInPartsAndAfterAKill)
 {
-  const Place place(two_levels);
+  const StudyWithStores place(two_levels);
   const Realisations rows = place.run("one");
   const std::string table = study_csv(place.study, rows);
   EXPECT_THAT(table, StartsWith("realisation,solved,sample,resolution,slide,flood,\"material.clay.su_peak\","));
@@ -251,7 +230,7 @@ TEST(Multilevel, TheTableHasTheSameBitsOnThreadsInPartsAndAfterAKill)
 // On each level a realisation is that of Monte Carlo with the cells of the level, to the bit.
 TEST(Multilevel, EachLevelIsSolvedAsIfItWereTheStudy)
 {
-  const Place place(two_levels), coarse(column_study),
+  const StudyWithStores place(two_levels), coarse(column_study),
       fine(changed(column_study, "seed = 3", "seed = 3\nset = { \"mesh.cell\" = 0.5 }"));
   const Realisations of_coarse = coarse.run("one"), of_fine = fine.run("one");
   for (auto& [number, r] : place.run("one")) {
@@ -265,7 +244,7 @@ TEST(Multilevel, EachLevelIsSolvedAsIfItWereTheStudy)
 
 TEST(Multilevel, WithTheSameResultOnBothLevelsItIsTheCoarseShare)
 {
-  const Place place(two_levels);
+  const StudyWithStores place(two_levels);
   Realisations rows = place.run("one");
   for (auto& [number, r] : rows) r.processor_s = place.study.is_coarse(number) ? 1.0 : 8.0;
   for (Index k = 1; k < 10; k += 2) rows.at(k).slid = rows.at(k - 1).slid;
@@ -298,7 +277,7 @@ TEST(Multilevel, WithTheSameResultOnBothLevelsItIsTheCoarseShare)
 
 TEST(Multilevel, WhatIsNotKnownIsToldAndNotMadeUp)
 {
-  const Place place(two_levels);
+  const StudyWithStores place(two_levels);
   Realisations rows;
   for (Index k = 0; k < place.study.n_realisations; ++k) {
     Realisation r{.number = k, .inputs = {8e3 + k}, .slid = k == 12, .processor_s = 1.0};
@@ -321,7 +300,7 @@ TEST(Multilevel, WhatIsNotKnownIsToldAndNotMadeUp)
 
 TEST(Multilevel, AFragilityCurveHasTwoLevelsAtEachLoad)
 {
-  const Place place(changed(two_levels, "number = 12", "number = 6") + R"([fragility]
+  const StudyWithStores place(changed(two_levels, "number = 12", "number = 6") + R"([fragility]
 name = "weight"
 levels = [0.4, 1.6]
 set = { "forces.gravity" = [0.0, "-9.81 * h"] }
@@ -357,35 +336,32 @@ highest = 1.6
 
 TEST(Multilevel, WithOneMistakeHasOneMessage)
 {
-  struct Row {
-    const char *from, *to, *expected;
-  };
-  const Row rows[] = {
-      {"pairs = 5\n", "\n", "`multilevel` needs `pairs`"},
-      {"pairs = 5", "pairs = 0", "`pairs` is out of range"},
-      {"pairs = 5", "pairs = 13",
-          "there are more pairs than realisations\n\n   12 | pairs = 13\n      |         ^^\n  Got 13, and `number` is "
-          "12."},
-      {"coarse = { \"mesh.cell\" = 1.0 }\n", "\n", "`multilevel` needs `coarse`"},
-      {"coarse = { \"mesh.cell\" = 1.0 }", "coarse = 2.0", "`coarse` must be a table of keys and values"},
-      {"coarse = { \"mesh.cell\" = 1.0 }", "coarse = {}", "`coarse` changes nothing of the case"},
-      {"cell\" = 1.0", "cell\" = 0.5", "`coarse` changes nothing of the case"},
-      {"cell\" = 1.0", "cell\" = \"50 cm\"", "`coarse` changes nothing of the case"},
-      {"\"mesh.cell\" = 1.0", "\"mesh.cel\" = 1.0", "the case does not take `coarse`"},
-      {"\"mesh.cell\" = 1.0", "\"mesh.cel\" = 1.0", "unknown key `cel`\n    Did you mean `cell`?"},
-      {"\"mesh.cell\" = 1.0", "\"mesh.cell\" = -1.0", "`cell` is out of range\n    Got -1 m"},
-      {"\"mesh.cell\" = 1.0", "\"mesh.cell\" = 1.0, \"material.clay.su_peak\" = 9e3",
-          "`material.clay.su_peak` and `material.clay.su_peak` set the same value"},
-      {"\"multilevel\"", "\"monte_carlo\"", "`coarse` is of `kind = \"multilevel\"`"},
-      {"pairs = 5", "pairs = 5\naudit = 0.1", "`audit` is of `kind = \"two_stage\"`"},
-      {"pairs = 5", "pairs = 5\nform = \"table\"", "`form` is of `kind = \"sweep\"`"},
-      {"pairs = 5", "pairs = 5\nblock = 8", "`block` is of `kind = \"form\"`, \"importance_sampling\" or \"subset\""},
-      {"number = 12", "number = 1200\ncov = 0.3", "`multilevel` ends with its `number` of realisations"},
-      {"[stop]", "[[sweep]]\nkey = \"material.clay.eta\"\nvalues = [1, 2]\n[stop]", "is of `kind = \"sweep\"`"},
-  };
-  for (const Row& row : rows)
-    EXPECT_THAT(refusal<CaseError>([&] { study_of(changed(two_levels, row.from, row.to)); }), HasSubstr(row.expected))
-        << row.to;
+  expect_messages(two_levels,
+      {
+          {"pairs = 5\n", "\n", "`multilevel` needs `pairs`"},
+          {"pairs = 5", "pairs = 0", "`pairs` is out of range"},
+          {"pairs = 5", "pairs = 13",
+              "there are more pairs than realisations\n\n   12 | pairs = 13\n      |         ^^\n  Got 13, and "
+              "`number` is "
+              "12."},
+          {"coarse = { \"mesh.cell\" = 1.0 }\n", "\n", "`multilevel` needs `coarse`"},
+          {"coarse = { \"mesh.cell\" = 1.0 }", "coarse = 2.0", "`coarse` must be a table of keys and values"},
+          {"coarse = { \"mesh.cell\" = 1.0 }", "coarse = {}", "`coarse` changes nothing of the case"},
+          {"cell\" = 1.0", "cell\" = 0.5", "`coarse` changes nothing of the case"},
+          {"cell\" = 1.0", "cell\" = \"50 cm\"", "`coarse` changes nothing of the case"},
+          {"\"mesh.cell\" = 1.0", "\"mesh.cel\" = 1.0", "the case does not take `coarse`"},
+          {"\"mesh.cell\" = 1.0", "\"mesh.cel\" = 1.0", "unknown key `cel`\n    Did you mean `cell`?"},
+          {"\"mesh.cell\" = 1.0", "\"mesh.cell\" = -1.0", "`cell` is out of range\n    Got -1 m"},
+          {"\"mesh.cell\" = 1.0", "\"mesh.cell\" = 1.0, \"material.clay.su_peak\" = 9e3",
+              "`material.clay.su_peak` and `material.clay.su_peak` set the same value"},
+          {"\"multilevel\"", "\"monte_carlo\"", "`coarse` is of `kind = \"multilevel\"`"},
+          {"pairs = 5", "pairs = 5\naudit = 0.1", "`audit` is of `kind = \"two_stage\"`"},
+          {"pairs = 5", "pairs = 5\nform = \"table\"", "`form` is of `kind = \"sweep\"`"},
+          {"pairs = 5", "pairs = 5\nblock = 8",
+              "`block` is of `kind = \"form\"`, \"importance_sampling\" or \"subset\""},
+          {"number = 12", "number = 1200\ncov = 0.3", "`multilevel` ends with its `number` of realisations"},
+          {"[stop]", "[[sweep]]\nkey = \"material.clay.eta\"\nvalues = [1, 2]\n[stop]", "is of `kind = \"sweep\"`"},
+      });
 }
 
 TEST(Multilevel, ACoarseCaseThatCannotBeginIsRefusedBeforeAllFail)
@@ -393,7 +369,7 @@ TEST(Multilevel, ACoarseCaseThatCannotBeginIsRefusedBeforeAllFail)
   const ScratchFolder folder;
   const std::string column = changed(column_case, "eta = 5.0", "eta = 5.0\nsoftening = { length = 0.8 }");
   const auto message = [&](const std::string& study) {
-    return refusal<CaseError>([&] { prepare_study(read_study(write_study(folder.path(), study, column))); });
+    return refusal<CaseError>([&] { study_in(folder.path(), study, column); });
   };
   EXPECT_THAT(message(two_levels), AllOf(HasSubstr("demo.toml:11:10: the coarse case cannot be solved\n"),
                                        HasSubstr("the softening length is shorter than a cell")));

@@ -67,11 +67,8 @@ TEST(Points, ALatinHypercubeHasOneInEachStratum)
 
 TEST(Points, ANumberThatIsNoPowerOfTwoIsDoubted)
 {
-  const ScratchFolder folder;
-  const auto doubts = [&](const char* number) {
-    const std::string text = changed(changed(column_study, "monte_carlo", "sobol"), "number = 12", number);
-    return find_doubts(prepare_study(read_study(write_study(folder.path(), text))));
-  };
+  const std::string sobol = changed(column_study, "monte_carlo", "sobol");
+  const auto doubts = [&](const char* number) { return find_doubts(study_of(changed(sobol, "number = 12", number))); };
   EXPECT_TRUE(doubts("number = 16").empty());
   ASSERT_EQ(doubts("number = 12").size(), 1u);
   EXPECT_EQ(doubts("number = 12")[0].what, "Sobol points are even in powers of two");

@@ -45,45 +45,28 @@ class Child {
   pid_t pid_;
 };
 
-struct Job {
-  ScratchFolder folder;
-  Study study;
+struct Job : StudyWithStores {
+  using StudyWithStores::StudyWithStores;
   std::vector<std::string> warnings = {};
   const Launched launched{.rank = 0, .size = 3, .job = "7"};
 
-  explicit Job(const std::string& text) : study(prepare_study(read_study(write_study(folder.path(), text)))) {}
-
-  std::string folder_of(const std::string& name) const
-  {
-    const std::string path = folder.path() + '/' + name;
-    make_folder(path);
-    return path;
-  }
-  std::string table_of_threads() const
-  {
-    Realisations rows;
-    run_realisations(study, folder_of("threads"), {}, never_stop, rows);
-    return study_csv(study, rows);
-  }
+  std::string table_of_threads() const { return study_csv(study, run("threads")); }
   auto worker(int rank, int threads = 1) const
   {
     return [this, rank, threads] {
-      work_for_rank_0(study, folder_of("lock"), {.rank = rank, .size = 3, .job = "7"}, threads, never_stop, patience);
+      work_for_rank_0(study, of("lock"), {.rank = rank, .size = 3, .job = "7"}, threads, never_stop, patience);
     };
   }
   std::string table_of_ranks()
   {
-    Realisations rows;
-    RankServer server(
-        study, folder_of("lock"), launched, [this](const std::string& what) { warnings.push_back(what); });
-    run_realisations(study, folder_of("ranks"), {.ranks = &server}, never_stop, rows);
-    return study_csv(study, rows);
+    RankServer server(study, of("lock"), launched, [this](const std::string& what) { warnings.push_back(what); });
+    return study_csv(study, run("ranks", {.ranks = &server}));
   }
   RankPlace place() const
   {
     for (int k = 0; k < 100; ++k) {
-      if (std::filesystem::exists(folder_of("lock") + "/ranks/rank_0"))
-        return rank_place_of(read_file(folder_of("lock") + "/ranks/rank_0")).value();
+      if (std::filesystem::exists(of("lock") + "/ranks/rank_0"))
+        return rank_place_of(read_file(of("lock") + "/ranks/rank_0")).value();
       ::usleep(50'000);
     }
     throw std::runtime_error("no rank 0");
@@ -103,7 +86,7 @@ TEST(Ranks, MakeTheTableOfOneThread)
     EXPECT_EQ(first.wait(), 0);
     EXPECT_EQ(second.wait(), 0);
     EXPECT_THAT(job.warnings, IsEmpty());
-    EXPECT_EQ(study_csv(job.study, read_store(job.study, job.folder_of("ranks")).rows), table) << "what was written";
+    EXPECT_EQ(study_csv(job.study, read_store(job.study, job.of("ranks")).rows), table) << "what was written";
     job.worker(2)();  // comes too late, and does not wait
   }
 }
@@ -115,12 +98,12 @@ TEST(Ranks, SolveWhereAMethodAsks)
   const std::vector<std::vector<Real>> scores{{-1.0}, {1.0 / 3.0}, {0.5}, {2.0}};
   const auto draw = [&](Index n) { return draw_at(job.study, scores[static_cast<std::size_t>(n)]); };
   Realisations alone, shared;
-  solve_realisations(job.study, job.folder_of("threads"), {}, never_stop, {0, 1, 2, 3}, draw, alone);
+  solve_realisations(job.study, job.of("threads"), {}, never_stop, {0, 1, 2, 3}, draw, alone);
   Child worker(job.worker(1));
-  RankServer server(job.study, job.folder_of("lock"), job.launched, [](const std::string&) {});
+  RankServer server(job.study, job.of("lock"), job.launched, [](const std::string&) {});
   const EngineOptions options{.ranks = &server};
-  solve_realisations(job.study, job.folder_of("ranks"), options, never_stop, {0, 1}, draw, shared);
-  solve_realisations(job.study, job.folder_of("ranks"), options, never_stop, {2, 3}, draw, shared);
+  solve_realisations(job.study, job.of("ranks"), options, never_stop, {0, 1}, draw, shared);
+  solve_realisations(job.study, job.of("ranks"), options, never_stop, {2, 3}, draw, shared);
   ASSERT_EQ(shared.size(), 4u);
   for (const auto& [n, row] : shared) EXPECT_TRUE(row.same_as(alone.at(n))) << n;
 }
@@ -159,7 +142,7 @@ TEST(Ranks, ARealisationThatIsLostTwiceIsNamedAndTheOthersAreKept)
       StartsWith("realisation 0: 2 processes that solved it were lost\n  What else is solved is kept."));
   EXPECT_THAT(job.warnings, ElementsAre("rank 2 on here is lost; realisation 0 goes to another worker",
                                 "rank 2 on here is lost; realisation 0 is given up, as it was lost before"));
-  EXPECT_EQ(read_store(job.study, job.folder_of("ranks")).rows.size(), 11u);
+  EXPECT_EQ(read_store(job.study, job.of("ranks")).rows.size(), 11u);
 }
 
 TEST(Ranks, StrangersAndOtherProgramsAreTurnedAway)
@@ -168,7 +151,7 @@ TEST(Ranks, StrangersAndOtherProgramsAreTurnedAway)
   Child all([&] {
     const RankPlace place = job.place();
     struct stat file = {};
-    if (::stat((job.folder_of("lock") + "/ranks").c_str(), &file) != 0 || (file.st_mode & 0077) != 0)
+    if (::stat((job.of("lock") + "/ranks").c_str(), &file) != 0 || (file.st_mode & 0077) != 0)
       throw std::runtime_error("others may read the file of rank 0");
     const auto answer = [&](const std::string& token, StoreHead head, const std::string& build) {
       head.build = build;
@@ -197,17 +180,17 @@ TEST(Ranks, StrangersAndOtherProgramsAreTurnedAway)
 TEST(Ranks, AWorkerDoesNotWaitWithoutEndForRankZero)
 {
   const Job job(column_study);
-  write_file_atomically(job.folder_of("lock/ranks") + "/rank_0",
+  write_file_atomically(job.of("lock/ranks") + "/rank_0",
       text_of(RankPlace{.job = "6", .machine = "here", .token = "x", .port = 1, .addresses = {"127.0.0.1"}}));
   EXPECT_THAT(refusal<FileError>([&] {
     work_for_rank_0(
-        job.study, job.folder_of("lock"), {.rank = 1, .size = 3, .job = "7"}, 1, never_stop, std::chrono::seconds(1));
+        job.study, job.of("lock"), {.rank = 1, .size = 3, .job = "7"}, 1, never_stop, std::chrono::seconds(1));
   }),
       AllOf(StartsWith("rank 1 on "), HasSubstr("finds no rank 0 within 1 s\n  All ranks must see the folder")))
       << "the file is of another job";
   EXPECT_THAT(refusal<FileError>([&] {
     work_for_rank_0(
-        job.study, job.folder_of("lock"), {.rank = 1, .size = 3, .job = "6"}, 1, never_stop, std::chrono::seconds(1));
+        job.study, job.of("lock"), {.rank = 1, .size = 3, .job = "6"}, 1, never_stop, std::chrono::seconds(1));
   }),
       AllOf(StartsWith("rank 1 on "), HasSubstr("does not reach rank 0: it is gone")))
       << "nobody listens there";

@@ -44,8 +44,7 @@ ledger = { every = 1.0 }
 TEST(StudyReference, ASlopeFailsWithTheProbabilityOfItsCriticalStrength)
 {
   constexpr Real n = 20.0, exact = 0.2809;
-  const ScratchFolder folder;
-  const std::string text = R"(case = "column.toml"
+  const StudyWithStores place(R"(case = "column.toml"
 [[random]]
 key = "material.clay.su_peak"
 distribution = "lognormal"
@@ -58,10 +57,9 @@ number = 20
 [events]
 volume = 50.0
 displacement = 0.3
-)";
-  const Study study = prepare_study(read_study(write_study(folder.path(), text, slope_case)));
-  Realisations rows;
-  run_realisations(study, folder.path(), {.threads = 2}, never_stop, rows);
+)",
+      slope_case);
+  const Realisations rows = place.run("all", {.threads = 2});
   Real strongest = 0.0, weakest = 1e9;
   for (const auto& [number, r] : rows) {
     ASSERT_TRUE(r.solved()) << r.fault;
@@ -70,7 +68,7 @@ displacement = 0.3
     else
       weakest = std::min(weakest, r.inputs[0]);
   }
-  const StudyEstimates e = estimate(study, rows);
+  const StudyEstimates e = estimate(place.study, rows);
   EXPECT_NEAR(*e.slide.probability(), exact, 1.0 / n);
   EXPECT_LE(e.slide.bounds.low, exact);
   EXPECT_GE(e.slide.bounds.high, exact);

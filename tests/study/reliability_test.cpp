@@ -1,7 +1,6 @@
 // Methods for rare events on limit states whose probability is known, and a study that replays.
 #include "study/adaptive.hpp"
 #include "study/samples.hpp"
-#include "study/study_json.hpp"
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
 #include "support/test.hpp"
@@ -148,10 +147,8 @@ TEST_F(Reliability, ALibraryThatCannotBeOpenedIsNamed)
                                     HasSubstr("terp_openturns.so"), HasSubstr("tools/install-dependencies --study")));
 }
 
-struct Made {
-  ScratchFolder folder;
-  Study study;
-  explicit Made(const std::string& text) : study(prepare_study(read_study(write_study(folder.path(), text)))) {}
+struct Made : StudyWithStores {
+  using StudyWithStores::StudyWithStores;
   Realisations run(int threads = 2)
   {
     Realisations rows = read_store(study, folder.path()).rows;
@@ -241,11 +238,11 @@ TEST_F(Reliability, ImportanceSamplingOfAFloodNeedsAWaterLevel)
       changed(changed(form_study, "\"form\"\nevent = \"slide\"", "\"importance_sampling\"\nevent = \"flood\""),
           "number = 12", "number = 100");
   const ScratchFolder folder;
-  EXPECT_THAT(refusal<CaseError>([&] { prepare_study(read_study(write_study(folder.path(), flood))); }),
-      HasSubstr("`event = \"flood\"` needs a case with a water level"));
+  EXPECT_THAT(
+      refusal<CaseError>([&] { study_of(flood); }), HasSubstr("`event = \"flood\"` needs a case with a water level"));
   const std::string wet =
       column_case + "[flood]\nwater_level = 1.8\nsmallest_width = 3.0\n[initial]\nstress = \"none\"\n";
-  const Study study = prepare_study(read_study(write_study(folder.path(), flood, wet)));
+  const Study study = study_in(folder.path(), flood, wet);
   Realisations rows;
   EXPECT_EQ(run_adaptive(study, folder.path(), {.threads = 2}, never_stop, rows), StudyEnd::rule_met);
   const auto result = replay_adaptive(study, rows).result;
@@ -261,10 +258,8 @@ TEST_F(Reliability, ImportanceSamplingOfAFloodNeedsAWaterLevel)
 
 TEST_F(Reliability, AnotherNumberIsAnotherStudy)
 {
-  const ScratchFolder folder;
-  const auto digits = [&](const char* number) {
-    return prepare_study(read_study(write_study(folder.path(), changed(form_study, "number = 12", number))))
-        .study_digits;
+  const auto digits = [](const char* number) {
+    return study_of(changed(form_study, "number = 12", number)).study_digits;
   };
   EXPECT_NE(digits("number = 40"), digits("number = 80")) << "levels and search would go on from other places";
 }
@@ -286,25 +281,20 @@ TEST(Adaptive, TheLimitStateIsAlwaysANumber)
 
 TEST(Adaptive, WithOneMistakeHasOneMessage)
 {
-  struct Row {
-    const char *from, *to, *expected;
-  };
-  const Row rows[] = {
-      {"event = \"slide\"", "event = \"slid\"", "`event` cannot be \"slid\""},
-      {"event = \"slide\"", "event = \"slide\"\nblock = 0", "`block` is out of range"},
-      {"\"form\"", "\"monte_carlo\"", "`event` is of `kind = \"form\"`, \"importance_sampling\" or \"subset\""},
-      {"\"form\"", "\"subset\"", "`subset` takes 160 realisations or more"},
-      {"\"form\"", "\"subset\"\nblock = 4", "`subset` takes 100 realisations or more"},
-      {"\"form\"", "\"importance_sampling\"", "`importance_sampling` takes 100 realisations or more"},
-      {"number = 12", "number = 12\ncov = 0.1", "`form` ends with its `number` of realisations"},
-      {"[stop]", "[[field]]\nkey = \"material.clay.eta\"\ncov = 0.1\ntheta = [8, 4]\n[stop]", "`form` draws no fields"},
-      {"[stop]", "[fragility]\nlevels = [1, 2]\nset = { \"material.clay.eta\" = \"h\" }\n[stop]",
-          "a fragility curve needs independent samples"},
-  };
-  for (const Row& row : rows)
-    EXPECT_THAT(refusal<CaseError>([&] { read_study_text(changed(form_study, row.from, row.to), "demo.toml"); }),
-        HasSubstr(row.expected))
-        << row.to;
+  expect_messages(form_study,
+      {
+          {"event = \"slide\"", "event = \"slid\"", "`event` cannot be \"slid\""},
+          {"event = \"slide\"", "event = \"slide\"\nblock = 0", "`block` is out of range"},
+          {"\"form\"", "\"monte_carlo\"", "`event` is of `kind = \"form\"`, \"importance_sampling\" or \"subset\""},
+          {"\"form\"", "\"subset\"", "`subset` takes 160 realisations or more"},
+          {"\"form\"", "\"subset\"\nblock = 4", "`subset` takes 100 realisations or more"},
+          {"\"form\"", "\"importance_sampling\"", "`importance_sampling` takes 100 realisations or more"},
+          {"number = 12", "number = 12\ncov = 0.1", "`form` ends with its `number` of realisations"},
+          {"[stop]", "[[field]]\nkey = \"material.clay.eta\"\ncov = 0.1\ntheta = [8, 4]\n[stop]",
+              "`form` draws no fields"},
+          {"[stop]", "[fragility]\nlevels = [1, 2]\nset = { \"material.clay.eta\" = \"h\" }\n[stop]",
+              "a fragility curve needs independent samples"},
+      });
 }
 
 }  // namespace reliability_test

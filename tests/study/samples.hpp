@@ -2,10 +2,9 @@
 #pragma once
 
 #include "output/files.hpp"
-#include "study/study.hpp"
+#include "study/engine.hpp"
 #include "support/paths.hpp"
-
-#include <string>
+#include "support/test.hpp"
 
 namespace terp::test {
 
@@ -81,6 +80,77 @@ inline std::string write_study(
 inline std::string changed(std::string text, const std::string& from, const std::string& to)
 {
   return text.replace(text.find(from), from.size(), to);
+}
+
+/// The study with that text in a folder, which must stay as long as files of it are read.
+inline Study study_in(const std::string& folder, const std::string& study, const std::string& column = column_case)
+{
+  return prepare_study(read_study(write_study(folder, study, column)));
+}
+
+inline Study study_of(const std::string& study, const std::string& column = column_case)
+{
+  const ScratchFolder folder;
+  return study_in(folder.path(), study, column);
+}
+
+/// A study in a folder, which has one more for each store.
+struct StudyWithStores {
+  ScratchFolder folder;
+  Study study;
+  explicit StudyWithStores(const std::string& text, const std::string& column = column_case)
+      : study(study_in(folder.path(), text, column))
+  {
+  }
+
+  std::string of(const std::string& store) const
+  {
+    const std::string path = folder.path() + '/' + store;
+    make_folder(path);
+    return path;
+  }
+  /// Solves what is missing there.
+  Realisations run(const std::string& store, const EngineOptions& options = {}) const
+  {
+    Realisations rows = read_store(study, of(store)).rows;
+    run_realisations(study, of(store), options, never_stop, rows);
+    return rows;
+  }
+};
+
+/// Realisations of a study that nobody solved, with its inputs and with results that are all `outcome(number)`.
+template <class Outcome>
+Realisations rows_without_runs(const Study& study, Outcome&& outcome)
+{
+  Realisations rows;
+  for (Index k = 0; k < study.n_realisations; ++k) {
+    Realisation r{.number = k, .inputs = draw_realisation(study, k).inputs};
+    r.outcomes.assign(study_outcomes().size(), outcome(static_cast<Real>(k)));
+    rows.emplace(k, r);
+  }
+  return rows;
+}
+
+/// A change of a good study, and a part of the message on it.
+struct Mistake {
+  std::string from, to, expected = {};
+};
+
+/// Without the folder of the study; "" where it is taken.
+inline std::string message_on(const std::string& good, const Mistake& mistake)
+{
+  const ScratchFolder folder;
+  const std::string study = changed(good, mistake.from, mistake.to);
+  std::string message = refusal<CaseError>([&] { study_in(folder.path(), study); });
+  for (std::size_t at; (at = message.find(folder.path() + '/')) != std::string::npos;)
+    message.erase(at, folder.path().size() + 1);
+  return message;
+}
+
+inline void expect_messages(const std::string& good, const std::vector<Mistake>& mistakes)
+{
+  for (const Mistake& mistake : mistakes)
+    EXPECT_THAT(message_on(good, mistake), HasSubstr(mistake.expected)) << mistake.to;
 }
 
 }  // namespace terp::test

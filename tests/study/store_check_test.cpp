@@ -1,6 +1,4 @@
 // A store that another build, or another instruction set, began.
-#include "study/store_check.hpp"
-
 #include "base/checksum.hpp"
 #include "parallel/instructions.hpp"
 #include "study/engine.hpp"
@@ -12,8 +10,7 @@ namespace store_check_test {
 /// A store of four realisations under the head of somebody else.
 struct Begun {
   ScratchFolder folder;
-  Study study =
-      prepare_study(read_study(write_study(folder.path(), changed(column_study, "number = 12", "number = 4"))));
+  Study study = study_in(folder.path(), changed(column_study, "number = 12", "number = 4"));
   std::string file = folder.path() + "/part_1_of_1.rows";
 
   explicit Begun(const std::string& build, const std::string& set = std::string(instructions()))

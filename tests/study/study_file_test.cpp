@@ -32,63 +32,48 @@ TEST(StudyFile, TitleAndStopRuleDoNotChangeWhichStudyItIs)
   EXPECT_NE(identity(changed(cube, "number = 12", "number = 99")), identity(cube)) << "its points depend on it";
 }
 
-struct Row {
-  const char *from, *to, *expected;
-};
-
-/// Of the study with one change; "" where it is taken.
-std::string message_on(const std::string& good, const Row& row)
-{
-  const ScratchFolder folder;
-  const std::string path = write_study(folder.path(), changed(good, row.from, row.to));
-  std::string message = refusal<CaseError>([&] { prepare_study(read_study(path)); });
-  for (std::size_t at; (at = message.find(folder.path() + '/')) != std::string::npos;)
-    message.erase(at, folder.path().size() + 1);
-  return message;
-}
-
 TEST(StudyFile, WithOneMistakeHasOneMessage)
 {
-  const Row rows[] = {
-      {"seed = 3", "sed = 3",
-          "error: demo.toml:2:1: unknown key `sed`\n\n    2 | sed = 3\n      | ^^^\n  Did you mean `seed`?"},
-      {"seed = 3", "seed = -3", "`seed` is out of range"},
-      {"case = \"column.toml\"\n", "", "`case` is missing"},
-      {"su_peak", "su_pek", "`material.clay.su_pek` is no key of a case\n\n    4 | key = \"material.clay.su_pek\""},
-      {"su_peak", "su_pek", "Did you mean `material.clay.su_peak`?"},
-      {"clay.su_peak", "clya.su_peak", "Did you mean `material.clay.su_peak`?"},
-      {"lognormal", "lognomal", "`distribution` cannot be \"lognomal\"\n\n    5 | distribution = \"lognomal\""},
-      {"cov = 0.4", "", "the distribution needs `sd` or `cov`"},
-      {"cov = 0.4", "cov = 0.4\nsd = 3", "`sd` and `cov` are both given"},
-      {"cov = 0.4", "cov = 0.4\nlowest = 3", "a lognormal distribution has no `lowest`"},
-      {"mean = \"8 kPa\"", "mean = \"8 m\"", "`mean` cannot be in m"},
-      {"mean = \"8 kPa\"", "mean = -8.0", "a lognormal distribution has a positive mean"},
-      {"lognormal", "normal", "`material.clay.su_peak` is drawn where the case refuses it"},
-      {"lognormal", "normal",
-          "With probability 0.001 it is at most -1889. Give a distribution without such values: lognormal, or "
-          "truncated_normal."},
-      {"cov = 0.4",
-          "cov = 0.4\n[[correlation]]\nbetween = [\"material.clay.su_peak\", \"material.clay.eta\"]\nvalue = 0.5",
-          "`material.clay.eta` is not random in this study"},
-      {"cov = 0.4",
-          "cov = 0.4\n[[random]]\nkey = \"material.clay.su_peak\"\ndistribution = \"uniform\"\nlowest = 1\nhighest "
-          "= 2",
-          "`material.clay.su_peak` is given twice"},
-      {"number = 12", "", "the stop rule cannot be met: `number` is missing"},
-      {"number = 12", "number = 12\ncov = 0.1", "takes 100 events, which 12 realisations cannot have.\n"},
-      {"number = 12", "number = 150\ncov = 0.1", "the stop rule cannot be met by so few realisations"},
-      {"number = 12", "number = 150\ncov = 0.1", "which 150 realisations have only where P is above 0.67.\n"},
-      {"monte_carlo", "monte_crlo", "`kind` cannot be \"monte_crlo\"\n\n    9 | kind = \"monte_crlo\""},
-      {"monte_carlo", "sweep", "a sweep ends with its last combination"},
-      {"number = 12", "number = 12\n[[sweep]]\nkey = \"material.clay.eta\"\nvalues = [1, 2]",
-          "is of `kind = \"sweep\"`"},
-      {"[[random]]", "[random]", "write [[random]], once for each"},
-      {"volume = 1.0", "ends_run = 1",
-          "`ends_run` must be true or false\n\n   13 | ends_run = 1\n      |            ^\n  Got the integer 1; "
-          "allowed: "
-          "true or false.\n"},
-  };
-  for (const Row& row : rows) EXPECT_THAT(message_on(column_study, row), HasSubstr(row.expected)) << row.to;
+  expect_messages(column_study,
+      {
+          {"seed = 3", "sed = 3",
+              "error: demo.toml:2:1: unknown key `sed`\n\n    2 | sed = 3\n      | ^^^\n  Did you mean `seed`?"},
+          {"seed = 3", "seed = -3", "`seed` is out of range"},
+          {"case = \"column.toml\"\n", "", "`case` is missing"},
+          {"su_peak", "su_pek", "`material.clay.su_pek` is no key of a case\n\n    4 | key = \"material.clay.su_pek\""},
+          {"su_peak", "su_pek", "Did you mean `material.clay.su_peak`?"},
+          {"clay.su_peak", "clya.su_peak", "Did you mean `material.clay.su_peak`?"},
+          {"lognormal", "lognomal", "`distribution` cannot be \"lognomal\"\n\n    5 | distribution = \"lognomal\""},
+          {"cov = 0.4", "", "the distribution needs `sd` or `cov`"},
+          {"cov = 0.4", "cov = 0.4\nsd = 3", "`sd` and `cov` are both given"},
+          {"cov = 0.4", "cov = 0.4\nlowest = 3", "a lognormal distribution has no `lowest`"},
+          {"mean = \"8 kPa\"", "mean = \"8 m\"", "`mean` cannot be in m"},
+          {"mean = \"8 kPa\"", "mean = -8.0", "a lognormal distribution has a positive mean"},
+          {"lognormal", "normal", "`material.clay.su_peak` is drawn where the case refuses it"},
+          {"lognormal", "normal",
+              "With probability 0.001 it is at most -1889. Give a distribution without such values: lognormal, or "
+              "truncated_normal."},
+          {"cov = 0.4",
+              "cov = 0.4\n[[correlation]]\nbetween = [\"material.clay.su_peak\", \"material.clay.eta\"]\nvalue = 0.5",
+              "`material.clay.eta` is not random in this study"},
+          {"cov = 0.4",
+              "cov = 0.4\n[[random]]\nkey = \"material.clay.su_peak\"\ndistribution = \"uniform\"\nlowest = 1\nhighest "
+              "= 2",
+              "`material.clay.su_peak` is given twice"},
+          {"number = 12", "", "the stop rule cannot be met: `number` is missing"},
+          {"number = 12", "number = 12\ncov = 0.1", "takes 100 events, which 12 realisations cannot have.\n"},
+          {"number = 12", "number = 150\ncov = 0.1", "the stop rule cannot be met by so few realisations"},
+          {"number = 12", "number = 150\ncov = 0.1", "which 150 realisations have only where P is above 0.67.\n"},
+          {"monte_carlo", "monte_crlo", "`kind` cannot be \"monte_crlo\"\n\n    9 | kind = \"monte_crlo\""},
+          {"monte_carlo", "sweep", "a sweep ends with its last combination"},
+          {"number = 12", "number = 12\n[[sweep]]\nkey = \"material.clay.eta\"\nvalues = [1, 2]",
+              "is of `kind = \"sweep\"`"},
+          {"[[random]]", "[random]", "write [[random]], once for each"},
+          {"volume = 1.0", "ends_run = 1",
+              "`ends_run` must be true or false\n\n   13 | ends_run = 1\n      |            ^\n  Got the integer 1; "
+              "allowed: "
+              "true or false.\n"},
+      });
 }
 
 TEST(StudyFile, KeysThatUndoEachOtherAreRefusedWithBothNames)
@@ -98,14 +83,14 @@ TEST(StudyFile, KeysThatUndoEachOtherAreRefusedWithBothNames)
       return "[[random]]\nkey = \"" + key + "\"\ndistribution = \"uniform\"\nlowest = 2\nhighest = 8\n";
     };
     const std::string more = table(first) + table(second) + "[estimator]";
-    return message_on(column_study, {"[estimator]", more.c_str(), ""});
+    return message_on(column_study, {"[estimator]", more});
   };
   EXPECT_THAT(message("material.clay.sensitivity", "material.clay.su_residual"),
       HasSubstr("`material.clay.sensitivity` and `material.clay.su_residual` set the same value"));
   EXPECT_THAT(message("material.*.eta", "material.clay.eta"),
       HasSubstr("`material.*.eta` and `material.clay.eta` set the same value"));
   EXPECT_EQ(message("material.clay.eta", "material.clay.sensitivity"), "");
-  const Row nested{"[estimator]",
+  const Mistake nested{"[estimator]",
       "[[field]]\nkey = \"material.clay.su_peak.shansep.S\"\nmean = 0.3\ncov = 0.3\ntheta = [8.0, 4.0]\n[estimator]",
       ""};
   EXPECT_THAT(message_on(field_study, nested),
@@ -114,8 +99,8 @@ TEST(StudyFile, KeysThatUndoEachOtherAreRefusedWithBothNames)
 
 TEST(StudyFile, ASettingThatEachDrawReplacesIsRefused)
 {
-  const auto message = [](const std::string& text, const char* set) {
-    return message_on(text, {"[estimator]", set, ""});
+  const auto message = [](const std::string& text, const std::string& set) {
+    return message_on(text, {"[estimator]", set});
   };
   const char* own = "[set]\n\"material.clay.su_peak\" = 9e3\n[estimator]";
   EXPECT_THAT(message(column_study, own), HasSubstr("`material.clay.su_peak` of [set] is lost"));
@@ -129,8 +114,8 @@ TEST(StudyFile, ASettingThatEachDrawReplacesIsRefused)
   const std::string part = "[set]\n\"forces.damping\" = { local = 0.3, averaging_time = 0.3 }\n" +
                            uniform("forces.damping.local"),
                     rest = uniform("forces.damping.averaging_time"), end = "[estimator]";
-  EXPECT_EQ(message(column_study, (part + end).c_str()), "") << "the averaging time is that of [set]";
-  EXPECT_THAT(message(column_study, (part + rest + end).c_str()),
+  EXPECT_EQ(message(column_study, part + end), "") << "the averaging time is that of [set]";
+  EXPECT_THAT(message(column_study, part + rest + end),
       HasSubstr("`forces.damping` of [set] is lost: `forces.damping.local` and `forces.damping.averaging_time` are "
                 "given in each realisation anew"));
 }
@@ -156,13 +141,13 @@ TEST(StudyFile, FieldsNameTheirCorrelation)
   EXPECT_EQ(read_study_text(field_study, "demo.toml").fields[0].correlation, "markov");
   const std::string gaussian = changed(field_study, "cov = 0.3", "cov = 0.3\ncorrelation = \"gaussian\"");
   EXPECT_EQ(read_study_text(gaussian, "demo.toml").fields[0].correlation, "gaussian");
-  EXPECT_THAT(message_on(field_study, {"cov = 0.3", "cov = 0.3\ncorrelation = \"gausian\"", ""}),
+  EXPECT_THAT(message_on(field_study, {"cov = 0.3", "cov = 0.3\ncorrelation = \"gausian\""}),
       AllOf(HasSubstr("`correlation` cannot be \"gausian\""), HasSubstr("Did you mean `gaussian`?"),
           HasSubstr("\"markov\", \"matern_3_2\", \"matern_5_2\"")));
   const std::string pair =
       "[[field]]\nkey = \"material.clay.shear_modulus\"\ncov = 0.3\ntheta = [8.0, 4.0]\n"
       "[[correlation]]\nbetween = [\"material.clay.su_peak\", \"material.clay.shear_modulus\"]\nvalue = 0.6\n";
-  EXPECT_THAT(message_on(gaussian + pair, {"seed = 3", "seed = 4", ""}),
+  EXPECT_THAT(message_on(gaussian + pair, {"seed = 3", "seed = 4"}),
       AllOf(HasSubstr("correlated fields have the same `correlation`"), HasSubstr("Got \"gaussian\" and \"markov\".")));
 }
 
@@ -172,10 +157,10 @@ TEST(StudyFile, WhatIsDrawnTwiceOrNotAtAllIsTold)
   const std::string eta =
       "\n[[random]]\nkey = \"material.clay.eta\"\ndistribution = \"uniform\"\nlowest = 2\nhighest = 8";
   const std::string twice = "cov = 0.4" + eta + pair + "0.9" + pair + "-0.5", one = "cov = 0.4" + eta + pair + "1.0";
-  EXPECT_THAT(message_on(column_study, {"cov = 0.4", twice.c_str(), ""}),
+  EXPECT_THAT(message_on(column_study, {"cov = 0.4", twice}),
       HasSubstr("`material.clay.su_peak` and `material.clay.eta` are correlated twice"));
-  EXPECT_THAT(message_on(column_study, {"cov = 0.4", one.c_str(), ""}), HasSubstr("`value` is out of range"));
-  EXPECT_THAT(message_on(column_study, {"number = 12", "number = 20000000", ""}),
+  EXPECT_THAT(message_on(column_study, {"cov = 0.4", one}), HasSubstr("`value` is out of range"));
+  EXPECT_THAT(message_on(column_study, {"number = 12", "number = 20000000"}),
       HasSubstr("the study has too many realisations\n\n"));
   const std::string random = "{ random = { mean = 6e3, cov = 0.2, theta = [8.0, 4.0], box = [[0, 0], [4, 2]] } }";
   const ScratchFolder folder;
@@ -191,11 +176,7 @@ TEST(StudyFile, WhatIsDrawnTwiceOrNotAtAllIsTold)
 
 TEST(StudyFile, MoreRealisationsThanFitAreRefused)
 {
-  const ScratchFolder folder;
-  std::string text = column_study;
-  text = changed(text, "number = 12", "number = 1000000000");
-  EXPECT_THAT(refusal<CaseError>([&] { prepare_study(read_study(write_study(folder.path(), text))); }),
-      HasSubstr("At most 10000000."));
+  EXPECT_THAT(message_on(column_study, {"number = 12", "number = 1000000000"}), HasSubstr("At most 10000000."));
 }
 
 TEST(StudyFile, RowsOfATableAreChecked)
@@ -218,23 +199,23 @@ values = [5, "8", -1]
 
 TEST(StudyFile, FieldsThatTheCaseDoesNotTakeAreRefused)
 {
-  const Row rows[] = {
-      {"su_peak", "su_remoulded", "the field of `material.clay.su_remoulded` needs `mean`"},
-      {"material.clay.su_peak", "mesh.cell", "the field of `mesh.cell` needs `box`"},
-      {"key = \"material.clay.su_peak\"", "key = \"material.clay.density\"\nbox = [[0, 0], [4, 2]]",
-          "the case does not take the field of `material.clay.density`"},
-      {"cov = 0.3", "cov = 0.3\ndistribution = \"normal\"", "a normal field so wide has negative values"},
-      {"theta = [8.0, 4.0]", "theta = [8.0, 0.0]", "`theta` is out of range"},
-      {"theta = [8.0, 4.0]", "theta = [8.0, 4.0]\nbox = [[0, 0], [3, 2]]",
-          "`su_peak` has no value in part of the soil"},
-  };
-  for (const Row& row : rows) EXPECT_THAT(message_on(field_study, row), HasSubstr(row.expected)) << row.to;
+  expect_messages(field_study,
+      {
+          {"su_peak", "su_remoulded", "the field of `material.clay.su_remoulded` needs `mean`"},
+          {"material.clay.su_peak", "mesh.cell", "the field of `mesh.cell` needs `box`"},
+          {"key = \"material.clay.su_peak\"", "key = \"material.clay.density\"\nbox = [[0, 0], [4, 2]]",
+              "the case does not take the field of `material.clay.density`"},
+          {"cov = 0.3", "cov = 0.3\ndistribution = \"normal\"", "a normal field so wide has negative values"},
+          {"theta = [8.0, 4.0]", "theta = [8.0, 0.0]", "`theta` is out of range"},
+          {"theta = [8.0, 4.0]", "theta = [8.0, 4.0]\nbox = [[0, 0], [3, 2]]",
+              "`su_peak` has no value in part of the soil"},
+      });
 }
 
 TEST(StudyFile, AFieldOfDensitySaysWhatDensityMayBe)
 {
   const std::string message = message_on(
-      field_study, {"key = \"material.clay.su_peak\"", "key = \"material.clay.density\"\nbox = [[0, 0], [4, 2]]", ""});
+      field_study, {"key = \"material.clay.su_peak\"", "key = \"material.clay.density\"\nbox = [[0, 0], [4, 2]]"});
   EXPECT_THAT(message, HasSubstr("`density` cannot vary from place to place"));
   EXPECT_THAT(message, Not(HasSubstr("there is no material"))) << "one fault, one message";
 }
@@ -242,7 +223,7 @@ TEST(StudyFile, AFieldOfDensitySaysWhatDensityMayBe)
 TEST(StudyFile, AKeyThatIsNoNumberIsToldFromAnUnknownOne)
 {
   const auto message = [](const char* key) {
-    return message_on(column_study, {"key = \"material.clay.su_peak\"", key, ""});
+    return message_on(column_study, {"key = \"material.clay.su_peak\"", key});
   };
   EXPECT_THAT(message("key = \"body.*.points_per_cell\""), HasSubstr("`body.*.points_per_cell` is not one number"));
   EXPECT_THAT(message("key = \"body.*.points_per_sell\""), HasSubstr("Did you mean `body.*.points_per_cell`?"));
@@ -250,10 +231,10 @@ TEST(StudyFile, AKeyThatIsNoNumberIsToldFromAnUnknownOne)
 
 TEST(StudyFile, ASlideOfMoreSoilThanThereIsIsRefused)
 {
-  EXPECT_THAT(message_on(column_study, {"volume = 1.0", "volume = 8.0", ""}),
+  EXPECT_THAT(message_on(column_study, {"volume = 1.0", "volume = 8.0"}),
       AllOf(HasSubstr(": no slide can be so large\n"), HasSubstr("volume = 8.0"),
           HasSubstr("Got 8 m^2; the case has 8 m^2 of soil. P(I) would be 0, whatever is drawn.")));
-  EXPECT_THAT(message_on(column_study, {"displacement = 0.3", "displacement = 10.5", ""}),
+  EXPECT_THAT(message_on(column_study, {"displacement = 0.3", "displacement = 10.5"}),
       AllOf(HasSubstr(": no soil can move so far\n"), HasSubstr("Got 10.5 m; the mesh is 10.44 m from corner")));
   const ScratchFolder folder;
   EXPECT_NO_THROW(open_study(write_study(folder.path(), changed(column_study, "volume = 1.0", "volume = 7.9"))));
@@ -302,7 +283,7 @@ value = 0.3
 between = ["material.clay.eta", "material.clay.shear_modulus"]
 value = -0.8
 )";
-  const std::string message = message_on(column_study + more, {"seed = 3", "seed = 3", ""});
+  const std::string message = message_on(column_study + more, {"seed = 3", "seed = 3"});
   EXPECT_THAT(message, HasSubstr(": the correlations contradict each other\n"));
   EXPECT_THAT(message, HasSubstr("value = -0.8"));
   EXPECT_THAT(message, HasSubstr("Between `material.clay.eta` and `material.clay.shear_modulus` it is -0.8, which does "
@@ -312,9 +293,7 @@ value = -0.8
 TEST(StudyFile, CellsThatAverageAFieldAreDoubted)
 {
   const ScratchFolder folder;
-  const auto doubts = [&](const std::string& text) {
-    return find_doubts(prepare_study(read_study(write_study(folder.path(), text))));
-  };
+  const auto doubts = [&](const std::string& text) { return find_doubts(study_in(folder.path(), text)); };
   EXPECT_TRUE(doubts(field_study).empty());
   const auto found = doubts(changed(field_study, "[8.0, 4.0]", "[8.0, 2.0]"));
   ASSERT_EQ(found.size(), 1u);

@@ -104,10 +104,9 @@ TEST(TwoStage, WhatTheSlopeIsWorthCountsKnownSlidesForThoseThatFailed)
 
 TEST(TwoStage, RunsWhatFallsAndTheAuditAndSaysWhatItSaves)
 {
-  const ScratchFolder folder;
-  const Study study = prepare_study(read_study(write_study(folder.path(), two_stage_study)));
-  Realisations rows;
-  run_realisations(study, folder.path(), {.threads = 2}, never_stop, rows);
+  const StudyWithStores place(two_stage_study);
+  const Study& study = place.study;
+  Realisations rows = place.run("all", {.threads = 2});
   const StudyEstimates e = estimate(study, rows);
   EXPECT_EQ(e.n_made, 12);
   EXPECT_GT(e.sample.run_for_falling().solved, 0);
@@ -121,7 +120,7 @@ TEST(TwoStage, RunsWhatFallsAndTheAuditAndSaysWhatItSaves)
       weakest_that_stands = std::min(weakest_that_stands, r.inputs[0]);
   }
   EXPECT_LT(strongest_that_falls, weakest_that_stands) << "one strength decides";
-  const Realisations again = read_store(study, folder.path()).rows;
+  const Realisations again = read_store(study, place.of("all")).rows;
   for (const auto& [number, r] : rows) EXPECT_TRUE(r.same_as(again.at(number))) << number;
   for (auto& [number, r] : rows) r.processor_s = r.skipped() ? 1.0 : 4.0;
   const std::string text = study_text(study, rows);
@@ -132,14 +131,10 @@ TEST(TwoStage, RunsWhatFallsAndTheAuditAndSaysWhatItSaves)
 
 TEST(TwoStage, WithAWholeAuditItIsMonteCarlo)
 {
-  const ScratchFolder whole_folder, plain_folder;
-  const Study whole = prepare_study(read_study(
-                  write_study(whole_folder.path(), changed(two_stage_study, "audit = 0.25", "audit = 1.0")))),
-              plain = prepare_study(read_study(write_study(plain_folder.path(), column_study)));
-  Realisations a, b;
-  run_realisations(whole, whole_folder.path(), {.threads = 2}, never_stop, a);
-  run_realisations(plain, plain_folder.path(), {.threads = 2}, never_stop, b);
-  EXPECT_DOUBLE_EQ(*estimate(whole, a).slide.probability(), *estimate(plain, b).slide.probability());
+  const StudyWithStores whole(changed(two_stage_study, "audit = 0.25", "audit = 1.0")), plain(column_study);
+  const Realisations a = whole.run("all", {.threads = 2});
+  Realisations b = plain.run("all", {.threads = 2});
+  EXPECT_DOUBLE_EQ(*estimate(whole.study, a).slide.probability(), *estimate(plain.study, b).slide.probability());
   for (auto& [number, r] : b) {
     r.screening = a.at(number).screening;
     EXPECT_TRUE(r.same_as(a.at(number))) << number;
@@ -148,24 +143,16 @@ TEST(TwoStage, WithAWholeAuditItIsMonteCarlo)
 
 TEST(TwoStage, WithOneMistakeHasOneMessage)
 {
-  struct Row {
-    const char *from, *to, *expected;
-  };
-  const Row rows[] = {
-      {"factor = 1.3\n", "", "`two_stage` needs `factor`"},
-      {"factor = 1.3", "factor = 0.9", "`factor` is out of range"},
-      {"audit = 0.25", "audit = 0", "`audit` is out of range"},
-      {"two_stage", "sobol", "`factor` is of `kind = \"two_stage\"`"},
-      {"number = 12", "number = 1200\ncov = 0.3", "`two_stage` ends with its `number` of realisations"},
-      {"[stop]", "[fragility]\nlevels = [1, 2]\nset = { \"material.clay.eta\" = \"h\" }\n[stop]",
-          "a fragility curve is not found in two stages"},
-  };
-  for (const Row& row : rows)
-
-    EXPECT_THAT(
-        refusal<CaseError>([&] { settings_of(changed(two_stage_study, row.from, row.to)); }), HasSubstr(row.expected))
-        << row.to;
-  const ScratchFolder folder;
+  expect_messages(two_stage_study,
+      {
+          {"factor = 1.3\n", "", "`two_stage` needs `factor`"},
+          {"factor = 1.3", "factor = 0.9", "`factor` is out of range"},
+          {"audit = 0.25", "audit = 0", "`audit` is out of range"},
+          {"two_stage", "sobol", "`factor` is of `kind = \"two_stage\"`"},
+          {"number = 12", "number = 1200\ncov = 0.3", "`two_stage` ends with its `number` of realisations"},
+          {"[stop]", "[fragility]\nlevels = [1, 2]\nset = { \"material.clay.eta\" = \"h\" }\n[stop]",
+              "a fragility curve is not found in two stages"},
+      });
   const std::string elastic = R"(
 [material.clay]
 model = "linear_elastic"
@@ -178,7 +165,7 @@ poisson_ratio = 0.45
   column.replace(from, to - from, elastic);
   const std::string study =
       changed(changed(two_stage_study, "su_peak", "density"), "mean = \"8 kPa\"", "mean = 1900.0");
-  EXPECT_THAT(refusal<CaseError>([&] { prepare_study(read_study(write_study(folder.path(), study, column))); }),
+  EXPECT_THAT(refusal<CaseError>([&] { study_of(study, column); }),
       HasSubstr("no material of this case has a strength to reduce"));
 }
 
