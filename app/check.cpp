@@ -33,8 +33,7 @@ namespace {
 Real total_mass(const State& state)
 {
   Real mass = 0.0;
-  for_each_point(
-      state.points, [&](const PointBlock<2>& block, Index lane) { mass += block.row(PointRows<2>::mass)[lane]; });
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) { mass += block.row(Rows::mass)[lane]; });
   return mass;
 }
 
@@ -125,7 +124,7 @@ void print_loads(const Model& model, const State& state)
     Real low = INFINITY, high = -INFINITY;  // places of these points [m]
     for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
       if (!(block.row(load.row)[lane] > 0.0)) return;
-      const Real y = block.row(PointRows<2>::x + 1)[lane];
+      const Real y = block.row(Rows::x + 1)[lane];
       ++n, low = std::min(low, y), high = std::max(high, y);
     });
     fmt::print("  load {:<10}{} on x = {:g} to {:g} m, {:.4g} kN per m{}\n", printable(load.name),

@@ -51,7 +51,7 @@ std::int64_t bytes_of(const Model& model, const State& state)
   const auto cells = static_cast<std::int64_t>(state.points.occupied().size());
   const std::int64_t gauss =
       model.scheme->keeps_gauss_values
-          ? sizeof(GaussValues<Quad4>) + Quad4::n_gauss * sizeof(Real) * (model.rows.n_rows() - PointRows<2>::state)
+          ? sizeof(GaussValues<Quad4>) + Quad4::n_gauss * sizeof(Real) * (model.rows.n_rows() - Rows::state)
           : sizeof(Real);
   return state.points.bytes() + per_point * state.points.n_points() + per_cell_of_the_mesh * model.mesh->n_cells() +
          cells * (std::int64_t{sizeof(CornerSums<Quad4>) + sizeof(NodeValues)} + gauss);

@@ -31,9 +31,9 @@ CellContent content_of(const PointBlocks<2>& points, Index cell, const GroundQue
     if (!is_ground(question.ground, block)) return;
     const int strain = question.strain.empty() ? -1 : question.strain[static_cast<std::size_t>(block.material)];
     for (Index lane = 0; lane < block.n; ++lane) {
-      const Real volume = block.row(PointRows<2>::volume)[lane];
+      const Real volume = block.row(Rows::volume)[lane];
       content.volume += volume;
-      content.top = std::max(content.top, block.row(PointRows<2>::x + 1)[lane] + 0.5 * std::sqrt(volume));
+      content.top = std::max(content.top, block.row(Rows::x + 1)[lane] + 0.5 * std::sqrt(volume));
       if (strain >= 0 && block.row(strain)[lane] >= question.intact_below) content.sheared += volume;
     }
   });
@@ -183,7 +183,7 @@ class GroundFill {
   void spread(Index cell, const PointBlock<2>& block, Index lane)
   {
     const auto x = mesh_.corners(cell);
-    const Real volume = block.row(PointRows<2>::volume)[lane];
+    const Real volume = block.row(Rows::volume)[lane];
     const int strain = question_.strain.empty() ? -1 : question_.strain[static_cast<std::size_t>(block.material)];
     const Real sheared = strain >= 0 && block.row(strain)[lane] >= question_.intact_below ? 1.0 : 0.0;
     const std::array<std::array<Real, 3>, 2> part = parts(x, block, lane, std::sqrt(volume / area_of(x)));
@@ -211,7 +211,7 @@ class GroundFill {
     std::array<std::array<Real, 3>, 2> part;
     for (std::size_t d = 0; d < 2; ++d) {
       const auto [low, high] = std::ranges::minmax({x[0][d], x[1][d], x[2][d], x[3][d]});
-      const Real place = (block.row(PointRows<2>::x + static_cast<int>(d))[lane] - low) / (high - low);
+      const Real place = (block.row(Rows::x + static_cast<int>(d))[lane] - low) / (high - low);
       const Real below = std::clamp(0.5 - place / size, 0.0, 1.0);
       const Real beyond = std::clamp(0.5 - (1.0 - place) / size, 0.0, 1.0 - below);
       part[d] = {below > least ? below : 0.0, 0.0, beyond > least ? beyond : 0.0};

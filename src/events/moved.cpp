@@ -23,7 +23,6 @@ MovedSoil find_moved(const PointBlocks<2>& points, std::span<const Real> x_initi
 Real intact_share(
     const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance, std::span<const int> strain_rows)
 {
-  using Rows = PointRows<2>;
   Real all = 0.0, intact = 0.0;
   for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
     const int row = strain_rows[static_cast<std::size_t>(block.material)];

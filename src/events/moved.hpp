@@ -29,7 +29,6 @@ class MovedSearch {
   /// The points p ... p + 7 of a block.
   void enter(const PointBlock<2>& block, Index p)
   {
-    using Rows = PointRows<2>;
     const Index n = block.n - p;
     const Real* id = block.row(Rows::id) + p;
     const Pack x = Pack::load(block.row(Rows::x) + p);

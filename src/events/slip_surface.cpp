@@ -8,8 +8,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 constexpr Real share_of_column = 0.5;  // of the fastest growth in a column: the lower edge of a shear band
 constexpr Real share_of_all = 0.1;     // of the fastest growth: columns that shear at all
 constexpr Real fast = 0.999;           // part of the points that grow more slowly than "the fastest"

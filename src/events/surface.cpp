@@ -5,14 +5,11 @@
 #include "events/surface.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace terp {
 
 namespace {
-
-using Rows = PointRows<2>;
 
 /// The box around a cell, a little wider than its points can lie, whose places are known to round-off.
 struct CellBox {
@@ -93,7 +90,7 @@ Real lowest(const PointBlocks<2>& points, Ground ground)
 {
   Real y = std::numeric_limits<Real>::infinity();
   for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
-    if (is_ground(ground, block)) y = std::min(y, block.row(PointRows<2>::x + 1)[lane]);
+    if (is_ground(ground, block)) y = std::min(y, block.row(Rows::x + 1)[lane]);
   });
   return y;
 }

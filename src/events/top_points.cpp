@@ -10,8 +10,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 constexpr Real beside = 0.4, far = 1.5;  // of its size
 constexpr Real steep = 1.5;              // slope of the cone
 

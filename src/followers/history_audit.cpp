@@ -12,8 +12,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 /// False where all soil is of libraries that have no such variable, as far as the case says.
 bool knows_plastic_strain(const Model& model)
 {

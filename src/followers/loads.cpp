@@ -8,8 +8,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 const std::shared_ptr<const RunTable>& loads_table()
 {
   static const auto table = std::make_shared<const RunTable>(RunTable{.name = "loads",

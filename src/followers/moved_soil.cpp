@@ -17,7 +17,7 @@ Real total_volume(const PointBlocks<2>& points, Ground ground)
 {
   Real volume = 0.0;
   for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
-    if (is_ground(ground, block)) volume += block.row(PointRows<2>::volume)[lane];
+    if (is_ground(ground, block)) volume += block.row(Rows::volume)[lane];
   });
   return volume;
 }

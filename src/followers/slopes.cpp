@@ -68,7 +68,7 @@ std::vector<float> growth_of_strain(const Model& model, const State& state, cons
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     const int strain = row_of(model.materials[block.material], Role::plastic_strain);
     for (Index lane = 0; lane < block.n; ++lane) {
-      const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+      const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
       growth.push_back(strain < 0 ? 0.0f : static_cast<float>(block.row(strain)[lane] - memory.last_eps_eq_p[id]));
     }
   });
@@ -155,7 +155,6 @@ const SlopeFailure* main_slope(const Followed& all, const Fronts& fronts)
 /// Which way the ground of each column of the first section went, by its volume: above 0 to the right [m^3].
 std::vector<Real> ways_of_columns(const Followed& all, const State& state)
 {
-  using Rows = PointRows<2>;
   const Columns& columns = all.section.columns;
   std::vector<Real> ways(static_cast<std::size_t>(columns.n), 0.0);
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {

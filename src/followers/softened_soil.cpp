@@ -47,7 +47,7 @@ Real softened_fraction(const Model& model, const State& state)
     const SoilMaterial& material = model.materials[block.material];
     const bool softens = has_strength(material);
     for (Index lane = 0; lane < block.n; ++lane) {
-      const Real volume = block.row(PointRows<2>::volume)[lane];
+      const Real volume = block.row(Rows::volume)[lane];
       all += volume;
       if (softens && strength_of(material, block, lane) < half_softened(material, block, lane)) soft += volume;
     }

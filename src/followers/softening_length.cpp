@@ -9,7 +9,6 @@
 #include "simulation/state_arrays.hpp"
 #include "simulation/summary.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace terp {
@@ -21,7 +20,6 @@ constexpr Real share_of_half = 0.231;  // of the strain of 95 %: ln(2)/3
 /// is below half of that which its strength follows. NaN if there is no such soil.
 Real halo_share(const Model& model, const State& state)
 {
-  using Rows = PointRows<2>;
   Real halo = 0.0, softened = 0.0;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const SoilMaterial& material = model.materials[block.material];

@@ -50,7 +50,7 @@ void add_excess_row(Index number, SoilMaterial& material, RowTable& table);
 inline SymTensor<Real, 2> stress_at(const PointBlock<2>& block, Index lane)
 {
   SymTensor<Real, 2> sigma;
-  for (int k = 0; k < n_sym<2>; ++k) sigma[k] = block.row(PointRows<2>::sigma + k)[lane];
+  for (int k = 0; k < n_sym<2>; ++k) sigma[k] = block.row(Rows::sigma + k)[lane];
   return sigma;
 }
 

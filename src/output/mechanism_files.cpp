@@ -40,8 +40,8 @@ std::vector<SectionOverlay::Shade> shades_of(const Frame& frame, const State& st
   if (!(full > 0.0)) return shades;
   std::vector<Real> size(shear.size(), 0.0);
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
-    size[id] = std::sqrt(block.row(PointRows<2>::volume)[lane]);
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    size[id] = std::sqrt(block.row(Rows::volume)[lane]);
   });
   for (std::size_t k = 0; k < shear.size(); ++k)
     shades.push_back({{frame.x[2 * k], frame.x[2 * k + 1]}, size[k], std::min(shear[k] / full, 1.0)});

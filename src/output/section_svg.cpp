@@ -156,7 +156,6 @@ class SectionDrawing : SectionWater {
     std::int64_t k = 0;
     for_each_point(state_.points, [&](const PointBlock<2>& block, Index lane) {
       if (k++ % stride != 0) return;
-      using Rows = PointRows<2>;
       put("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"{}\"/>", px(block.row(Rows::x)[lane]),
           py(block.row(Rows::x + 1)[lane]), 0.5 * scale_ * std::sqrt(block.row(Rows::volume)[lane]),
           colour_of(block.material));

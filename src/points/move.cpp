@@ -21,7 +21,6 @@ bool beyond_open_side(std::uint8_t open, Vec<2> local)
 Moved move_to_new_cell(
     const Mesh<2>& mesh, const OpenSides& open, PointBlocks<2>& points, PointPlace at, std::span<Real> values)
 {
-  using Rows = PointRows<2>;
   const PointBlock<2>& block = points.block(at.block);
   Vec<2> x{block.row(Rows::x)[at.lane], block.row(Rows::x + 1)[at.lane]};
   values[Rows::id] = block.row(Rows::id)[at.lane];

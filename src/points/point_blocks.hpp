@@ -28,6 +28,7 @@ struct PointRows {
   static constexpr int id = strain + n_sym<Dim>;     ///< whole number, exact as a Real
   static constexpr int state = id + 1;               ///< those that laws and others add: row_table.hpp
 };
+using Rows = PointRows<2>;
 
 /// What the points of one block have in common. Blocks of a cell are in this order.
 struct BlockKey {

@@ -18,7 +18,6 @@ Real RowInfo::initial_in(Index material) const
 
 RowTable::RowTable()
 {
-  using Rows = PointRows<2>;
   const auto fixed = [this](int first, int n, const char* name, const char* unit, const char* meaning, bool shown) {
     TERP_ASSERT(first == n_rows());
     entries_.push_back(

@@ -1,7 +1,6 @@
 #include "points/values_csv.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <utility>

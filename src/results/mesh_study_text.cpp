@@ -95,9 +95,9 @@ std::string list_of_labels(const StudiedSequence& sequence, auto&& is_meant)
   return fmt::format("{}", fmt::join(labels, ", "));
 }
 
-using Rows = std::vector<std::vector<std::string>>;
+using TextRows = std::vector<std::vector<std::string>>;
 
-std::string columns(const Rows& rows)
+std::string columns(const TextRows& rows)
 {
   std::vector<std::size_t> widths(rows[0].size(), 0);
   for (const auto& row : rows)
@@ -256,7 +256,7 @@ std::string spread_text(const MeshStudy& study)
 {
   if (study.spreads.empty()) return "";
   std::string text = fmt::format("\nall variants, cells of {:g} m\n", study.spread_cell);
-  Rows rows{{""}};
+  TextRows rows{{""}};
   for (std::size_t k = 0; k < study.sequences.size(); ++k) {
     text += fmt::format("  [{}] {}\n", k, study.sequences[k].sequence.name);
     rows[0].push_back(fmt::format("[{}]", k));
@@ -278,7 +278,7 @@ std::string study_text(const MeshStudy& study)
 {
   std::string text;
   for (const StudiedSequence& s : study.sequences) {
-    Rows rows{{""}};
+    TextRows rows{{""}};
     for (const StudyRun& run : s.sequence.runs) rows[0].push_back(fmt::format("{:g} m", run.cell));
     for (const char* head : {"change", "order", "limit", "error"}) rows[0].push_back(head);
     for (const StudyQuantity& q : s.quantities) {

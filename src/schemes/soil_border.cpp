@@ -12,8 +12,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 constexpr Real window = 1.5;        // radius of the points that tell the direction, in sizes of the cell
 constexpr Real least_clear = 0.25;  // share of the variance of "is soil a" that a plane explains; a border: 0.45 to 0.7
 constexpr Real most_round = 0.25;   // least over largest variance of the points of a band; a layer of R/2: 0.1

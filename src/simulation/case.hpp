@@ -5,10 +5,8 @@
 #include "base/types.hpp"
 #include "boundary/side_kind.hpp"
 #include "materials/material.hpp"
-#include "simulation/flood_case.hpp"
-#include "simulation/load_case.hpp"
-#include "simulation/time_case.hpp"
 #include "simulation/parameter_field.hpp"
+#include "simulation/time_case.hpp"
 #include "transfer/method_options.hpp"
 #include "user_laws/library_case.hpp"
 #include "water/water_case.hpp"
@@ -160,6 +158,31 @@ struct InitialCase {
   Real damping = 0.2;       ///< local damping while seeking equilibrium [-]
   Real limit = 1e-4;        ///< out-of-balance force over weight at which equilibrium is reached [-]
   Index max_steps = 20000;  ///< give up after this many steps
+};
+
+/// A vertical pressure on a stretch of the surface of the soil.
+struct LoadCase {
+  std::string name = "load";
+  Real from = 0.0, to = 0.0;                            ///< x of the ends of the stretch where the load begins [m]
+  Real pressure = 0.0;                                  ///< force per width, down positive [Pa]
+  Real start = -std::numeric_limits<Real>::infinity();  ///< [s]; -infinity: it was always there
+  Real end = std::numeric_limits<Real>::infinity();     ///< [s]; infinity: it stays
+  Real ramp = 0.0;  ///< time over which it grows from `start` on, and falls from `end` on [s]
+};
+
+/// The end of the section at which the river is.
+enum class RiverSide { deduced, left, right };
+
+/// The water that the ground shall hold back; how it is judged: followers/flood.cpp.
+struct FloodCase {
+  bool given = false;                                         ///< the case has [flood]
+  Real water_level = std::numeric_limits<Real>::quiet_NaN();  ///< [m]; NaN: not given
+  Real smallest_freeboard = 0.0;                              ///< height over the water level that must remain [m]
+  Real smallest_width = 0.0;  ///< width of the ground at the water level that must remain [m]
+  Real intact_below = 0.01;   ///< eps_eq_p below which soil counts as intact [-]
+  RiverSide river = RiverSide::deduced;
+
+  bool asks() const { return given || water_level == water_level; }
 };
 
 struct OutputCase {

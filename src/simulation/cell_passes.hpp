@@ -51,7 +51,7 @@ inline GroupVectors<Quad4> displacements(
 /// m_i and (m v)_i of the points of cell c; clears the forces.
 inline void map_mass_and_momentum(const CellGroup<Quad4>& group, int c)
 {
-  prefetch_next(group, c, PointRows<2>::xi, PointRows<2>::strain);
+  prefetch_next(group, c, Rows::xi, Rows::strain);
   const CellView<Quad4> view = group.cell(c);
   view.corners = {};
   if (!group.water_force.empty()) group.water_force[c] = {};

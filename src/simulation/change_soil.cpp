@@ -16,8 +16,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 /// Whether a state variable of one means the same in the other. Names of libraries are the user's: two of them may name
 /// other things alike.
 bool share_state(const MaterialCase& a, const MaterialCase& b)

@@ -18,12 +18,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace terp {
 namespace {
-
-using Rows = PointRows<2>;
 
 /// Strains in the search are this many times smaller than in the soil, so that it keeps its shape (decision 0035).
 constexpr Real stiffening = 1000.0;

@@ -11,8 +11,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 std::size_t id_of(const PointBlock<2>& block, Index lane)
 {
   return static_cast<std::size_t>(block.row(Rows::id)[lane]);

@@ -15,8 +15,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 /// A point of a run.
 struct PointOfRun {
   const Model& model;

@@ -12,8 +12,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 struct BadPoint {
   std::int64_t id = -1;
   Index cell = -1, material = -1;

@@ -13,8 +13,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 struct NamedPoint {
   const Model& model;
   const State& state;

@@ -24,9 +24,9 @@ std::optional<Problem> find_problem(
   std::optional<Problem> found;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const SoilMaterial& material = model.materials[block.material];
-    const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     if (found) return;
-    const Vec<2> x{block.row(PointRows<2>::x)[lane], block.row(PointRows<2>::x + 1)[lane]};
+    const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
     for (const ParameterProblem& problem :
         material.law->check_start(material.view(block, lane), stress_at(block, lane)))
       if (counts(id, problem))
@@ -75,7 +75,6 @@ bool begins_with_k0(const Case& c)
 
 void set_initial_stress(const Model& model, State& state)
 {
-  using Rows = PointRows<2>;
   const Case& c = model.description;
   if (!begins_with_k0(c)) return;
   const bool first_guess = c.initial.stress == InitialStress::equilibrium;

@@ -5,7 +5,6 @@
 
 #include "parallel/machine.hpp"
 #include "simulation/kernels.hpp"
-#include "simulation/step.hpp"
 
 #define TERP_TEXT_(a) #a
 #define TERP_TEXT(a) TERP_TEXT_(a)

@@ -9,10 +9,14 @@
 
 namespace terp {
 
-/// The table of one copy. The functions are declared, with what they take and return, where they are at home.
+/// One explicit step with the scheme of the model, in this copy of the kernels (step.cpp): call it by way of
+/// Model::step. The order of its passes is the method: docs/methods.md.
+void step_compiled(const Model& model, State& state, Workspace& work);
+
+/// The table of one copy. The other functions are declared, with what they take and return, where they are at home.
 struct Kernels {
-  std::string_view instructions;               ///< name of the set
-  StepFunction step;                           ///< step.hpp
+  std::string_view instructions;  ///< name of the set
+  StepFunction step;
   decltype(&add_up_compiled) add_up;           ///< totals.hpp
   double (*measure_triad)(std::size_t bytes);  ///< parallel/machine.hpp
   double (*measure_multiply_add)();

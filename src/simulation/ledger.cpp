@@ -14,8 +14,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 /// What the balance of energy does not explain [J per m].
 Real numerical_energy(const LedgerContext& c)
 {

@@ -35,8 +35,8 @@ std::string describe_gap(const Load& load, const Gap& gap, const State& state)
 {
   Real low = std::numeric_limits<Real>::infinity(), high = -low;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    low = std::min(low, block.row(PointRows<2>::x)[lane]);
-    high = std::max(high, block.row(PointRows<2>::x)[lane]);
+    low = std::min(low, block.row(Rows::x)[lane]);
+    high = std::max(high, block.row(Rows::x)[lane]);
   });
   return fmt::format(
       "It stands on x = {:g} to {:g} m; from {:.4g} to {:.4g} m there is no soil. The soil reaches from x = {:.4g} to "
@@ -67,7 +67,7 @@ std::vector<TopPoint> top_points_at(const Model& model, const Load& load, const 
 {
   Real largest = 0.0;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
-    for (Index lane = 0; lane < block.n; ++lane) largest = std::max(largest, block.row(PointRows<2>::volume)[lane]);
+    for (Index lane = 0; lane < block.n; ++lane) largest = std::max(largest, block.row(Rows::volume)[lane]);
   });
   const Real margin = 4.0 * std::sqrt(largest);  // what hides the neighbours of the ends lies within it
   return find_top_points(state.points, load.from - margin, load.to + margin, model.held_row);

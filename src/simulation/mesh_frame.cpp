@@ -8,8 +8,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 struct PressureSum {
   Real volume = 0.0;    ///< sum of Omega_p [m^2]
   Real pressure = 0.0;  ///< sum of tr(sigma)/3 Omega_p [Pa m^2]

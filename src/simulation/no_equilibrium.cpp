@@ -9,8 +9,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 Real distance_moved(const State& state, const PointBlock<2>& block, Index lane)
 {
   const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);

@@ -7,7 +7,6 @@
 #include "simulation/overburden.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace terp {
 namespace {
@@ -160,7 +159,6 @@ PorePressure water_at(const Model& model, Real time)
 
 Real pore_pressure_at(const Model& model, const PorePressure& pore, const PointBlock<2>& block, Index lane)
 {
-  using Rows = PointRows<2>;
   const auto shapes = Quad4::shape_functions(std::array{block.row(Rows::xi)[lane], block.row(Rows::xi + 1)[lane]});
   Real pressure = 0.0;
   for (int i = 0; i < Quad4::n_corners; ++i) {

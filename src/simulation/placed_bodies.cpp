@@ -7,7 +7,7 @@
 
 #include "base/errors.hpp"
 #include "mesh/mesh_error.hpp"
-#include "simulation/add_points.hpp"
+#include "simulation/setup_points.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/point_parameters.hpp"
@@ -18,8 +18,6 @@
 
 namespace terp {
 namespace {
-
-using Rows = PointRows<2>;
 
 bool encloses(const std::vector<Side>& sides, Vec<2> x)
 {

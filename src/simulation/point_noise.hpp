@@ -24,7 +24,6 @@ inline std::int64_t noise_interval(const Model& model)
 /// Sums of m_p N_i, m_p N_i N_j and m_p N_i v_p over the points of a cell.
 inline void sum_corner_fit(const PointBlocks<2>& points, Index cell, CornerFit& fit)
 {
-  using Rows = PointRows<2>;
   constexpr int n = Quad4::n_corners;
   auto mass = zero_packs<n>();
   auto matrix = zero_packs<n_fit_terms>();
@@ -93,7 +92,6 @@ inline Vec<2> mean_of_fits(const Model& model, const State& state, const Workspa
 /// v_p += share (sum N_i U_i - v_p). Returns the kinetic energy that the points of the cell gain [J per m].
 inline Real relax_points(PointBlocks<2>& points, Index cell, const std::array<Vec<2>, Quad4::n_corners>& U, Real share)
 {
-  using Rows = PointRows<2>;
   Pack gained(0.0);
   for_each_block(points, cell, [&](PointBlock<2> block, Index) {
     for (Index p = 0; p < block.n; p += pack_width) {

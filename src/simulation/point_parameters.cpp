@@ -98,7 +98,7 @@ void check_point_parameter(
     own.push_back(is_new ? value : *rows.parameters(k));
     values[static_cast<std::size_t>(varying[k])] = own.back();
   }
-  const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+  const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
   const Vec<2> x{state.x_initial[2 * id], state.x_initial[2 * id + 1]};
   check_parameters(model.description.materials[block.material], *material.type, values, x);
   const LawRows at{.state = rows.state, .parameters = {.data = own.data()}};
@@ -122,7 +122,7 @@ void set_point_parameters(
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const SoilMaterial& material = model.materials[block.material];
     if (!material.varies()) return;
-    const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     const Index body = asks ? bodies[id] : 0;
     if (!of_bodies.empty() && !of_bodies[static_cast<std::size_t>(body)]) return;
     const std::vector<Real> values = parameters_at(model.description.materials[block.material], *material.type,

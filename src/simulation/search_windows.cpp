@@ -14,8 +14,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 /// Time in which a shear wave crosses the soil along gravity, by the mean of its slowness; of a fluid a sound wave [s].
 Real time_to_cross(const Model& model, const State& state)
 {

@@ -148,7 +148,7 @@ void find_uncovered_soil(const Model& model, const State& state, std::vector<Pro
         for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
           if (block.material != static_cast<Index>(m)) return;
           ++n;
-          const Vec<2> x{block.row(PointRows<2>::x)[lane], block.row(PointRows<2>::x + 1)[lane]};
+          const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
           if (is_in(cover, x)) return;
           ++n_outside;
           const auto beyond = [&](int d) { return std::max({cover.low[d] - x[d], x[d] - cover.high[d], 0.0}); };

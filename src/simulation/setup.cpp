@@ -8,7 +8,6 @@
 #include "base/errors.hpp"
 #include "forces/time_step.hpp"
 #include "mesh/mesh_error.hpp"
-#include "simulation/add_points.hpp"
 #include "simulation/flood_level.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/kernels.hpp"

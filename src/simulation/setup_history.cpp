@@ -31,8 +31,7 @@ Real cell_size_at(const Model& model, const State& state, std::int64_t id)
 {
   Real area = 0.0;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    if (static_cast<std::int64_t>(block.row(PointRows<2>::id)[lane]) == id)
-      area = model.mesh->geometry(block.cell).volume;
+    if (static_cast<std::int64_t>(block.row(Rows::id)[lane]) == id) area = model.mesh->geometry(block.cell).volume;
   });
   return std::sqrt(area);
 }

@@ -149,6 +149,33 @@ Real fullest_cell(const Mesh<2>& mesh, const PointBatches& points, std::size_t b
   return fullest;
 }
 
+/// Makes blocks of the right size before they are filled: no growth, no waste.
+void expect_points(std::vector<BlockKey> keys, State& state)
+{
+  std::ranges::sort(keys);
+  for (std::size_t k = 0, end = 0; k < keys.size(); k = end) {
+    while (end < keys.size() && keys[end] == keys[k]) ++end;
+    state.points.expect(keys[k], static_cast<Index>(end - k));
+  }
+}
+
+/// values: what all points begin with, shape [n_rows].
+void add_to_state(const Model& model, const NewPoint& p, std::size_t id, std::vector<Real>& values, State& state)
+{
+  for (int d = 0; d < 2; ++d) {
+    values[Rows::x + d] = p.x[d];
+    values[Rows::xi + d] = p.local[d];
+    values[Rows::v + d] = p.v[d];
+  }
+  values[Rows::mass] = p.volume * model.materials[p.key.material].density;
+  values[Rows::volume] = p.volume;
+  for (const RowInfo& row : model.rows.added())
+    if (!row.initials.empty()) values[row.first] = row.initial_in(p.key.material);
+  if (model.inverse_extent >= 0) values[model.inverse_extent] = 1.0 / std::sqrt(p.volume);
+  values[Rows::id] = static_cast<Real>(id);
+  state.points.add(p.key, values);
+}
+
 }  // namespace
 
 std::vector<std::string> keys_of_outline(std::size_t body)
@@ -240,6 +267,27 @@ PointBatches make_points(const Model& model)
         "body", false, {"body", "mesh"}});
   check_points_of_files(model, outlines, drawn, points);
   return points;
+}
+
+void add_points(
+    const Model& model, PointBatches points, const std::function<bool(const BodyCase&)>& wanted, State& state)
+{
+  std::vector<Real> values(static_cast<std::size_t>(model.rows.n_rows()));
+  for (const RowInfo& row : model.rows.entries()) std::fill_n(values.begin() + row.first, row.n, row.initial);
+  std::vector<bool> is_wanted;
+  for (const BodyCase& body : model.description.bodies) is_wanted.push_back(wanted(body));
+  std::size_t id = 0;
+  for (auto& batch : points) {
+    std::vector<BlockKey> keys;
+    for (const NewPoint& p : batch)
+      if (is_wanted[static_cast<std::size_t>(p.body)]) keys.push_back(p.key);
+    expect_points(std::move(keys), state);
+    for (const NewPoint& p : batch) {
+      if (is_wanted[static_cast<std::size_t>(p.body)]) add_to_state(model, p, id, values, state);
+      ++id;
+    }
+    PointBatches::value_type().swap(batch);
+  }
 }
 
 }  // namespace terp

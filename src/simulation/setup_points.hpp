@@ -3,6 +3,9 @@
 
 #include "points/seed.hpp"
 #include "simulation/model.hpp"
+#include "simulation/state.hpp"
+
+#include <functional>
 
 namespace terp {
 
@@ -45,5 +48,10 @@ std::vector<std::string> keys_of_outline(std::size_t body);
 /// Number of a material by the name that bodies use; of a soil in two parts that of a zone, of Zone::all the first.
 /// Throws InputError.
 Index material_number(const Model& model, const std::string& name, Zone zone = Zone::all);
+
+/// Adds the points of the bodies for which `wanted` is true; ids count all points. Each batch is dropped when it is in:
+/// points and blocks together would be the most that a run ever holds.
+void add_points(
+    const Model& model, PointBatches points, const std::function<bool(const BodyCase&)>& wanted, State& state);
 
 }  // namespace terp

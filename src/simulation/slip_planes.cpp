@@ -1,6 +1,5 @@
 #include "simulation/slip_planes.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -15,8 +14,7 @@ Real strength_near(const Model& model, const State& state, const Vec<2>& place)
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     const SoilMaterial& material = model.materials[block.material];
     for (Index lane = 0; lane < block.n; ++lane) {
-      const Real distance =
-          std::hypot(block.row(PointRows<2>::x)[lane] - place[0], block.row(PointRows<2>::x + 1)[lane] - place[1]);
+      const Real distance = std::hypot(block.row(Rows::x)[lane] - place[0], block.row(Rows::x + 1)[lane] - place[1]);
       if (distance >= nearest) continue;
       nearest = distance;
       strength = has_strength(material) ? strength_of(material, block, lane) : std::numeric_limits<Real>::quiet_NaN();

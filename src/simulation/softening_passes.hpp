@@ -46,7 +46,6 @@ inline bool find_reach_of_softening(const Model& model, const State& state, Work
 /// V, V z and V l^2 of the corners of a cell, from its points.
 inline void collect_softening(const Model& model, const PointBlocks<2>& points, Index cell, CornerSoftening& corners)
 {
-  using Rows = PointRows<2>;
   corners = {};
   for_each_block(points, cell, [&](const PointBlock<2>& block, Index) {
     const SoilMaterial& material = model.materials[block.material];
@@ -107,7 +106,6 @@ inline void gather_group(const Model& model, const State& state, const Workspace
 /// What the corners of a cell hold goes to its points, whose strength follows it in the next step.
 inline void soften_points(const Model& model, PointBlocks<2>& points, Index cell, const NodeNumbers& value)
 {
-  using Rows = PointRows<2>;
   std::array<PerCorner<Quad4>, 1> at;
   for (int i = 0; i < Quad4::n_corners; ++i) at[0][i] = value[model.mesh->cells[cell][i]];
   if (std::ranges::all_of(at[0], [](Real a) { return a == 0.0; })) return;

@@ -6,7 +6,6 @@
 #include "simulation/overburden.hpp"
 #include "water/water_pressure.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace terp {

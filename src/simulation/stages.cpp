@@ -23,8 +23,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 /// The time of the last change that the case orders beyond that of stages: loads that come or go, water on its way [s].
 /// Infinite where a formula of the water speaks of the time.
 Real last_change(const Case& c, const StageWater& water)

@@ -18,8 +18,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 const std::string points_room = "points/";  // arrays with an entry for each point
 
 /// Calls f(block, lane) for n points from the first-th on, in the fixed order.

@@ -1,6 +1,6 @@
 // The score: one explicit step as a short list of named, timed passes. Equation numbers are the paper's.
 
-#include "simulation/step.hpp"
+#include "simulation/kernels.hpp"
 
 #include "points/move.hpp"
 #include "schemes/patch_group.hpp"
@@ -123,7 +123,6 @@ void finish_sums(State& state, Workspace& work)
 /// Enters a point that crossed an open side in the list of those that left.
 void enter_left(const Model& model, Index number, std::span<Real> values, State& state)
 {
-  using Rows = PointRows<2>;
   const SoilMaterial& material = model.materials[number];
   const SymTensor<Real, 2> sigma{
       {values[Rows::sigma], values[Rows::sigma + 1], values[Rows::sigma + 2], values[Rows::sigma + 3]}};
@@ -139,7 +138,7 @@ void enter_left(const Model& model, Index number, std::span<Real> values, State&
 /// Counts a point that had to be put back at a wall, once.
 void enter_put_back(std::span<const Real> values, State& state)
 {
-  auto before = state.put_back[static_cast<std::size_t>(values[PointRows<2>::id])];
+  auto before = state.put_back[static_cast<std::size_t>(values[Rows::id])];
   if (!before) ++state.clamped;
   before = true;
 }

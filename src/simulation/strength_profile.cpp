@@ -12,8 +12,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 Vec<2> place_of(const PointBlock<2>& block, Index lane)
 {
   return {block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};

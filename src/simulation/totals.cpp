@@ -14,8 +14,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 constexpr Real audit_tolerance = 1e-12;  // relative: below is round-off of averaging equal values
 
 Real largest(Pack a)

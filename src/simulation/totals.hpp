@@ -102,7 +102,6 @@ struct Books {
   template <class Energy>
   void enter(const Energy& energy, const PointBlock<2>& block, Index p)
   {
-    using Rows = PointRows<2>;
     const auto at = [&](int r) { return Pack::load(block.row(r) + p); };
     const Pack m = at(Rows::mass), vx = at(Rows::v), vy = at(Rows::v + 1);
     mass += m;

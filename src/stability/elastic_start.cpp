@@ -61,7 +61,6 @@ void set_scales(const Model& model, const State& state, ElasticStart& start)
 /// a cell some still vibrate; with 1e-4 they change side in the trials, and soil near its limit creeps.
 void leave_borders_of_sub_cells(const Mesh<2>& mesh, PointBlocks<2>& points)
 {
-  using Rows = PointRows<2>;
   constexpr Real on_border = 1e-9, beside = 1e-5;  // in local coordinates, which run from -1 to 1
   for_each_block(points, [&](const PointBlock<2>& block) {
     for (Index lane = 0; lane < block.n; ++lane) {

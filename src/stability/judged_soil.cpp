@@ -14,8 +14,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 bool is_filled(const Model& model, const State& state, Index cell)
 {
   Real volume = 0.0;

@@ -16,8 +16,6 @@
 namespace terp {
 namespace {
 
-using Rows = PointRows<2>;
-
 constexpr Real share_of_column = 0.5;  // of the largest motion in a column: above the slip surface
 constexpr Real share_of_all = 0.1;     // of the largest motion: columns that take part
 constexpr Real fast = 0.99;            // part of the points that move less than "the largest"; single points ravel

@@ -21,7 +21,6 @@ template <class Element>
 inline void map_held_weight(const PointBlock<2>& block, int row, const HeldShares& shares, Vec<2> gravity,
     Vec<2> gradient, CornerVectors<Element>& force)
 {
-  using Rows = PointRows<2>;
   for (Index p = 0; p < block.n; p += pack_width) {
     const Mask in_use = lane_numbers() < Pack(static_cast<Real>(block.n - p));
     const Pack held = Pack::load(block.row(row) + p);

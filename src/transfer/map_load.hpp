@@ -13,7 +13,6 @@ template <class Element>
 inline PerDirection<Element, Pack> top_of_points(
     const PointBlock<2>& block, Index p, const CellGeometry<Element>& cell, const Vec<2>& centre)
 {
-  using Rows = PointRows<2>;
   const auto xi = load_rows<2>(block, Rows::xi, p);
   const Pack lift = Pack(0.5) * sqrt(Pack::load(block.row(Rows::volume) + p));
   const std::array<Pack, 2> offset{Pack::load(block.row(Rows::x) + p) - Pack(centre[0]),

@@ -29,7 +29,7 @@ void set_strip(const PointBlock<2>& block, Index first, const PatchSize& size, S
     const Index p = first + k * pack_width;
     PointShares& of = shares.of[k];
     set_shares(block, p, size, of);
-    const Pack volume = Pack::load(block.row(PointRows<2>::volume) + p);
+    const Pack volume = Pack::load(block.row(Rows::volume) + p);
     for (int i = 0; i < 4; ++i) {
       of.across[i] = of.across[i] * volume;
       across[i] = max(across[i], of.across[i]);
@@ -50,7 +50,7 @@ void add_stress_and_volume(const PointBlock<2>& block, Index first, const StripS
     for (Index k = 0; k < shares.n; ++k) {
       const Pack share = shares.of[k].in_slot(slot);
       for (int r = 0; r < n_stress; ++r) {
-        const Real* sigma = block.row(PointRows<2>::sigma + r) + first + k * pack_width;
+        const Real* sigma = block.row(Rows::sigma + r) + first + k * pack_width;
         parts[r] = fma(share, Pack::load(sigma), parts[r]);
       }
       parts[patch_volume] += share;
@@ -64,7 +64,7 @@ void add_stress_and_volume(const PointBlock<2>& block, Index first, const StripS
 void add_few_points(const PointBlock<2>& block, const StripShares& shares, int width, Real* sums)
 {
   auto rows = zero_packs<pack_width>();
-  for (int r = 0; r < n_stress; ++r) rows[r] = Pack::load(block.row(PointRows<2>::sigma + r));
+  for (int r = 0; r < n_stress; ++r) rows[r] = Pack::load(block.row(Rows::sigma + r));
   rows[patch_volume] = Pack(1.0);
   const auto points = turn(rows);
   for (int slot = 0; slot < P::n_slots; ++slot) {
@@ -117,7 +117,7 @@ void sum_row_over_patch(const PointBlock<2>& block, int row, const PatchSize& si
   for (Index p = 0; p < block.n; p += pack_width) {
     PointShares shares;
     set_shares(block, p, size, shares);
-    const Pack value = Pack::load(block.row(row) + p) * Pack::load(block.row(PointRows<2>::volume) + p);
+    const Pack value = Pack::load(block.row(row) + p) * Pack::load(block.row(Rows::volume) + p);
     for (int slot = 0; slot < P::n_slots; ++slot) parts[slot] = fma(value, shares.in_slot(slot), parts[slot]);
   }
   for (int slot = 0; slot < P::n_slots; ++slot) sums[slot * width] += sum(parts[slot]);

@@ -80,8 +80,8 @@ inline void set_shares_along(Pack place, Pack scale, std::array<Pack, 4>& shares
 inline void set_shares(const PointBlock<2>& block, Index p, const PatchSize& size, PointShares& shares)
 {
   const Pack scale = size.scale(block, p);
-  set_shares_along(Pack::load(block.row(PointRows<2>::xi) + p), scale, shares.across);
-  set_shares_along(Pack::load(block.row(PointRows<2>::xi + 1) + p), scale, shares.up);
+  set_shares_along(Pack::load(block.row(Rows::xi) + p), scale, shares.across);
+  set_shares_along(Pack::load(block.row(Rows::xi + 1) + p), scale, shares.up);
 }
 
 /// The same of squares that reach two columns and two rows of the patch at most, as all do that are no larger than a
@@ -111,8 +111,8 @@ inline bool set_window(const PointBlock<2>& block, Index p, const PatchSize& siz
 {
   const Pack scale = size.scale(block, p);
   Pack column, row;
-  const Pack across = set_window_along(Pack::load(block.row(PointRows<2>::xi) + p), scale, window.across, column);
-  const Pack up = set_window_along(Pack::load(block.row(PointRows<2>::xi + 1) + p), scale, window.up, row);
+  const Pack across = set_window_along(Pack::load(block.row(Rows::xi) + p), scale, window.across, column);
+  const Pack up = set_window_along(Pack::load(block.row(Rows::xi + 1) + p), scale, window.up, row);
   window.first = fma(row, Pack(4.0), column) + Pack(place_base);
   const unsigned in_use = block.n - p < pack_width ? (1u << (block.n - p)) - 1u : 0xffu;
   return (to_bits(min(across, up) < Pack(1.0)) & in_use) == 0;

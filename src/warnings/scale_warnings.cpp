@@ -328,7 +328,7 @@ void find_large_yield_stress(const Model& model, const State& state, Problems& w
   Real largest = 0.0;  // sigma'_v,daily [Pa]
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const auto m = static_cast<std::size_t>(block.material);
-    const Vec<2> x{block.row(PointRows<2>::x)[lane], block.row(PointRows<2>::x + 1)[lane]};
+    const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
     for (const ParameterField& field : model.description.materials[m].fields) {
       if (!field.needs.yield_stress) continue;
       const WaterCase& water = model.ground->water();

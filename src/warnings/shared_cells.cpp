@@ -24,7 +24,7 @@ std::vector<Real> shares_in_shared_cells(const Model& model, const State& state)
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     const bool is_shared = holds_another(state.points, block);
     for (Index p = 0; p < block.n; ++p) {
-      const Real volume = block.row(PointRows<2>::volume)[p];
+      const Real volume = block.row(Rows::volume)[p];
       whole[block.material] += volume;
       if (is_shared) shared[block.material] += volume;
     }

@@ -89,7 +89,7 @@ std::array<Real, 2> ends_of_soil(const State& state)
 {
   std::array<Real, 2> ends{INFINITY, -INFINITY};
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const Real x = block.row(PointRows<2>::x)[lane];
+    const Real x = block.row(Rows::x)[lane];
     ends = {std::min(ends[0], x), std::max(ends[1], x)};
   });
   return ends;
@@ -325,7 +325,7 @@ void find_deep_lines(const Model& model, const State& state, std::vector<Problem
 {
   Real lowest = INFINITY;
   for_each_point(state.points,
-      [&](const PointBlock<2>& block, Index lane) { lowest = std::min(lowest, block.row(PointRows<2>::x + 1)[lane]); });
+      [&](const PointBlock<2>& block, Index lane) { lowest = std::min(lowest, block.row(Rows::x + 1)[lane]); });
   const Real slack = typical_cell_size(*model.mesh);
   const WaterCase& water = model.description.water;
   for (std::size_t k = 0; k <= water.situations.size(); ++k) {

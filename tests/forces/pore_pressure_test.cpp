@@ -3,7 +3,6 @@
 #include "simulation/cell_passes.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/node_passes.hpp"
-#include "simulation/step.hpp"
 #include "support/meshes.hpp"
 #include "support/simulations.hpp"
 #include "support/verification.hpp"

@@ -17,7 +17,7 @@ PointBlocks<2> one_point(const RowTable& table, const std::vector<Real>& more)
 {
   PointBlocks<2> points(1, table);
   std::vector<Real> values(static_cast<std::size_t>(points.n_rows()), 0.0);
-  std::ranges::copy(more, values.begin() + PointRows<2>::state);
+  std::ranges::copy(more, values.begin() + Rows::state);
   points.add({0, 0}, values);
   return points;
 }
@@ -27,7 +27,7 @@ TEST(SoilMaterial, HasRowsForItsStateAndThenForItsParametersThatVary)
   RowTable table;
   SoilMaterial soil = clay({2, 4});
   add_rows(0, soil, table);
-  EXPECT_THAT(soil.rows, ElementsAre(PointRows<2>::state, PointRows<2>::state + 1, PointRows<2>::state + 2));
+  EXPECT_THAT(soil.rows, ElementsAre(Rows::state, Rows::state + 1, Rows::state + 2));
   EXPECT_TRUE(soil.varies());
   EXPECT_EQ(table.added()[0].name, "eps_eq_p");
   EXPECT_EQ(table.added()[1].name, "parameter_su_peak");

@@ -5,8 +5,6 @@
 
 namespace point_blocks_test {
 
-using Rows = PointRows<2>;
-
 constexpr int n_state = 2;
 
 /// Values that tell point and row apart: 1000 id + row.

@@ -20,12 +20,12 @@ RowInfo opening(Index material)
 TEST(RowTable, BeginsWithTheFixedRowsWhereTheKernelsLookForThem)
 {
   const RowTable table;
-  EXPECT_EQ(table.n_rows(), PointRows<2>::state);
+  EXPECT_EQ(table.n_rows(), Rows::state);
   EXPECT_TRUE(table.added().empty());
   for (const RowInfo& row : table.entries()) {
-    const int expected = row.name == "velocity" ? PointRows<2>::v
-                         : row.name == "stress" ? PointRows<2>::sigma
-                         : row.name == "id"     ? PointRows<2>::id
+    const int expected = row.name == "velocity" ? Rows::v
+                         : row.name == "stress" ? Rows::sigma
+                         : row.name == "id"     ? Rows::id
                                                 : row.first;
     EXPECT_EQ(row.first, expected) << row.name;
     EXPECT_TRUE(row.saved && row.is_of(7)) << row.name;
@@ -38,7 +38,7 @@ TEST(RowTable, SharesARowThatTwoMaterialsHave)
   const int first = table.add(opening(0));
   const int other = table.add({.name = "parameter_eta", .unit = "-", .meaning = "shape", .owner = "law"});
   EXPECT_EQ(table.add(opening(2)), first);
-  EXPECT_EQ(first, PointRows<2>::state);
+  EXPECT_EQ(first, Rows::state);
   EXPECT_EQ(other, first + 1);
   EXPECT_EQ(table.n_rows(), other + 1);
   const RowInfo& row = table.added()[0];
@@ -51,7 +51,7 @@ TEST(RowTable, SizesTheBlocks)
   RowTable table;
   table.add(opening(0));
   const PointBlocks<2> points(3, table);
-  EXPECT_EQ(points.n_rows(), PointRows<2>::state + 1);
+  EXPECT_EQ(points.n_rows(), Rows::state + 1);
   EXPECT_EQ(points.table().added()[0].name, "opening");
 }
 

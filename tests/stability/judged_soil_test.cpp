@@ -6,8 +6,6 @@
 
 namespace judged_soil_test {
 
-using Rows = PointRows<2>;
-
 /// A box 1 m wide, of cells of 0.25 m, as high as asked, that falls.
 struct Box {
   Case description;

@@ -6,8 +6,6 @@
 
 namespace terp::test {
 
-using Rows = PointRows<2>;
-
 /// One material point; what a test does not set has values that no other field shares.
 struct PointValues {
   Vec<2> local{0.0, 0.0};

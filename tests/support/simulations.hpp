@@ -11,8 +11,6 @@
 
 namespace terp::test {
 
-using Rows = PointRows<2>;
-
 /// A run that all followers look at.
 Simulation followed(const Case& description, int threads = 1);
 
