@@ -228,8 +228,7 @@ def places_at(run, time, names):
 
 def label_of(run, name, in_two_lines=False):
     """A field or column in words, its symbol, its unit in print; in one line also how it is defined."""
-    # the norm of a strain: reading R18
-    words, symbol, definition = style.words_of(name, run.case.get("output", {}).get("deviatoric_norm", "half"))
+    words, symbol, definition = style.words_of(name)
     unit = style.in_print(run.unit(name))[1]
     if symbol:
         words += f"\n{symbol}" if in_two_lines else f"  {symbol}{definition}"

@@ -36,16 +36,12 @@ RC = {
     "legend.frameon": False, "hatch.linewidth": 0.5, "pdf.fonttype": 42,
 }
 
-NORMS = {"half": r"$\sqrt{\frac{1}{2}\,\mathbf{e}:\mathbf{e}}$",
-         "von_mises": r"$\sqrt{\frac{2}{3}\,\mathbf{e}:\mathbf{e}}$"}
-
-
 INCREMENTS = r"$\sum\sqrt{\frac{1}{2}\,\mathrm{d}\mathbf{e}_p:\mathrm{d}\mathbf{e}_p}$"
 
 
-def words_of(name, norm):
+def words_of(name):
     """(words, symbol, definition) of a quantity, with the norm of a strain (Eq. (6)); of others the name alone."""
-    known = {"eps_deviatoric": ("total deviatoric strain", NORMS.get(norm, norm), ""),
+    known = {"eps_deviatoric": ("total deviatoric strain", r"$\sqrt{\frac{1}{2}\,\mathbf{e}:\mathbf{e}}$", ""),
              "eps_eq_p": ("plastic deviatoric strain", r"$\varepsilon_{eq,p}$", f" = {INCREMENTS}"),
              "su": ("undrained shear strength", "$S_u$", "")}
     return known.get(name, (name, "", ""))

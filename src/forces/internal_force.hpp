@@ -10,13 +10,12 @@
 
 namespace terp {
 
-/// f_int,i += sum_g B-bar_i^T sigma_hat_g Omega_g, Eq. (4); with ForceOperator::b plain B.
+/// f_int,i += sum_g B-bar_i^T sigma_hat_g Omega_g, Eq. (4); without B-bar plain B.
 template <class Geometry, class Element, class R>
 void add_internal_force(
-    const Geometry& cell, const GaussValues<Element, R>& gauss, ForceOperator op, CornerSums<Element, R>& corners)
+    const Geometry& cell, const GaussValues<Element, R>& gauss, bool b_bar, CornerSums<Element, R>& corners)
 {
   constexpr int dim = Element::dim;
-  const bool b_bar = op == ForceOperator::b_bar;
   auto force = gauss.sigma;  // conjugate to the gradients at g: stress times weight
   R centre(0.0);             // conjugate to the gradients at the centre: sum of p_g w_g
   for (int g = 0; g < Element::n_gauss; ++g) {

@@ -13,8 +13,6 @@
 #include "mesh/geometry_lanes.hpp"
 #include "transfer/method_options.hpp"
 
-#include <span>
-
 namespace terp {
 
 /// Water on the nodes of the mesh at the time of a step.
@@ -43,10 +41,9 @@ std::array<PerCorner<Element>, Element::n_gauss> shapes_at_gauss_points()
 /// the internal force: q its mean, B that of the centre.
 template <class Geometry, class Element, class R>
 void add_pore_force(const Geometry& cell, const PerGauss<Element, R>& weight, const PerCorner<Element, R>& pressure,
-    const PerGauss<Element, R>& inside, ForceOperator op, CornerVectors<Element, R>& force)
+    const PerGauss<Element, R>& inside, bool b_bar, CornerVectors<Element, R>& force)
 {
   const auto shapes = shapes_at_gauss_points<Element>();
-  const bool b_bar = op == ForceOperator::b_bar;
   R centre(0.0);  // sum of q_g w_g
   for (int g = 0; g < Element::n_gauss; ++g) {
     const R q = weight[g] * inside[g];

@@ -26,26 +26,6 @@ void check_unused(const Node& method, const Scheme& scheme, Problems& warnings)
       warnings.push_back(no_effect(option.name, fmt::format("The scheme {} does not look at it.", scheme.name)));
 }
 
-/// Eq. (4) and the strain with different operators: the force does not do the work of the stress (readings R4, R5).
-void check_operators(const Node& method, const MethodOptions& options, Problems& warnings)
-{
-  const bool force_b_bar = options.force_operator == ForceOperator::b_bar;
-  if (force_b_bar == options.b_bar) return;
-  const bool force_is_set = find_item(method, "force_operator") != nullptr;
-  warnings.push_back(
-      {force_is_set ? "method.force_operator" : "method.b_bar", "`force_operator` and `b_bar` do not fit together",
-          fmt::format("The force takes {}, the strain {}: energy is made or lost. Use b_bar = true with "
-                      "force_operator = \"b_bar\",\nor false with \"b\" (docs/methods.md, section 7).",
-              force_b_bar ? "B-bar" : "B", options.b_bar ? "B-bar" : "B"),
-          "method", false, {"method.b_bar"}});
-}
-
-void check_relaxation(const Node& method, const MethodOptions& options, Problems& warnings)
-{
-  if (find_item(method, "pressure_relaxation") != nullptr && options.point_pressure != PointPressure::relax)
-    warnings.push_back(no_effect("pressure_relaxation", "It counts with point_pressure = \"relax\" only."));
-}
-
 /// No side has a contact plane, in no stage that is known here.
 void check_contact(const Node& method, const Case& values, Problems& warnings)
 {
@@ -95,9 +75,6 @@ void check_method(const Node& root, const Case& values, Problems& warnings)
   check_locking(*scheme, values, warnings);
   if (method == nullptr || method->kind != NodeKind::table) return;
   check_unused(*method, *scheme, warnings);
-  if (looks_at(*scheme, "b_bar") && looks_at(*scheme, "force_operator"))
-    check_operators(*method, values.method, warnings);
-  if (looks_at(*scheme, "pressure_relaxation")) check_relaxation(*method, values.method, warnings);
   check_contact(*method, values, warnings);
 }
 

@@ -22,7 +22,6 @@ Words scheme_words()
 }
 // In the order of the enums in case.hpp and method_options.hpp.
 Words stress_words() { return {"none", "k0", "equilibrium"}; }
-Words deviatoric_norm_words() { return {"half", "von_mises"}; }
 Words footing_words() { return {"rough", "smooth"}; }
 
 Words side_words() { return side_kind_words(""); }
@@ -358,11 +357,6 @@ std::vector<KeyInfo> footing_keys()
 std::vector<KeyInfo> output_keys()
 {
   return {
-      {.path = "output.deviatoric_norm",
-          .field = [](Case& c, std::size_t) { return word_field(c.output.deviatoric_norm); },
-          .words = deviatoric_norm_words,
-          .meaning = "norm of the total deviatoric strain in results (reading R18)",
-          .equation = "half: sqrt(1/2 e:e);  von_mises: sqrt(2/3 e:e)"},
       {.path = "output.fields.every",
           .field = [](Case& c, std::size_t) { return &c.output.fields_every; },
           .unit = "s",

@@ -8,11 +8,8 @@ namespace {
 using Words = std::vector<std::string>;
 
 // In the order of the enums in method_options.hpp.
-Words weights_words() { return {"hybrid", "summed", "gauss"}; }
-Words force_operator_words() { return {"b_bar", "b"}; }
+Words weights_words() { return {"hybrid", "summed"}; }
 Words shares_words() { return {"by_law", "point", "overlap"}; }
-Words point_pressure_words() { return {"cell", "own", "relax"}; }
-Words state_averaging_words() { return {"as_declared", "cell", "sub_cell"}; }
 Words objective_rate_words() { return {"none", "jaumann"}; }
 Words cut_cells_words() { return {"mean", "slip"}; }
 Words remap_contact_words() { return {"unused_strength", "across"}; }
@@ -34,7 +31,7 @@ std::vector<KeyInfo> method_keys()
           .words = weights_words,
           .meaning =
               "weight of a Gauss point (reading R3): the Gauss rule in filled cells and the volume of the points "
-              "elsewhere (hybrid), the volume of the points (summed), the Gauss rule (gauss)"},
+              "elsewhere (hybrid), or the volume of the points (summed)"},
       {.path = "method.filled_fraction",
           .field = [](Case& c, std::size_t) { return &c.method.filled_fraction; },
           .range = {0.0, 1.0, true, false},
@@ -42,27 +39,10 @@ std::vector<KeyInfo> method_keys()
           .equation = "sum_p Omega_p >= filled_fraction V_e"},
       {.path = "method.b_bar",
           .field = [](Case& c, std::size_t) { return &c.method.b_bar; },
-          .meaning = "volumetric strain of the cell centre at all Gauss points, against locking (reading R5)",
-          .equation = "d_eps_bar = d_eps + (theta_0 - tr d_eps) I / 3,  theta_0 = tr d_eps(0)"},
-      {.path = "method.force_operator",
-          .field = [](Case& c, std::size_t) { return word_field(c.method.force_operator); },
-          .words = force_operator_words,
-          .meaning = "operator of the internal force, Eq. (4) (reading R4)"},
-      {.path = "method.point_pressure",
-          .field = [](Case& c, std::size_t) { return word_field(c.method.point_pressure); },
-          .words = point_pressure_words,
-          .meaning = "pressure of a material point in mpm_gp (reading R10): of its cell, its own, or its own drawn "
-                     "towards that of the cell (relax)"},
-      {.path = "method.pressure_relaxation",
-          .field = [](Case& c, std::size_t) { return &c.method.pressure_relaxation; },
-          .range = between(0.0, 1.0),
-          .meaning = "share of the cell's pressure that a point takes per step, for point_pressure = \"relax\""},
-      {.path = "method.state_averaging",
-          .field = [](Case& c, std::size_t) { return word_field(c.method.state_averaging); },
-          .words = state_averaging_words,
           .meaning =
-              "how mpm_mixed averages the state (reading R9): as each state variable declares, or all by cell or "
-              "by sub-cell"},
+              "volumetric strain of the cell centre at all Gauss points, against locking, and the internal force "
+              "that does its work (readings R4, R5)",
+          .equation = "d_eps_bar = d_eps + (theta_0 - tr d_eps) I / 3,  theta_0 = tr d_eps(0)"},
       {.path = "method.cut_cells",
           .field = [](Case& c, std::size_t) { return word_field(c.method.cut_cells); },
           .words = cut_cells_words,

@@ -147,12 +147,12 @@ inline GaussRow<Element> sum_row(const CellGroup<Element>& group, const BlockLay
 /// Adds the internal force of the Gauss values of a layer to the corners of its cells, Eq. (4).
 template <class Element>
 inline void add_internal_force(const CellGroup<Element>& group, const GeometryLanes<Element>& geometry,
-    const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, ForceOperator op)
+    const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, bool b_bar)
 {
   constexpr int dim = Element::dim;
   CornerSums<Element, Pack> sums;
   for (auto& direction : sums.internal_force) direction.fill(Pack(0.0));
-  add_internal_force(geometry, gauss, op, sums);
+  add_internal_force(geometry, gauss, b_bar, sums);
   std::array<CornerVectors<Element>, pack_width> force;
   for (int d = 0; d < dim; ++d) from_lanes(sums.internal_force[d], [&](int c) { return force[c][d].data(); });
   for (int c = 0; c < group.n(); ++c) {

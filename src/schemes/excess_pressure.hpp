@@ -3,7 +3,7 @@
 //
 //   u_g = sum_p s_pg u_p Omega_p / sum_p s_pg Omega_p       as Eq. (1)
 //   u_e = sum_g u_g Omega_g / sum_g Omega_g                 as Eq. (2); the force takes it as Eq. (3) does
-//   u_p <- u_p + beta (u_e - u_p) - (K_w/n) tr(d_eps_p)     as reading R10; beta = 1 in MPM-Mixed
+//   u_p <- u_e - (K_w/n) tr(d_eps_p)                        as reading R10, by way of u_p + (u_e - u_p)
 //
 // In drained soil K_w/n is zero, and u_p times the part that the step keeps.
 #pragma once
@@ -54,18 +54,17 @@ struct ExcessStep {
   Pack operator()(Pack excess, Pack volumetric_strain) const { return kept * excess - stiffness * volumetric_strain; }
 };
 
-/// New excess pressure of the points of a block. cell: u_e; share: beta; strain: of their cell. Before the volumes
-/// change.
+/// New excess pressure of the points of a block. cells: u_e; strain: of their cell. Before the volumes change.
 template <class Element>
 void update_excess(const SchemeContext& context, const PointBlock<Element::dim>& block, std::span<const Real> cells,
-    Index b, Real share, const GaussStrain<Element>& strain)
+    Index b, const GaussStrain<Element>& strain)
 {
   const SoilMaterial& material = context.materials[block.material];
   if (material.excess_row < 0) return;
   const ExcessStep step(context, material);
   for (Index p = 0; p < block.n; p += pack_width) {
     Real* at = block.row(material.excess_row) + p;
-    const Pack own = Pack::load(at), start = own + Pack(share) * (Pack(cells[b]) - own);
+    const Pack own = Pack::load(at), start = own + (Pack(cells[b]) - own);
     step(start, trace(strain_at_points(strain, upper_halves<Element>(block, p)))).store(at);
   }
 }
@@ -73,7 +72,7 @@ void update_excess(const SchemeContext& context, const PointBlock<Element::dim>&
 /// The same with shares that overlap. patch: its rows from `first_strain` on are the strain, the last one is u_e.
 template <class Element>
 void update_excess_from_patch(const SchemeContext& context, const CellGroup<Element>& group,
-    const PointBlock<Element::dim>& block, const PatchSize& size, const PatchView& patch, int first_strain, Real share)
+    const PointBlock<Element::dim>& block, const PatchSize& size, const PatchView& patch, int first_strain)
 {
   const SoilMaterial& material = context.materials[block.material];
   if (material.excess_row < 0) return;
@@ -93,7 +92,7 @@ void update_excess_from_patch(const SchemeContext& context, const CellGroup<Elem
       Real* at = block.row(material.excess_row) + p;
       const auto direct = patch.at_points<3>(shares, first_strain);
       const Pack own = Pack::load(at), around = patch.at_points<1>(shares, excess)[0];
-      const Pack start = own + Pack(share) * (around + shift - own);
+      const Pack start = own + (around + shift - own);
       step(start, direct[0] + direct[1] + direct[2]).store(at);
     });
 }

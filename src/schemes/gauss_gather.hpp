@@ -74,7 +74,7 @@ inline void add_water_force(const SchemeContext& context, const CellGroup<Elemen
     for (Pack& at_gauss : inside) at_gauss -= excess;
   }
   add_pore_force<GeometryLanes<Element>, Element>(
-      geometry, gauss.weight, pore.pressure, inside, context.method.force_operator, sums);
+      geometry, gauss.weight, pore.pressure, inside, context.method.b_bar, sums);
   std::array<CornerVectors<Element>, pack_width> force;
   for (int d = 0; d < dim; ++d) from_lanes(sums[d], [&](int c) { return force[c][d].data(); });
   for (int c = 0; c < group.n(); ++c) {
@@ -105,7 +105,7 @@ void gather_at_gauss_points(
     smooth_pressure(gauss);                                     // Eqs. (2), (3)
     if (!group.slips.empty()) keep_mean_stress(group, layer, gauss);
     finish(layer, gauss);
-    add_internal_force(group, geometry, layer, gauss, context.method.force_operator);  // Eq. (4)
+    add_internal_force(group, geometry, layer, gauss, context.method.b_bar);  // Eq. (4)
     if (!group.water_force.empty()) add_water_force(context, group, geometry, layer, gauss);
   });
   if (!group.slips.empty()) find_slips(context, group);

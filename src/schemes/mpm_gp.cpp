@@ -30,7 +30,7 @@ struct MpmGp {
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
-        update_excess(context, block, group.excess, b, share_of_cell_pressure(context.method), strain[c]);
+        update_excess(context, block, group.excess, b, strain[c]);
         update_points(context, block, with_slip(group, b, strain[c], slipped), group.pressure[b], sums);
         sums.plastic_work += lost_while_slipping(group, b);
       });
@@ -155,10 +155,10 @@ struct MpmGp {
         if (is_whole)
           above.excess.add(block, first + p, Pack::load(block.row(material.excess_row) + first + p), around);
       });
-    const Pack shift = above.pressure(), share(share_of_cell_pressure(context.method));
+    const Pack shift = above.pressure();
     for (Index p = 0; p < n; p += pack_width) {
       SymTensor<Pack, dim> sigma = stress_of(block, first + p);
-      add_isotropic(sigma, share * (Pack::load(pressure + p) + shift - trace(sigma) * Pack(1.0 / 3.0)));
+      add_isotropic(sigma, Pack::load(pressure + p) + shift - trace(sigma) * Pack(1.0 / 3.0));
       if (rotates) rotate_stress(sigma, Pack::load(strip.d_spin + p));
       store_rows(sigma.c, block, PointRows<dim>::sigma, first + p);
     }
@@ -183,22 +183,13 @@ struct MpmGp {
   {
     const SoilMaterial& material = context.materials[block.material];
     const ExcessStep step(context, material);
-    const Pack share(share_of_cell_pressure(context.method));
     for (Index p = 0; p < n; p += pack_width) {
       Real* at = block.row(material.excess_row) + first + p;
-      const Pack own = Pack::load(at), start = own + share * (Pack::load(around.at_points + p) + around.shift - own);
+      const Pack own = Pack::load(at), start = own + (Pack::load(around.at_points + p) + around.shift - own);
       Pack volumetric = Pack::load(strip.d_eps[0] + p);
       for (int k = 1; k < 3; ++k) volumetric += Pack::load(strip.d_eps[k] + p);
       step(start, volumetric).store(at);
     }
-  }
-
-  /// What a point takes of the difference between the pressure of its cell and its own (reading R10).
-  static Real share_of_cell_pressure(const MethodOptions& method)
-  {
-    return method.point_pressure == PointPressure::cell    ? 1.0
-           : method.point_pressure == PointPressure::relax ? method.pressure_relaxation
-                                                           : 0.0;
   }
 
   static void update_points(const SchemeContext& context, const PointBlock<dim>& block,
@@ -224,10 +215,8 @@ struct MpmGp {
   {
     const auto upper = upper_halves<Element>(block, p);
     store_strain(strain_at_points(strain, upper), strip, at);
-    if (method.point_pressure == PointPressure::own && method.objective_rate == ObjectiveRate::none) return;
-
     SymTensor<Pack, dim> sigma = stress_of(block, p);
-    add_isotropic(sigma, Pack(share_of_cell_pressure(method)) * (Pack(cell_pressure) - trace(sigma) * Pack(1.0 / 3.0)));
+    add_isotropic(sigma, Pack(cell_pressure) - trace(sigma) * Pack(1.0 / 3.0));
     if (method.objective_rate == ObjectiveRate::jaumann)
       rotate_stress(sigma, Element::at_sub_cell(strain.d_spin, upper));
     store_rows(sigma.c, block, PointRows<dim>::sigma, p);
@@ -241,8 +230,7 @@ constexpr PassCost stress_cost{.flops = 6 + 20 + 30 + 9, .rows = 2 * (4 + 4 + 1 
 }  // namespace
 
 TERP_SCHEME_DEFINITION(mpm_gp, MpmGp, .title = "MPM-GP",
-    .summary = "material points own the history, Gauss points carry force and strain",
-    .unused_options = "state_averaging", .gather_cost = gather_cost, .stress_cost = stress_cost,
-    TERP_OVERLAP_FUNCTIONS(MpmGp))
+    .summary = "material points own the history, Gauss points carry force and strain", .gather_cost = gather_cost,
+    .stress_cost = stress_cost, TERP_OVERLAP_FUNCTIONS(MpmGp))
 
 }  // namespace terp

@@ -22,7 +22,7 @@ struct MpmMixed {
           const SoilMaterial& material = context.materials[layer.material];
           for (int k = 0; k < material.n_rows(); ++k) rows[k] = sum_row(group, layer, material.rows[k]);
           divide_rows(gauss, material, rows);
-          average_rows(context.method, gauss, material, rows);
+          average_rows(gauss, material, rows);
         });
   }
 
@@ -50,7 +50,7 @@ struct MpmMixed {
         prefetch_next(group, c);
         sums.plastic_work += plastic_work[c];
         const PointBlock<dim>& block = group.points.block(layer.block[c]);
-        update_excess(context, block, group.excess, layer.block[c], 1.0, strain[c]);
+        update_excess(context, block, group.excess, layer.block[c], strain[c]);
         const GaussStrain<Element>& own = with_slip(group, layer.block[c], strain[c], slipped);
         for (Index p = 0; p < block.n; p += pack_width)
           assign_to_points(sigma[c], rows, c, own, material, block, p);  // Step 4
@@ -79,7 +79,7 @@ struct MpmMixed {
         [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) {
           const SoilMaterial& material = context.materials[layer.material];
           divide_rows(gauss, material, group.rows_of(layer));
-          average_rows(context.method, gauss, material, group.rows_of(layer));
+          average_rows(gauss, material, group.rows_of(layer));
         });
   }
 
@@ -131,7 +131,7 @@ struct MpmMixed {
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
         prefetch_for_update(context, block);
         const PatchView patch = view_patch(group, b);
-        update_excess_from_patch(context, group, block, size, patch, HistoryRows::strain, 1.0);
+        update_excess_from_patch(context, group, block, size, patch, HistoryRows::strain);
         KeptStress kept;
         for (Index p = 0; p < block.n; p += pack_width)
           with_shares(block, p, size,
@@ -227,17 +227,11 @@ struct MpmMixed {
   }
 
   /// Each state variable says how it is averaged (reading R9).
-  static void average_rows(const MethodOptions& method, const GaussValues<Element, Pack>& gauss,
-      const SoilMaterial& material, GaussRow<Element>* rows)
+  static void average_rows(
+      const GaussValues<Element, Pack>& gauss, const SoilMaterial& material, GaussRow<Element>* rows)
   {
     for (int k = 0; k < material.n_state(); ++k)
-      if (averages_over_cell(method, material.type->state[k])) average_over_cell(gauss.weight, rows[k]);
-  }
-
-  static bool averages_over_cell(const MethodOptions& method, const StateInfo& state)
-  {
-    if (method.state_averaging == StateAveraging::as_declared) return state.averaging == Averaging::cell;
-    return method.state_averaging == StateAveraging::cell;
+      if (material.type->state[k].averaging == Averaging::cell) average_over_cell(gauss.weight, rows[k]);
   }
 
   /// Runs the law on the Gauss points of eight cells. Returns the plastic work of each cell [J per m].
@@ -355,8 +349,7 @@ constexpr PassCost stress_cost{.flops = 9, .rows = (4 + 1) + (4 + 4 + 1 + 1)};
 }  // namespace
 
 TERP_SCHEME_DEFINITION(mpm_mixed, MpmMixed, .title = "MPM-Mixed",
-    .summary = "Gauss points own the history (Martinelli & Galavi 2022)",
-    .unused_options = "point_pressure pressure_relaxation", .keeps_gauss_values = true, .gather_cost = gather_cost,
-    .stress_cost = stress_cost, TERP_OVERLAP_FUNCTIONS(MpmMixed))
+    .summary = "Gauss points own the history (Martinelli & Galavi 2022)", .keeps_gauss_values = true,
+    .gather_cost = gather_cost, .stress_cost = stress_cost, TERP_OVERLAP_FUNCTIONS(MpmMixed))
 
 }  // namespace terp

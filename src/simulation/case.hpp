@@ -24,7 +24,6 @@ namespace terp {
 enum class InitialStress { none, k0, equilibrium };  ///< reading R14
 enum class MeshKind { rectangle, graded, mapped, file, polygon };
 enum class FootingContact { rough, smooth };
-enum class DeviatoricNorm { half, von_mises };  ///< reading R18
 
 /// Smaller cells near a line or in a box.
 struct RefineCase {
@@ -193,7 +192,6 @@ struct OutputCase {
   Real ledger_every = 0.01;                                    ///< [s]
   Real checkpoint_every = 0.0;                                 ///< [s]; 0: only at the end and when stopped
   Index checkpoint_keep = 2;                                   ///< how many of the newest are kept; 0: all
-  DeviatoricNorm deviatoric_norm = DeviatoricNorm::half;
   bool mesh = false;  ///< whether mesh.vtkhdf also says what the mesh carries at the times of the fields
 };
 

@@ -40,8 +40,8 @@ const CommonField common_fields[] = {
     {{"material", "-", "material", "number of the material, from 0 in the order of the case file"}, 1,
         [](P p, Real* out) { *out = p.block.material; }},
     {{"cell", "-", "cell", "number of the cell that holds the point"}, 1, [](P p, Real* out) { *out = p.block.cell; }},
-    {{"eps_deviatoric", "-", "total deviatoric strain", "total deviatoric strain in output.deviatoric_norm"}, 1,
-        [](P p, Real* out) { *out = deviatoric_strain(p.block, p.lane, p.model.description.output.deviatoric_norm); }},
+    {{"eps_deviatoric", "-", "total deviatoric strain", "total deviatoric strain, sqrt(1/2 e:e)"}, 1,
+        [](P p, Real* out) { *out = deviatoric_strain(p.block, p.lane); }},
 };
 
 constexpr QuantityInfo pore_pressure{"pore_pressure", "Pa", "pore pressure",
@@ -171,19 +171,19 @@ std::vector<FrameField> all_frame_fields()
   return fields;
 }
 
-Real deviatoric_strain(const PointBlock<2>& block, Index lane, DeviatoricNorm norm)
+Real deviatoric_strain(const PointBlock<2>& block, Index lane)
 {
   std::array<Real, 4> strain;
   for (int k = 0; k < n_sym<2>; ++k) strain[k] = block.row(Rows::strain + k)[lane];
-  return deviatoric_strain(strain, norm);
+  return deviatoric_strain(strain);
 }
 
-Real deviatoric_strain(const std::array<Real, 4>& strain, DeviatoricNorm norm)
+Real deviatoric_strain(const std::array<Real, 4>& strain)
 {
   const Real mean = (strain[0] + strain[1] + strain[2]) / 3.0;
   Real square = 2.0 * strain[3] * strain[3];
   for (int k = 0; k < 3; ++k) square += (strain[k] - mean) * (strain[k] - mean);
-  return std::sqrt(square * (norm == DeviatoricNorm::half ? 0.5 : 2.0 / 3.0));
+  return std::sqrt(square * 0.5);
 }
 
 }  // namespace terp

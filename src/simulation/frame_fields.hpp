@@ -42,9 +42,9 @@ std::vector<FrameField> all_frame_fields();
 /// Those of a law: its state, what follows from it, and its parameters that may vary.
 std::vector<FrameField> frame_fields_of(const MaterialType& law);
 
-/// Deviatoric measure of a strain tensor (xx yy zz xy): sqrt(1/2 e:e), or von Mises sqrt(2/3 e:e) (reading R18) [-].
-Real deviatoric_strain(const std::array<Real, 4>& strain, DeviatoricNorm norm);
+/// Deviatoric measure of a strain tensor (xx yy zz xy): sqrt(1/2 e:e) (reading R18) [-].
+Real deviatoric_strain(const std::array<Real, 4>& strain);
 /// That of a point.
-Real deviatoric_strain(const PointBlock<2>& block, Index lane, DeviatoricNorm norm);
+Real deviatoric_strain(const PointBlock<2>& block, Index lane);
 
 }  // namespace terp

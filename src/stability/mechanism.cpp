@@ -215,7 +215,7 @@ Frame make_mechanism_frame(
     for (std::size_t d = 0; d < 2; ++d) moved.values[3 * k + d] = stiffening * (now.x[2 * k + d] - before.x[2 * k + d]);
     std::array<Real, 4> strain;
     for (std::size_t c = 0; c < 4; ++c) strain[c] = stiffening * (now.strain[4 * k + c] - before.strain[4 * k + c]);
-    sheared.values[k] = deviatoric_strain(strain, model.description.output.deviatoric_norm);
+    sheared.values[k] = deviatoric_strain(strain);
   }
   if (PointField* displacement = find_field(frame, "displacement"))
     for (Real& value : displacement->values) value *= stiffening;

@@ -57,7 +57,6 @@ void set_weights(const Geometry& cell, const PerGauss<Element, R>& cell_volume, 
   const R all = total(cell_volume), own = total(gauss.volume);
   R filled = filled_share(cell, all, method);
   if (method.weights == Weights::summed) filled = R(0.0);
-  if (method.weights == Weights::gauss) filled = R(1.0);
   for (int g = 0; g < Element::n_gauss; ++g) {
     const R share = select(cell_volume[g] > R(0.0), gauss.volume[g] / cell_volume[g], own / all);
     gauss.weight[g] = filled * share * R(cell.gauss_volume[g]) + (R(1.0) - filled) * gauss.volume[g];

@@ -5,24 +5,17 @@
 
 namespace terp {
 
-enum class Shares { by_law, point, overlap };               ///< where a point counts: decision 0042
-enum class Weights { hybrid, summed, gauss };               ///< Omega_GP of Eqs. (2), (4): reading R3
-enum class ForceOperator { b_bar, b };                      ///< operator of Eq. (4): reading R4
-enum class PointPressure { cell, own, relax };              ///< pressure of a point in MPM-GP: reading R10
-enum class StateAveraging { as_declared, cell, sub_cell };  ///< state in MPM-Mixed: reading R9
-enum class ObjectiveRate { none, jaumann };                 ///< reading R17
-enum class CutCells { mean, slip };                         ///< soils of one cell along their border: decision 0059
-enum class RemapContact { unused_strength, across };        ///< contact in pass 4: decision 0037
+enum class Shares { by_law, point, overlap };         ///< where a point counts: decision 0042
+enum class Weights { hybrid, summed };                ///< Omega_GP of Eqs. (2), (4): reading R3
+enum class ObjectiveRate { none, jaumann };           ///< reading R17
+enum class CutCells { mean, slip };                   ///< soils of one cell along their border: decision 0059
+enum class RemapContact { unused_strength, across };  ///< contact in pass 4: decision 0037
 
 struct MethodOptions {
   Shares shares = Shares::by_law;  ///< by_law: overlap, but point in a case with a fluid; Model has what it is
   Weights weights = Weights::hybrid;
   Real filled_fraction = 0.9;  ///< a cell is filled when its points fill at least this part of it, R3 [-]
-  bool b_bar = true;           ///< volumetric strain of the cell centre at all Gauss points, R5
-  ForceOperator force_operator = ForceOperator::b_bar;
-  PointPressure point_pressure = PointPressure::cell;
-  Real pressure_relaxation = 0.1;  ///< share of p_e a point takes per step with PointPressure::relax [-]
-  StateAveraging state_averaging = StateAveraging::as_declared;
+  bool b_bar = true;           ///< volumetric strain of the cell centre at all Gauss points, and its force: R4, R5
   ObjectiveRate objective_rate = ObjectiveRate::none;
   CutCells cut_cells = CutCells::slip;
   RemapContact remap_contact = RemapContact::unused_strength;

@@ -52,9 +52,9 @@ TEST(Keys, WordsStandForTheEnumsOfTheSameName)
 {
   Case values;
   const auto set = [&](const char* path, int word) { std::get<WordField>(find_key(path)->field(values, 0)).set(word); };
-  set("method.weights", 2);
-  EXPECT_EQ(find_key("method.weights")->words()[2], "gauss");
-  EXPECT_EQ(values.method.weights, Weights::gauss);
+  set("method.weights", 1);
+  EXPECT_EQ(find_key("method.weights")->words()[1], "summed");
+  EXPECT_EQ(values.method.weights, Weights::summed);
   set("initial.stress", 1);
   EXPECT_EQ(find_key("initial.stress")->words()[1], "k0");
   EXPECT_EQ(values.initial.stress, InitialStress::k0);

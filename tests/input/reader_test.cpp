@@ -96,10 +96,6 @@ shares = "overlap"
 weights = "summed"
 filled_fraction = 0.8
 b_bar = false
-force_operator = "b"
-point_pressure = "relax"
-pressure_relaxation = 0.2
-state_averaging = "sub_cell"
 objective_rate = "jaumann"
 remap_contact = "across"
 cut_cells = "slip"
@@ -111,7 +107,6 @@ fields = { every = 0.5, names = ["su", "stress"] }
 history = { every = 0.02, points = { B = [7.6, 1.9], A = [7.5, 0.5] } }
 ledger = { every = 0.03 }
 checkpoint = { every = 1.5, keep = 3 }
-deviatoric_norm = "von_mises"
 mesh = true
 [reference]
 doubts = ["The river may be at the other end."]
@@ -402,10 +397,6 @@ TEST(Reader, FillsTheMethod)
   EXPECT_EQ(m.weights, Weights::summed);
   EXPECT_EQ(m.filled_fraction, 0.8);
   EXPECT_FALSE(m.b_bar);
-  EXPECT_EQ(m.force_operator, ForceOperator::b);
-  EXPECT_EQ(m.point_pressure, PointPressure::relax);
-  EXPECT_EQ(m.pressure_relaxation, 0.2);
-  EXPECT_EQ(m.state_averaging, StateAveraging::sub_cell);
   EXPECT_EQ(m.objective_rate, ObjectiveRate::jaumann);
   EXPECT_EQ(m.remap_contact, RemapContact::across);
   EXPECT_EQ(m.cut_cells, CutCells::slip);
@@ -426,7 +417,6 @@ TEST(Reader, FillsTheOutput)
   EXPECT_EQ(o.ledger_every, 0.03);
   EXPECT_EQ(o.checkpoint_every, 1.5);
   EXPECT_EQ(o.checkpoint_keep, 3);
-  EXPECT_EQ(o.deviatoric_norm, DeviatoricNorm::von_mises);
   EXPECT_TRUE(o.mesh);
 }
 

@@ -134,7 +134,7 @@ TEST(CellGroup, GivesWhatOneCellInScalarsGives)
     set_weights(row.mesh.geometry(c), gauss.volume, method, gauss);
     divide_by_volume(gauss);
     smooth_pressure(gauss);
-    add_internal_force(row.mesh.geometry(c), gauss, method.force_operator, expected);
+    add_internal_force(row.mesh.geometry(c), gauss, method.b_bar, expected);
     EXPECT_EQ(row.corners[c].internal_force, expected.internal_force) << "cell " << c;
     EXPECT_EQ(row.gauss[0].pressure[static_cast<int>(c)], gauss.pressure);
     for (int g = 0; g < 4; ++g) EXPECT_EQ(row.gauss[0].sigma[3][g][static_cast<int>(c)], gauss.sigma[3][g]);

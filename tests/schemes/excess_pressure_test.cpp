@@ -10,7 +10,6 @@ namespace excess_pressure_test {
 struct Way {
   std::string scheme;
   Shares shares;
-  PointPressure point_pressure;
 };
 
 Case flying_block(const Way& way, Real poisson_ratio, Drainage drainage)
@@ -23,18 +22,14 @@ Case flying_block(const Way& way, Real poisson_ratio, Drainage drainage)
   c.bodies[0].velocity_at = [](Vec<2> x) { return Vec<2>{1.0 + 0.6 * x[1] * x[1], 0.5 - 0.7 * std::sin(x[0])}; };
   c.forces.gravity = {0.0, -9.81};
   c.method.shares = way.shares;
-  c.method.point_pressure = way.point_pressure;
   c.time.end = 0.2;
   return c;
 }
 
 class ExcessPressure : public TestWithParam<Way> {};
 INSTANTIATE_TEST_SUITE_P(EveryScheme, ExcessPressure,
-    testing::Values(Way{"standard_mpm", Shares::point, PointPressure::cell},
-        Way{"mpm_mixed", Shares::point, PointPressure::cell}, Way{"mpm_mixed", Shares::overlap, PointPressure::cell},
-        Way{"mpm_gp", Shares::point, PointPressure::cell}, Way{"mpm_gp", Shares::point, PointPressure::relax},
-        Way{"mpm_gp", Shares::point, PointPressure::own}, Way{"mpm_gp", Shares::overlap, PointPressure::cell},
-        Way{"mpm_gp", Shares::overlap, PointPressure::relax}));
+    testing::Values(Way{"standard_mpm", Shares::point}, Way{"mpm_mixed", Shares::point},
+        Way{"mpm_mixed", Shares::overlap}, Way{"mpm_gp", Shares::point}, Way{"mpm_gp", Shares::overlap}));
 
 TEST_P(ExcessPressure, AndEffectiveStressMoveSoilAsTotalStressOfTheUndrainedStiffness)
 {
@@ -64,7 +59,7 @@ TEST_P(ExcessPressure, AndEffectiveStressMoveSoilAsTotalStressOfTheUndrainedStif
 
 TEST(ExcessPressureOfABlock, IsNoneWhileTheSearchForEquilibriumGoesOn)
 {
-  Simulation s(flying_block({"mpm_gp", Shares::point, PointPressure::cell}, 0.2, Drainage::undrained_effective));
+  Simulation s(flying_block({"mpm_gp", Shares::point}, 0.2, Drainage::undrained_effective));
   s.work.begin_search();
   s.work.search.share = 1.0;
   make_steps(s, 20);
@@ -74,7 +69,7 @@ TEST(ExcessPressureOfABlock, IsNoneWhileTheSearchForEquilibriumGoesOn)
 
 TEST(ExcessPressureOfABlock, TakesItsStiffnessFromTheUndrainedPoissonRatioOrAsItIsGiven)
 {
-  Case c = flying_block({"mpm_gp", Shares::point, PointPressure::cell}, 0.2, Drainage::undrained_effective);
+  Case c = flying_block({"mpm_gp", Shares::point}, 0.2, Drainage::undrained_effective);
   // K = 2 G (1 + nu) / (3 (1 - 2 nu)): 2e5 * 2 * 1.48 / 0.12 - 2e5 * 2 * 1.2 / 1.8
   EXPECT_NEAR(Simulation(c).model.materials[0].water_stiffness, 4.933333333e6 - 2.666666667e5, 1.0);
   c.materials[0].water_stiffness = 7.0e6;

@@ -8,10 +8,9 @@ namespace mpm_mixed_test {
 /// component.
 constexpr std::array<Real, 4> factor{-3.0, -1.0, -2.0, 0.5};
 
-std::vector<Point> points_after_one_step(StateAveraging averaging)
+std::vector<Point> points_after_one_step()
 {
   Case c = clamped_cell("mpm_mixed");
-  c.method.state_averaging = averaging;
   c.bodies[0].points_per_cell = {4, 2};
   Simulation s(c);
   edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
@@ -33,7 +32,7 @@ Real mean_of(int g) { return 400.0 * (g + 1); }
 
 TEST(MpmMixed, PointsOfASubCellTakeItsMeanDeviatorAndThePressureOfTheCell)
 {
-  for (const Point& p : points_after_one_step(StateAveraging::as_declared)) {
+  for (const Point& p : points_after_one_step()) {
     const Real own = mean_of(sub_cell_of(p)), cell = 1000.0;  // means of `value`
     const Real pressure_factor = -2.0;                        // (-3 - 1 - 2) / 3
     for (int k = 0; k < 3; ++k)
@@ -44,15 +43,7 @@ TEST(MpmMixed, PointsOfASubCellTakeItsMeanDeviatorAndThePressureOfTheCell)
 
 TEST(MpmMixed, ThePlasticStrainIsAveragedOverTheCellAsItsLawDeclares)
 {
-  for (const Point& p : points_after_one_step(StateAveraging::as_declared))
-    EXPECT_NEAR(p.eps_eq_p(), 1e-5 * 1000.0, 1e-16);
-  for (const Point& p : points_after_one_step(StateAveraging::cell)) EXPECT_NEAR(p.eps_eq_p(), 1e-5 * 1000.0, 1e-16);
-}
-
-TEST(MpmMixed, ThePlasticStrainMayBeAveragedOverTheSubCellInstead)
-{
-  for (const Point& p : points_after_one_step(StateAveraging::sub_cell))
-    EXPECT_NEAR(p.eps_eq_p(), 1e-5 * mean_of(sub_cell_of(p)), 1e-16);
+  for (const Point& p : points_after_one_step()) EXPECT_NEAR(p.eps_eq_p(), 1e-5 * 1000.0, 1e-16);
 }
 
 /// Variance of the plastic strain along x about its centre [m^2].

@@ -66,7 +66,7 @@ TEST(Frame, EntryKIsThePointWithIdK)
     EXPECT_EQ(field(frame, "cell").values[k], p.cell);
     EXPECT_EQ(field(frame, "eps_eq_p").values[k], p.eps_eq_p());
     EXPECT_NEAR(field(frame, "su").values[k], 2000.0 + 6000.0 * std::exp(-50.0 * p.eps_eq_p()), 1e-8);
-    EXPECT_EQ(field(frame, "eps_deviatoric").values[k], deviatoric_strain(p.strain, DeviatoricNorm::half));
+    EXPECT_EQ(field(frame, "eps_deviatoric").values[k], deviatoric_strain(p.strain));
   }
 }
 
@@ -141,21 +141,11 @@ TEST(Formats, HaveTheFieldsOfTheFrames)
 TEST(DeviatoricStrain, IsTheNormOfTheDeviatorByHand)
 {
   // Simple shear of 2 %: e_xy = 0.01, sqrt(1/2 * 2 * 0.01^2) = 0.01.
-  EXPECT_NEAR(deviatoric_strain({0.0, 0.0, 0.0, 0.01}, DeviatoricNorm::half), 0.01, 1e-16);
-  EXPECT_NEAR(deviatoric_strain({0.0, 0.0, 0.0, 0.01}, DeviatoricNorm::von_mises), 0.02 / std::sqrt(3.0), 1e-16);
+  EXPECT_NEAR(deviatoric_strain({0.0, 0.0, 0.0, 0.01}), 0.01, 1e-16);
   // Pure volume change has none.
-  EXPECT_NEAR(deviatoric_strain({0.03, 0.03, 0.03, 0.0}, DeviatoricNorm::half), 0.0, 1e-16);
+  EXPECT_NEAR(deviatoric_strain({0.03, 0.03, 0.03, 0.0}), 0.0, 1e-16);
   // (0.02, -0.01, -0.01): 1/2 (4 + 1 + 1) 1e-4.
-  EXPECT_NEAR(deviatoric_strain({0.02, -0.01, -0.01, 0.0}, DeviatoricNorm::half), std::sqrt(3e-4), 1e-16);
-}
-
-TEST(Frame, TheCaseChoosesTheNorm)
-{
-  Case c = clamped_cell("mpm_gp");
-  c.output.deviatoric_norm = DeviatoricNorm::von_mises;
-  Simulation s(c);
-  edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(Rows::strain + 3)[lane] = 0.01; });
-  EXPECT_NEAR(field(make_frame(s.model, s.state), "eps_deviatoric").values[2], 0.02 / std::sqrt(3.0), 1e-16);
+  EXPECT_NEAR(deviatoric_strain({0.02, -0.01, -0.01, 0.0}), std::sqrt(3e-4), 1e-16);
 }
 
 }  // namespace frame_test

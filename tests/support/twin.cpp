@@ -14,6 +14,7 @@ namespace terp::test {
 namespace {
 
 using Json = nlohmann::json;
+
 const Json& scenarios()
 {
   static const Json all = Json::parse(std::ifstream(source_path("tests/reference/one_step.json"))).at("scenarios");
@@ -108,7 +109,7 @@ Model make_model(const Json& j)
   model.mesh = std::make_shared<const Mesh<2>>(make_mesh(j.at("mesh")));
   model.materials.push_back(make_material(j.at("material")));
   model.method.filled_fraction = o.at("filled_fraction");
-  model.method.force_operator = o.at("force_operator") == "b" ? ForceOperator::b : ForceOperator::b_bar;
+  model.method.b_bar = o.at("force_operator") == "b_bar";
   model.method.objective_rate = o.at("objective_rate") == "jaumann" ? ObjectiveRate::jaumann : ObjectiveRate::none;
   model.method.shares = o.at("shares") == "overlap" ? Shares::overlap : Shares::point;
   model.gravity = o.at("gravity").get<Vec<2>>();

@@ -136,14 +136,11 @@ TEST(Weights, ChangeAtTheThresholdThatIsAsked)
   EXPECT_THAT(cell.gauss.weight, ElementsAre(DoubleEq(3.0), 0.0, 0.0, 0.0));
 }
 
-TEST(Weights, ObeyTheOptions)
+TEST(Weights, MayBeTheVolumesOfThePointsEverywhere)
 {
   Cell full(uneven_cell());
   full.average({.weights = Weights::summed});
   EXPECT_THAT(full.gauss.weight, ElementsAre(DoubleEq(1.2), 1.4, 0.6, 0.8));
-  Cell part({{.local = low_left, .volume = 0.1}});
-  part.average({.weights = Weights::gauss});
-  EXPECT_THAT(part.gauss.weight, Each(DoubleEq(1.0)));
 }
 
 TEST(Weights, OfSeveralMaterialsInAFilledCellShareTheGaussWeight)

@@ -1,7 +1,6 @@
 // Spreading over the nodes: nothing is lost, the variance is that of the length, gaps are not bridged.
 #include "transfer/node_diffusion.hpp"
 
-#include "meshing/structured.hpp"
 #include "support/test.hpp"
 
 namespace node_diffusion_test {
