@@ -12,11 +12,17 @@ TEST(Keys, AreDeclaredOnceEach)
   for (const KeyInfo& key : all_keys()) EXPECT_TRUE(paths.insert(key.path).second) << key.path;
 }
 
-TEST(Keys, EachKeyHasItsOwnPlaceInTheCase)
+Case case_with_one_of_each()
 {
   Case values;
   values.bodies.resize(1), values.materials.resize(1), values.sides.resize(1), values.mesh.refine.resize(1),
       values.footings.resize(1), values.loads.resize(1), values.stages.resize(1), values.water.situations.resize(1);
+  return values;
+}
+
+TEST(Keys, EachKeyHasItsOwnPlaceInTheCase)
+{
+  Case values = case_with_one_of_each();
   std::set<const Real*> places;
   for (const KeyInfo& key : all_keys()) {
     const Field field = key.field(values, 0);
@@ -36,9 +42,7 @@ TEST(Keys, EachBelongsToADeclaredSection)
 
 TEST(Keys, DefaultsAreInTheirRange)
 {
-  Case values;
-  values.bodies.resize(1), values.materials.resize(1), values.sides.resize(1), values.mesh.refine.resize(1),
-      values.footings.resize(1), values.loads.resize(1), values.stages.resize(1), values.water.situations.resize(1);
+  Case values = case_with_one_of_each();
   for (const KeyInfo& key : all_keys()) {
     const Field field = key.field(values, 0);
     const auto* number = std::get_if<Real*>(&field);

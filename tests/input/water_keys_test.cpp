@@ -20,12 +20,7 @@ class WaterOnAGrid : public testing::Test {
   }
   std::string refusal(const std::string& water) const
   {
-    try {
-      read(water);
-    } catch (const CaseError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return test::refusal<CaseError>([&] { read(water); });
   }
   const ScratchFolder scratch_;
 };

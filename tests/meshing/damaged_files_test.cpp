@@ -8,7 +8,7 @@
 
 namespace damaged_files_test {
 
-const std::string formats[] = {"41", "41_binary"};
+const std::string files[] = {text_of(two_layers("41")), text_of(two_layers("41_binary"))};
 
 /// True if the text was read. Anything but MeshError fails the test.
 bool is_read(const std::string& text)
@@ -25,19 +25,16 @@ bool is_read(const std::string& text)
 
 TEST(DamagedFiles, CutOffAnywhereAreRefused)
 {
-  for (const auto& format : formats) {
-    const std::string whole = text_of(two_layers(format));
+  for (const std::string& whole : files) {
     ASSERT_TRUE(is_read(whole));
     const std::size_t end = whole.rfind("$EndElements") + std::string("$EndElements").size();
-    for (std::size_t n = 0; n < end; n += 3)
-      EXPECT_FALSE(is_read(whole.substr(0, n))) << format << " cut off at byte " << n;
+    for (std::size_t n = 0; n < end; n += 3) EXPECT_FALSE(is_read(whole.substr(0, n))) << "cut off at byte " << n;
   }
 }
 
 TEST(DamagedFiles, WithAWrongByteAreReadOrRefused)
 {
-  for (const auto& format : formats) {
-    const std::string whole = text_of(two_layers(format));
+  for (const std::string& whole : files) {
     Random random(5);
     for (std::size_t at = 0; at < whole.size(); at += 3) {
       std::string text = whole;
@@ -51,8 +48,7 @@ TEST(DamagedFiles, WithAWrongByteAreReadOrRefused)
 
 TEST(DamagedFiles, WithAPieceMissingOrDoubledAreReadOrRefused)
 {
-  for (const auto& format : formats) {
-    const std::string whole = text_of(two_layers(format));
+  for (const std::string& whole : files) {
     Random random(6);
     const auto size = static_cast<Index>(whole.size());
     for (int trial = 0; trial < 1000; ++trial) {

@@ -20,8 +20,6 @@ const std::string two_levels = changed(changed(column_study, "kind = \"monte_car
                                            "kind = \"multilevel\"\ncoarse = { \"mesh.cell\" = 1.0 }\npairs = 5"),
     "seed = 3", "seed = 3\nset = { \"mesh.cell\" = 0.5 }");
 
-StudySettings settings_of(const std::string& text) { return read_study_text(text, "demo.toml"); }
-
 /// The coarse level slides with probability 0.2. Of what slides there 0.6 slides with the fine case, of the rest 0.02.
 /// Half of what slides floods. So P(I) = 0.136 and P(F) = 0.068.
 Realisation synthetic(std::uint32_t study, std::uint32_t sample, bool is_coarse, Real failing = 0.0)

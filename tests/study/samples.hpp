@@ -82,6 +82,8 @@ inline std::string changed(std::string text, const std::string& from, const std:
   return text.replace(text.find(from), from.size(), to);
 }
 
+inline StudySettings settings_of(const std::string& text) { return read_study_text(text, "demo.toml"); }
+
 /// The study with that text in a folder, which must stay as long as files of it are read.
 inline Study study_in(const std::string& folder, const std::string& study, const std::string& column = column_case)
 {

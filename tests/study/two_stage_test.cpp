@@ -10,8 +10,6 @@ namespace two_stage_test {
 const std::string two_stage_study =
     changed(column_study, "kind = \"monte_carlo\"", "kind = \"two_stage\"\nfactor = 1.3\naudit = 0.25");
 
-StudySettings settings_of(const std::string& text) { return read_study_text(text, "demo.toml"); }
-
 /// A realisation as it is drawn: it falls at the factor with probability 0.3; of those that fall a half slides and a
 /// quarter floods, of those that stand 2 % slide and 1 % flood. So P(I) = 0.164 and P(F) = 0.082.
 Realisation synthetic(std::uint32_t study, std::uint32_t number, Real audit)
