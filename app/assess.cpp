@@ -20,7 +20,6 @@
 #include <cctype>
 #include <chrono>
 #include <filesystem>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <map>
 #include <new>
@@ -276,8 +275,7 @@ int write_reach(const std::vector<PlannedSection>& plan, const AssessCommand& co
     s.record.name = section.name, s.record.file = printable(section.file);
     n_faults += s.is_solved ? 0 : 1;
   }
-  const std::string now = fmt::format(
-      "{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+  const std::string now = now_in_utc();
   write_file_atomically(path_in(command.output, page_file), reach_page(sections, command.language, now));
   write_file_atomically(path_in(command.output, csv_file), reach_csv(sections));
   write_file_atomically(path_in(command.output, json_file), reach_json(sections, now));

@@ -402,7 +402,7 @@ class Assessment {
       const PartOfSet part{.label = section_.name + "  ", .fault = &fault, .slides = &slides, .observer = &watcher};
       RunOptions options = options_of_run();
       options.part = &part;
-      if (is_same && has_checkpoint(folder)) {
+      if (is_same && newest_step(folder) >= 0) {
         options.path = folder;
         resume_run(options);
       } else {
@@ -433,14 +433,6 @@ class Assessment {
     record_.is_held = true;
     add_trigger();
     return true;
-  }
-
-  static bool has_checkpoint(const std::string& folder)
-  {
-    std::error_code none;
-    for (const auto& entry : fs::directory_iterator(folder, none))
-      if (step_of_checkpoint(entry.path().filename().string()) >= 0) return true;
-    return false;
   }
 
   using Clock = std::chrono::steady_clock;

@@ -8,38 +8,22 @@ namespace {
 /// What both commands ask of a stage. which: its default scenario.
 void add_stage_options(CLI::App* command, ImportCommand& options, const char* which)
 {
-  const auto number = whole_number_between(1, 100000);
-  command->add_option("--scenario", options.scenario, which)->option_text("N")->check(number);
-  command->add_option("--stage", options.stage, "of the scenario, from 1 (default: its last)")
-      ->option_text("N")
-      ->check(number);
-  command->add_option("--strength", options.strength, "deterministic, design or mean (default: deterministic)")
-      ->option_text("S")
+  add_number(command, "--scenario N", options.scenario, 1, 100000, which);
+  add_number(command, "--stage N", options.stage, 1, 100000, "of the scenario, from 1 (default: its last)");
+  add_option(command, "--strength S", options.strength, "deterministic, design or mean (default: deterministic)")
       ->check(CLI::IsMember({"deterministic", "design", "mean"}));
-  command->add_option("--cell", options.cell, "size of the cells [m] (default: a tenth of the dike)")
-      ->option_text("H")
-      ->check(number_between(1e-3, 1e3));
-  command
-      ->add_option("--between", options.between,
-          "part of the section that is taken over, from x to x\n[m] (default: the dike and room for its slides)")
-      ->option_text("X,X")
+  add_number(command, "--cell H", options.cell, 1e-3, 1e3, "size of the cells [m] (default: a tenth of the dike)");
+  add_option(command, "--between X,X", options.between,
+      "part of the section that is taken over, from x to x\n[m] (default: the dike and room for its slides)")
       ->delimiter(',')
       ->expected(2);
-  command->add_option("--base", options.base, "level above which it is taken over [m]")
-      ->option_text("Z")
-      ->check(number_between(-1e5, 1e5));
-  command
-      ->add_option("--river", options.river,
-          "level of the river [m]; heads in the ground follow in\nproportion (default: that of the file)")
-      ->option_text("LEVEL")
-      ->check(number_between(-1e4, 1e4));
-  command
-      ->add_option("--trigger", options.trigger,
-          "a last stage that makes it fail: `strength` divides\nall strengths by the factor at which it slides, which\n"
-          "is looked for (strength=F: by F); `water` brings the\nriver to the crest (water=LEVEL: to a level in m)")
-      ->option_text("T");
-  command->add_option("--soil-defaults", options.soil_defaults, "table of what the file does not say of soils")
-      ->option_text("FILE");
+  add_number(command, "--base Z", options.base, -1e5, 1e5, "level above which it is taken over [m]");
+  add_number(command, "--river LEVEL", options.river, -1e4, 1e4,
+      "level of the river [m]; heads in the ground follow in\nproportion (default: that of the file)");
+  add_option(command, "--trigger T", options.trigger,
+      "a last stage that makes it fail: `strength` divides\nall strengths by the factor at which it slides, which\nis "
+      "looked for (strength=F: by F); `water` brings the\nriver to the crest (water=LEVEL: to a level in m)");
+  add_option(command, "--soil-defaults FILE", options.soil_defaults, "table of what the file does not say of soils");
 }
 
 }  // namespace
@@ -52,20 +36,17 @@ void declare_import(CLI::App& app, ImportCommand& command)
       "docs/dxf.md).",
       "  terp import section.stix --slices slices.csv\n  terp import section.stix --scenario 1 --stage 2 -o "
       "section\n  terp import section.stix --trigger strength -o section\n  terp import section.dxf -o section\n");
-  import->add_option("FILE", command.path, "D-Stability file (.stix) or drawing (.dxf)")->option_text(" ");
+  add_option(import, "FILE", command.path, "D-Stability file (.stix) or drawing (.dxf)");
   CLI::Option* json = import->add_flag("--json", command.json, "the list for a program")->option_text(" ");
-  import
-      ->add_option("--slices", command.slices,
-          "write what Terp computes at the feet of all stored\nslices beside what is stored")
-      ->option_text("FILE")
+  add_option(import, "--slices FILE", command.slices,
+      "write what Terp computes at the feet of all stored\nslices beside what is stored")
       ->excludes(json);
   add_output(import, command.output, "write a case folder: case.toml, its tables, report.md");
   import->add_flag("--force", command.force, "replace the case that is in the folder");
   add_stage_options(import, command, "of the list, from 1");
   import->add_flag("--held", command.is_held,
       "strengths are doubled until the soil is at rest: for a\nsection that cannot stand (docs/dstability.md)");
-  import->add_option("--unit", command.unit, "of a drawing: m, dm, cm, mm, ft, in\n(default: that of its header)")
-      ->option_text("U");
+  add_option(import, "--unit U", command.unit, "of a drawing: m, dm, cm, mm, ft, in\n(default: that of its header)");
   import->add_flag("--soil-defaults-table", command.print_defaults, "print the table that holds without it");
 }
 
@@ -77,22 +58,16 @@ void declare_assess(CLI::App& app, AssessCommand& command)
       "goes on. A file that cannot be read stops none of the others.",
       "  terp assess *.stix -o reach -j 2 --estimate\n  terp assess *.stix -o reach -j 2 --trigger strength --language "
       "nl\n");
-  assess->add_option("FILE", command.files, "D-Stability files, case files, folders with a case.toml")
-      ->option_text(" ")
-      ->required();
+  add_option(assess, "FILE", command.files, "D-Stability files, case files, folders with a case.toml")->required();
   add_output(assess, command.output, "folder of the reach; each section has one in it");
   assess->get_option("--output")->required();
   assess->add_flag("--estimate", command.estimate, "import and check, say what would run and how long,\nand end");
   assess->add_flag("--stability", command.stability, "find the factor of safety of each, too");
   add_stage_options(assess, command.import, "of each file, from 1 (default: its last)");
-  assess
-      ->add_option("-j,--sections", command.sections,
-          "solve so many at once, each in a process of its own\n(default: as many as there are processors)")
-      ->option_text("N")
-      ->check(whole_number_between(1, 1024));
-  assess->add_option("--threads", command.threads, "CPU threads of each (default: processors over sections)")
-      ->option_text("N")
-      ->check(whole_number_between(1, 1024));
+  add_number(assess, "-j,--sections N", command.sections, 1, 1024,
+      "solve so many at once, each in a process of its own\n(default: as many as there are processors)");
+  add_number(
+      assess, "--threads N", command.threads, 1, 1024, "CPU threads of each (default: processors over sections)");
   add_language(assess, command.language);
   assess->add_flag("--force", command.force, "import and solve all anew");
 }

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <cmath>
 #include <vector>
 
 namespace terp {
@@ -50,15 +49,9 @@ class HelpPage : public CLI::Formatter {
   }
 };
 
-}  // namespace
-
-std::shared_ptr<CLI::Formatter> help_page() { return std::make_shared<HelpPage>(); }
-
-namespace {
-
 /// Number: that of the option. What is no number at all is told apart from what is out of range.
 template <class Number>
-CLI::Validator between(Number least, Number most, const char* kind)
+CLI::Validator checked_between(Number least, Number most, const char* kind)
 {
   return CLI::Validator(
       [least, most, kind](std::string& text) -> std::string {
@@ -73,9 +66,11 @@ CLI::Validator between(Number least, Number most, const char* kind)
 
 }  // namespace
 
-CLI::Validator number_between(double least, double most) { return between(least, most, "number"); }
+std::shared_ptr<CLI::Formatter> help_page() { return std::make_shared<HelpPage>(); }
 
-CLI::Validator whole_number_between(int least, int most) { return between(least, most, "whole number"); }
+CLI::Validator in_range(double least, double most) { return checked_between(least, most, "number"); }
+
+CLI::Validator in_range(int least, int most) { return checked_between(least, most, "whole number"); }
 
 CLI::App* add_command(CLI::App& app, const char* name, const char* group, const char* what, const std::string& example)
 {
@@ -89,18 +84,14 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* group, const 
 
 void add_case(CLI::App* command, RunOptions& options, bool required)
 {
-  command->add_option("CASE.toml", options.path, "the case file (terp explain, docs/conventions.md)")
-      ->option_text(" ")
+  add_option(command, "CASE.toml", options.path, "the case file (terp explain, docs/conventions.md)")
       ->required(required);
 }
 
 void add_threads(CLI::App* command, int& threads)
 {
-  command
-      ->add_option("-j,--threads", threads,
-          "CPU threads (default: what this job may use);\nresults have the same bits on any number")
-      ->option_text("N")
-      ->check(whole_number_between(1, 1024));
+  add_number(command, "-j,--threads N", threads, 1, 1024,
+      "CPU threads (default: what this job may use);\nresults have the same bits on any number");
 }
 
 void add_quiet(CLI::App* command, RunOptions& options, const char* what)
@@ -110,24 +101,21 @@ void add_quiet(CLI::App* command, RunOptions& options, const char* what)
 
 void add_set(CLI::App* command, RunOptions& options)
 {
-  command
-      ->add_option("--set", options.changes,
-          "change one key of the case; may be given several\ntimes. * stands for any name: material.*.eta=40")
-      ->option_text("KEY=VALUE")
+  add_option(command, "--set KEY=VALUE", options.changes,
+      "change one key of the case; may be given several\ntimes. * stands for any name: material.*.eta=40")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void add_language(CLI::App* command, std::string& language)
 {
-  command->add_option("--language", language, "of the page: en, nl (default en); it can be\nchanged on the page")
-      ->option_text("L")
+  add_option(command, "--language L", language, "of the page: en, nl (default en); it can be\nchanged on the page")
       ->check(CLI::IsMember(std::vector<std::string>(report_languages.begin(), report_languages.end())));
 }
 
 void add_output(CLI::App* command, std::string& output, const char* what, const char* text)
 {
-  command->add_option("-o,--output", output, what)->option_text(text);
+  add_option(command, fmt::format("-o,--output {}", text), output, what);
 }
 
 }  // namespace terp

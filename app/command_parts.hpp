@@ -16,9 +16,26 @@ inline constexpr const char* exit_statuses =
 /// CLI11's page with our layout.
 std::shared_ptr<CLI::Formatter> help_page();
 
-/// A number from `least` to `most`, of which "nan" is none. The message says what is no number at all.
-CLI::Validator number_between(double least, double most);
-CLI::Validator whole_number_between(int least, int most);
+/// A number from `least` to `most`, of which "nan" is none, or a whole number. The message says what is no number at
+/// all.
+CLI::Validator in_range(double least, double most);
+CLI::Validator in_range(int least, int most);
+
+/// words: the option, and how its value is called in the help: "-o,--output DIR". Without a dash: a place on the line.
+template <class T>
+CLI::Option* add_option(CLI::App* command, const std::string& words, T& value, const std::string& what)
+{
+  const std::size_t gap = std::min(words.find(' '), words.size());
+  return command->add_option(words.substr(0, gap), value, what)
+      ->option_text(gap < words.size() ? words.substr(gap + 1) : " ");
+}
+
+template <class T, class Number>
+CLI::Option* add_number(
+    CLI::App* command, const std::string& words, T& value, Number least, Number most, const std::string& what)
+{
+  return add_option(command, words, value, what)->check(in_range(least, most));
+}
 
 CLI::App* add_command(CLI::App& app, const char* name, const char* group, const char* what, const std::string& example);
 void add_case(CLI::App* command, RunOptions& options, bool required = true);

@@ -7,10 +7,7 @@
 #include "report/mesh_study_page.hpp"
 #include "system/stop.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <new>
 
@@ -134,8 +131,7 @@ int converge_case(const ConvergeOptions& options)
   read_results(plan);
   MeshStudy study = study_mesh(plan.sequences, options.tolerance);
   study.case_name = plan.case_name, study.title = plan.title;
-  const std::string now = fmt::format(
-      "{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+  const std::string now = now_in_utc();
   write_file_atomically(path_in(plan.folder, convergence_json), study_json(study, now));
   write_file_atomically(path_in(plan.folder, convergence_page), study_page(study, now));
   if (run.json) fmt::print("{}", study_json(study, now));

@@ -124,14 +124,6 @@ std::string folder_name(double cell, const StudySequence& sequence, bool is_firs
   return name;
 }
 
-bool has_checkpoint(const std::string& folder, std::int64_t& step)
-{
-  step = -1;
-  for (const auto& entry : fs::directory_iterator(folder))
-    step = std::max(step, step_of_checkpoint(entry.path().filename().string()));
-  return step >= 0;
-}
-
 /// Keys that leave no trace in what a study looks at.
 bool leaves_no_trace(const std::string& key)
 {
@@ -173,8 +165,9 @@ RunStart find_start(const std::string& folder, const CaseFile& file, const Mesh<
           summary.terp_version, TERP_VERSION);
     if (summary.finished) return RunStart::kept;
   }
-  if (has_checkpoint(folder, step)) return RunStart::goes_on;
-  return step = 0, RunStart::again;
+  const std::int64_t newest = newest_step(folder);
+  step = std::max<std::int64_t>(newest, 0);
+  return newest >= 0 ? RunStart::goes_on : RunStart::again;
 }
 
 /// Each warning once, with the numbers of the first size that has it.
@@ -307,8 +300,7 @@ Plan plan_study(const ConvergeOptions& options)
   Plan plan{.case_name = file.values.name,
       .title = file.values.title,
       .folder = options.run.output.empty() ? default_run_folder(options.run.path) + "_convergence" : options.run.output,
-      .sequences = std::move(sequences.all),
-      .runs = {}};
+      .sequences = std::move(sequences.all)};
   if (fs::exists(path_in(plan.folder, case_file)))
     throw FileError(
         fmt::format("{}: this is the folder of one run; the sizes get folders of their own\n  Choose another: -o DIR",

@@ -1,31 +1,19 @@
 // terp import: what a D-Stability file holds, and how Terp's stresses and strengths stand to the stored slices.
 
-#include "commands.hpp"
 #include "dstability/listing.hpp"
 #include "dstability/read_stix.hpp"
 #include "dstability/slices.hpp"
-#include "input/case_file.hpp"
+#include "import_options.hpp"
 #include "input/printable.hpp"
 #include "output/files.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 
 namespace terp {
 namespace {
-
-/// Faults of the file in the words of the other commands.
-[[noreturn]] void refuse(const InputError& error)
-{
-  std::string text;
-  for (const Problem& problem : error.problems())
-    text += fmt::format("error: {}: {}\n{}", problem.key, problem.what,
-        problem.detail.empty() ? "" : fmt::format("  {}\n", problem.detail));
-  throw CaseError(printable(text));
-}
 
 /// A table may replace an earlier one, nothing else: not the file that it was made of.
 void refuse_other_tables(const std::string& path)
@@ -33,9 +21,8 @@ void refuse_other_tables(const std::string& path)
   std::ifstream file(path);
   std::string first;
   if (file && std::getline(file, first) && !first.starts_with("result,x,z,"))
-    throw CaseError(printable(fmt::format(
-        "error: {} is there already, and it is no table of slices\n  Choose another name: --slices slices.csv\n",
-        path)));
+    refuse_import(fmt::format("{} is there already, and it is no table of slices", path),
+        "Choose another name: --slices slices.csv");
 }
 
 /// What the list says of a stored result: whether it fits the section of the file.
@@ -82,7 +69,7 @@ try {
   fmt::print("{}", command.json ? listing_json(project, verdict) : printable(listing_of(project, verdict)));
   return solved;
 } catch (const InputError& error) {
-  refuse(error);
+  refuse_import(command.path, error);
 }
 
 }  // namespace terp

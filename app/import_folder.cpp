@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <optional>
 
 namespace terp {
 namespace {

@@ -2,8 +2,9 @@
 
 #include "system/terminal.hpp"
 
+#include <chrono>
 #include <cmath>
-#include <fmt/format.h>
+#include <fmt/chrono.h>
 
 namespace terp {
 
@@ -15,6 +16,12 @@ std::string readable_duration(double seconds)
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::string now_in_utc()
+{
+  return fmt::format(
+      "{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
 }
 
 void show(std::FILE* to, const std::string& text)

@@ -11,6 +11,9 @@ namespace terp {
 /// Seconds as a person reads them: "12 s", "3 min 05 s", "2 h 07 min".
 std::string readable_duration(double seconds);
 
+/// As pages say when they were written.
+std::string now_in_utc();
+
 /// Writes what is of use at this moment alone: where nobody reads it any more, in a closed terminal or pipe, it is
 /// dropped.
 void show(std::FILE* to, const std::string& text);

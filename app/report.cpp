@@ -4,17 +4,15 @@
 #include "input/case_file.hpp"
 #include "input/printable.hpp"
 #include "output/files.hpp"
+#include "progress.hpp"
 #include "report/page.hpp"
 #include "results/compare.hpp"
 #include "results/export.hpp"
 #include "results/section_export.hpp"
 
 #include <cctype>
-#include <chrono>
 #include <filesystem>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <fstream>
 
 namespace terp {
@@ -53,8 +51,7 @@ int report_runs(const ReportCommand& command)
   refuse_other_files(path);
   ReportOptions options;
   options.language = command.language;
-  options.written = fmt::format(
-      "{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+  options.written = now_in_utc();
   const Payload payload = make_payload(command.runs, options);
   write_file_atomically(path, make_page(page_template(), payload));
   for (const auto& note : payload.notes) fmt::print("{}\n", note);

@@ -7,6 +7,7 @@
 #include "input/printable.hpp"
 #include "output/run_folder.hpp"
 #include "parallel/threads.hpp"
+#include "progress.hpp"
 #include "study/adaptive.hpp"
 #include "study/ranks.hpp"
 #include "study/store.hpp"
@@ -17,8 +18,6 @@
 #include "system/terminal.hpp"
 
 #include <charconv>
-#include <chrono>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <utility>
 
@@ -125,12 +124,6 @@ int wait_for_worker(Children& worker, const Launched& launched)
 }
 
 }  // namespace
-
-std::string now_in_utc()
-{
-  return fmt::format(
-      "{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
-}
 
 int run_study(const Study& study, const std::string& folder, const StudyCommand& command, const Launched& launched)
 {

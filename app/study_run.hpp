@@ -11,9 +11,6 @@
 
 namespace terp {
 
-/// As pages say when they were written.
-std::string now_in_utc();
-
 /// Solves what is missing of a study in a folder. Returns the status of the program.
 int run_study(const Study& study, const std::string& folder, const StudyCommand& command, const Launched& launched);
 

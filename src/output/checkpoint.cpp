@@ -1,9 +1,7 @@
 // checkpoint_<step>.h5: see checkpoint.hpp. Not compressed: speed counts more than size for a file of short life.
 #include "output/checkpoint.hpp"
 
-#include "base/checksum.hpp"
 #include "base/errors.hpp"
-#include "output/files.hpp"
 #include "output/hdf5_file.hpp"
 #include "output/run_folder.hpp"
 

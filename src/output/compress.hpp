@@ -2,7 +2,6 @@
 // Not for: the compression inside HDF5 files, which is HDF5's own.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>

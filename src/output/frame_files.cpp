@@ -5,11 +5,8 @@
 #include "output/frame_files.hpp"
 
 #include "base/errors.hpp"
-#include "output/files.hpp"
 #include "output/run_folder.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -53,12 +50,7 @@ std::string frame_file(const FrameKind& kind, std::int64_t number)
 
 std::int64_t number_of_frame(const FrameKind& kind, std::string_view file_name)
 {
-  if (!file_name.starts_with(kind.prefix) || !file_name.ends_with(ending)) return -1;
-  const std::string_view digits =
-      file_name.substr(kind.prefix.size(), file_name.size() - kind.prefix.size() - ending.size());
-  std::int64_t number = -1;
-  const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  return end.ec == std::errc() && end.ptr == digits.data() + digits.size() && number >= 0 ? number : -1;
+  return number_in_name(file_name, kind.prefix, ending);
 }
 
 FrameHead read_head(const Hdf5File& file)

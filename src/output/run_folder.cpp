@@ -27,18 +27,6 @@ namespace fs = std::filesystem;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// N of a name "<prefix>N.h5"; -1 if the name is not of this form.
-std::int64_t step_in_name(std::string_view name, std::string_view prefix)
-{
-  constexpr std::string_view ending = ".h5";
-  if (!name.starts_with(prefix) || !name.ends_with(ending)) return -1;
-  const std::string_view digits = name.substr(prefix.size(), name.size() - prefix.size() - ending.size());
-  const bool all_digits = std::ranges::all_of(digits, is_digit);
-  std::int64_t step = -1;
-  const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), step);
-  return all_digits && end.ec == std::errc() ? step : -1;
-}
-
 /// NAME of "stage_NN_NAME.h5"; empty if the name is not of this form.
 std::string stage_in_name(std::string_view name)
 {
@@ -89,11 +77,8 @@ void remove_files(const std::string& folder, Meant&& is_meant)
 bool is_copy_of_input(std::string_view name)
 {
   if (name == copy_of_import || std::ranges::find(mesh_copies, name) != std::end(mesh_copies)) return true;
-  const auto is_numbered = [&](std::string_view begin, std::string_view end) {
-    return name.starts_with(begin) && name.ends_with(end) && name.size() > begin.size() + end.size() &&
-           std::all_of(name.begin() + begin.size(), name.end() - end.size(), is_digit);
-  };
-  return is_numbered("points_", ".csv") || is_numbered("values_", ".csv") || is_numbered("library_", ".so");
+  return number_in_name(name, "points_", ".csv") >= 0 || number_in_name(name, "values_", ".csv") >= 0 ||
+         number_in_name(name, "library_", ".so") >= 0;
 }
 
 using Contents = std::vector<std::pair<std::string, std::string>>;
@@ -131,7 +116,26 @@ std::string find_stage_file(const std::string& folder, const std::string& stage)
       names.empty() ? "It holds the end of no stage." : fmt::format("Stages that have: {}", fmt::join(names, ", "))));
 }
 
-std::int64_t step_of_checkpoint(std::string_view file_name) { return step_in_name(file_name, "checkpoint_"); }
+std::int64_t number_in_name(std::string_view name, std::string_view prefix, std::string_view ending)
+{
+  if (!name.starts_with(prefix) || !name.ends_with(ending) || name.size() < prefix.size() + ending.size()) return -1;
+  const std::string_view digits = name.substr(prefix.size(), name.size() - prefix.size() - ending.size());
+  const bool all_digits = std::ranges::all_of(digits, is_digit);
+  std::int64_t number = -1;
+  const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return all_digits && end.ec == std::errc() ? number : -1;
+}
+
+std::int64_t step_of_checkpoint(std::string_view file_name) { return number_in_name(file_name, "checkpoint_", ".h5"); }
+
+std::int64_t newest_step(const std::string& folder)
+{
+  std::int64_t step = -1;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    step = std::max(step, step_of_checkpoint(entry.path().filename().string()));
+  return step;
+}
 
 bool is_written_by_terp(std::string_view file_name)
 {
@@ -140,7 +144,7 @@ bool is_written_by_terp(std::string_view file_name)
   const auto is_table = [&](const auto& table) { return table->file() == file_name; };
   return std::ranges::find(names, file_name) != names.end() || std::ranges::any_of(all_tables(), is_table) ||
          is_copy_of_input(file_name) || step_of_checkpoint(file_name) >= 0 || !stage_in_name(file_name).empty() ||
-         step_in_name(file_name, "failed_") >= 0;
+         number_in_name(file_name, "failed_", ".h5") >= 0;
 }
 
 std::string path_in(const std::string& folder, std::string_view file_name)

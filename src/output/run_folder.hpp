@@ -30,8 +30,14 @@ std::string failed_file(std::int64_t step);      ///< "failed_000000123.h5"
 /// that there are.
 std::string find_stage_file(const std::string& folder, const std::string& stage);
 
+/// N of a name "<prefix>N<ending>"; -1 if the name is not of this form.
+std::int64_t number_in_name(std::string_view name, std::string_view prefix, std::string_view ending);
+
 /// The step in a checkpoint's name; -1 for any other file.
 std::int64_t step_of_checkpoint(std::string_view file_name);
+
+/// The step of the newest checkpoint in a folder; -1: there is none.
+std::int64_t newest_step(const std::string& folder);
 
 /// True for the names of files that Terp writes into a run folder itself, temporary ones included.
 bool is_written_by_terp(std::string_view file_name);

@@ -6,7 +6,6 @@
 #include "output/run_writer.hpp"
 
 #include "base/errors.hpp"
-#include "output/files.hpp"
 #include "output/summary_json.hpp"
 
 #include <filesystem>

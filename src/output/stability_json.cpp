@@ -5,7 +5,6 @@
 #include "schemes/scheme.hpp"
 #include "simulation/slip_planes.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

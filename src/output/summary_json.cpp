@@ -90,6 +90,15 @@ void each(FloodSummary& flood, F&& f)
   f("criterion", flood.criterion), f("trigger", flood.trigger);
 }
 
+/// The entries that a table of quantities does not hold (summary_quantities()).
+template <class F>
+void each(Summary& s, F&& f)
+{
+  f("facing", s.facing), f("slides", s.slides), f("softened_fraction", s.softened_fraction);
+  f("reached_sides", s.reached_sides), f("footings", s.footings), f("stages", s.stages);
+  f("strength_water", s.strength_water), f("flood", s.flood), f("passes", s.passes);
+}
+
 template <class T>
 concept IsPart = requires(T& part)
 {
@@ -103,6 +112,14 @@ template <class T>
 Json to_value(const std::optional<T>& value)
 {
   return value ? to_value(*value) : Json(nullptr);
+}
+
+template <IsPart T>
+Json to_value(const std::vector<T>& parts)
+{
+  Json list = Json::array();
+  for (const T& part : parts) list.push_back(to_value(part));
+  return list;
 }
 
 /// A number that is not finite becomes null when it is written.
@@ -124,15 +141,9 @@ Json to_value(const T& value)
 }
 
 template <class T>
-Json to_list(const std::vector<T>& parts)
-{
-  Json list = Json::array();
-  for (const T& part : parts) list.push_back(to_value(part));
-  return list;
-}
-
-template <class T>
 void get(const nlohmann::json& json, const char* name, std::optional<T>& value);
+template <IsPart T>
+void get(const nlohmann::json& json, const char* name, std::vector<T>& parts);
 
 /// The entry of that name, if it is there and of that type. False: it is not.
 template <class T>
@@ -163,8 +174,8 @@ void get(const nlohmann::json& json, const char* name, std::optional<T>& value)
   if (T there{}; get(json, name, there)) value = there;
 }
 
-template <class T>
-void get_list(const nlohmann::json& json, const char* name, std::vector<T>& parts)
+template <IsPart T>
+void get(const nlohmann::json& json, const char* name, std::vector<T>& parts)
 {
   for (const auto& entry : json.value(name, nlohmann::json::array()))
     each(parts.emplace_back(), [&](const char* part, auto& value) { get(entry, part, value); });
@@ -196,16 +207,8 @@ SavedSummary read_values(const std::string& path)
   Summary& s = saved.values;
   for (const SummaryQuantity& quantity : summary_quantities())
     std::visit([&](auto member) { get(json, quantity.info.name.data(), s.*member); }, quantity.member);
-  get(json, "facing", s.facing);
-  get_list(json, "slides", s.slides);
+  each(s, [&](const char* name, auto& part) { get(json, name, part); });
   if (!s.slides.empty()) s.first_slide_time = s.slides.front().slide.begins;
-  get_list(json, "softened_fraction", s.softened_fraction);
-  get_list(json, "reached_sides", s.reached_sides);
-  get_list(json, "footings", s.footings);
-  get_list(json, "stages", s.stages);
-  get_list(json, "strength_water", s.strength_water);
-  get(json, "flood", s.flood);
-  get_list(json, "passes", s.passes);
   for (const FollowerType* type : all_followers())
     for (const QuantityInfo& info : type->summary) {
       if (!json.contains(info.name)) continue;  // a summary of an older version
@@ -230,7 +233,7 @@ SavedSummary read_summary(const std::string& path)
   }
 }
 
-nlohmann::ordered_json slides_json(const Summary& summary) { return to_list(summary.slides); }
+nlohmann::ordered_json slides_json(const Summary& summary) { return to_value(summary.slides); }
 
 nlohmann::ordered_json flood_json(const Summary& summary) { return to_value(summary.flood); }
 
@@ -240,17 +243,9 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
   for (const SummaryQuantity& quantity : summary_quantities())
     std::visit(
         [&](auto member) { json[std::string(quantity.info.name)] = to_value(summary.*member); }, quantity.member);
-  json["facing"] = to_value(summary.facing);
-  json["slides"] = slides_json(summary);
-  json["softened_fraction"] = to_list(summary.softened_fraction);
-  json["reached_sides"] = to_list(summary.reached_sides);
-  json["footings"] = to_list(summary.footings);
-  json["stages"] = to_list(summary.stages);
-  json["strength_water"] = to_list(summary.strength_water);
-  std::optional<FloodSummary> flood = summary.flood;
-  if (flood && !finished) withhold_verdict(*flood);
-  json["flood"] = to_value(flood);
-  json["passes"] = to_list(summary.passes);
+  Summary told = summary;
+  if (told.flood && !finished) withhold_verdict(*told.flood);
+  each(told, [&](const char* name, auto& part) { json[name] = to_value(part); });
   for (const auto& [name, value] : summary.numbers) json[name] = value;
   json["case_name"] = case_text.name;
   json["case"] = case_text.toml;

@@ -10,11 +10,11 @@
 namespace terp {
 
 struct ChartLine {
-  std::string name;            ///< in the legend; empty: none
-  std::vector<Vec<2>> points;  ///< in the units of the axes; a point that is not finite interrupts the line
-  std::size_t style = 0;       ///< number of its colour and its mark
-  int dashes = 0;              ///< 0: a full line; 1, 2, ...: dashes, shorter and shorter
-  bool marks = false;          ///< at each point
+  std::string name;                 ///< in the legend; empty: none
+  std::vector<Vec<2>> points = {};  ///< in the units of the axes; a point that is not finite interrupts the line
+  std::size_t style = 0;            ///< number of its colour and its mark
+  int dashes = 0;                   ///< 0: a full line; 1, 2, ...: dashes, shorter and shorter
+  bool marks = false;               ///< at each point
 };
 
 /// A value with the range in which it lies, upright beside the lines.

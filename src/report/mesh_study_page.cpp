@@ -4,7 +4,6 @@
 #include "report/plain_page.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -60,14 +59,11 @@ std::string size_charts(const MeshStudy& study)
     LineChart chart{.title = m.label,
         .x_label = "size of the cells [m]",
         .y_label = m.unit == "-" ? "" : m.unit,
-        .lines = {},
-        .bars = {},
         .x_from_zero = true};
     for (std::size_t j = 0; j < study.sequences.size(); ++j) {
       const StudiedSequence& s = study.sequences[j];
       const StudyQuantity& q = s.quantities[k];
       ChartLine line{.name = study.sequences.size() > 1 ? s.sequence.name : "",
-          .points = {},
           .style = j,
           .dashes = static_cast<int>(j),
           .marks = true};
@@ -106,9 +102,7 @@ std::string time_charts(const StudySequence& sequence)
     const bool is_energy = info.unit == "J/m";
     LineChart chart{.title = std::string(info.label),
         .x_label = "time [s]",
-        .y_label = is_energy ? "kJ/m" : std::string(info.unit),
-        .lines = {},
-        .bars = {}};
+        .y_label = is_energy ? "kJ/m" : std::string(info.unit)};
     const auto n = static_cast<int>(sequence.runs.size());
     for (int k = 0; k < n; ++k) {
       const StudyRun& run = sequence.runs[static_cast<std::size_t>(k)];

@@ -19,12 +19,10 @@
 #include "simulation/setup_mesh.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>

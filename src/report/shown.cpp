@@ -143,16 +143,8 @@ void set_colour_range(ShownField& field, const Values& values, const std::vector
 
 ShownField make_field(const Recipe& recipe, const Values& values)
 {
-  ShownField field{.name = recipe.name,
-      .symbol = recipe.symbol,
-      .label = recipe.label,
-      .unit = recipe.unit,
-      .kind = recipe.kind,
-      .low = 0.0,
-      .high = 1.0,
-      .scale = {},
-      .frames = {},
-      .shares = -1};
+  ShownField field{
+      .name = recipe.name, .symbol = recipe.symbol, .label = recipe.label, .unit = recipe.unit, .kind = recipe.kind};
   const std::vector<float> sorted = sorted_sample(values);
   set_colour_range(field, values, sorted);
   Real lo = std::numeric_limits<Real>::infinity(), hi = -lo;
@@ -201,9 +193,6 @@ ShownField strength_ratio(const ShownField& su, int index, const Values& values)
       .unit = "-",
       .kind = "sequential",
       .low = begin_of_ratio_scale(values),
-      .high = 1.0,
-      .scale = {},
-      .frames = {},
       .shares = index};
   const auto& first = values[0];
   if (std::ranges::all_of(first, [&](float v) { return v == first[0]; }) && first[0] > 0.0f) {
@@ -367,13 +356,7 @@ ShownRun read_shown(const Frames& frames, std::int64_t n_most)
   ShownRun shown{.n_points = frames.n_points(),
       .ids = choose_points(frames.n_points(), n_most),
       .n_frames_in_run = frames.times().size(),
-      .frames = {},
-      .times = frames.times(),
-      .x = {},
-      .y = {},
-      .x_codes = {},
-      .y_codes = {},
-      .fields = {}};
+      .times = frames.times()};
   for (std::size_t k = 0; k < shown.n_frames_in_run; ++k) shown.frames.push_back(k);
   shown.point_size = spacing_of(frames, shown.ids.size());
   read_places(frames, shown);

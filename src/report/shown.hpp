@@ -15,22 +15,22 @@ struct ShownField {
   std::string name, symbol, label, unit;
   std::string kind;            ///< "sequential", "diverging" or "category"
   Real low = 0.0, high = 1.0;  ///< of the colour scale, before the reader changes it
-  Scale scale;
-  std::vector<Codes> frames;  ///< one if it never changes
-  int shares = -1;            ///< the field whose codes it has, with another scale; -1: its own
+  Scale scale = {};
+  std::vector<Codes> frames = {};  ///< one if it never changes
+  int shares = -1;                 ///< the field whose codes it has, with another scale; -1: its own
 };
 
 struct ShownRun {
-  std::int64_t n_points = 0;       ///< of the run
-  std::vector<std::uint32_t> ids;  ///< of the points shown, ascending
+  std::int64_t n_points = 0;            ///< of the run
+  std::vector<std::uint32_t> ids = {};  ///< of the points shown, ascending
   std::size_t n_frames_in_run = 0;
-  std::vector<std::size_t> frames;      ///< which of them are shown
-  std::vector<Real> times;              ///< of those [s]
-  Scale x, y;                           ///< [m]
-  std::vector<Codes> x_codes, y_codes;  ///< by frame; `no_value` in both: the point has left the mesh
-  std::vector<ShownField> fields;       ///< the first is shown first
-  Real point_size = 0.0;                ///< typical distance of the points shown [m]
-  std::array<Real, 4> bounds{};         ///< of the points shown in all frames: low x, low y, high x, high y [m]
+  std::vector<std::size_t> frames = {};           ///< which of them are shown
+  std::vector<Real> times = {};                   ///< of those [s]
+  Scale x = {}, y = {};                           ///< [m]
+  std::vector<Codes> x_codes = {}, y_codes = {};  ///< by frame; `no_value` in both: the point has left the mesh
+  std::vector<ShownField> fields = {};            ///< the first is shown first
+  Real point_size = 0.0;                          ///< typical distance of the points shown [m]
+  std::array<Real, 4> bounds{};  ///< of the points shown in all frames: low x, low y, high x, high y [m]
 };
 
 /// Reads what is shown. n_most: points, by chance but always the same, if the run has more.

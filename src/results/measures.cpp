@@ -104,24 +104,19 @@ Value fall_of_ground(Run run)
 
 void add_places(Measures& all)
 {
-  RunMeasure front = followed(of_summary("front_x", 2), "front_x", MeasureKind::place);
-  front.distance = [](Run run) { return finite(run.summary.values.run_out); };
-  front.resolution = quarter_of_a_cell;
-  all.push_back(std::move(front));
+  const auto add = [&](const char* name, auto distance, auto resolution, bool in_steps = false) {
+    RunMeasure place = followed(of_summary(name, 2), name, MeasureKind::place);
+    place.distance = distance, place.resolution = resolution, place.in_steps = in_steps;
+    all.push_back(std::move(place));
+  };
+  add(
+      "front_x", [](Run run) { return finite(run.summary.values.run_out); }, quarter_of_a_cell);
   all.push_back(of_summary("run_out", 2));
-  RunMeasure crest = followed(of_summary("crest_x", 2), "crest_x", MeasureKind::place);
-  crest.distance = [](Run run) { return distance_of(run, run.summary.values.crest_x, "crest_x", "crest_left_x"); };
-  crest.resolution = one_cell;  // the crest is the edge of a column, which has the width of a cell
-  crest.in_steps = true;
-  all.push_back(std::move(crest));
-  RunMeasure height = followed(of_summary("crest_y", 2), "crest_y", MeasureKind::place);
-  height.distance = [](Run run) { return distance_of(run, run.summary.values.crest_y, "crest_y", "crest_left_y"); };
-  height.resolution = quarter_of_a_cell;
-  all.push_back(std::move(height));
-  RunMeasure ground = followed(of_summary("residual_height", 2), "residual_height", MeasureKind::place);
-  ground.distance = fall_of_ground;
-  ground.resolution = quarter_of_a_cell;
-  all.push_back(std::move(ground));
+  const auto crest = [](Run run) { return distance_of(run, run.summary.values.crest_x, "crest_x", "crest_left_x"); };
+  add("crest_x", crest, one_cell, true);  // the edge of a column, which has the width of a cell
+  const auto height = [](Run run) { return distance_of(run, run.summary.values.crest_y, "crest_y", "crest_left_y"); };
+  add("crest_y", height, quarter_of_a_cell);
+  add("residual_height", fall_of_ground, quarter_of_a_cell);
 }
 
 /// The slides that the summary tells of: none while it is behind.

@@ -4,8 +4,6 @@
 
 #include "results/mesh_study.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace terp {

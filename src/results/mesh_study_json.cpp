@@ -3,7 +3,6 @@
 #include "results/mesh_study.hpp"
 
 #include <cmath>
-#include <iterator>
 
 #include <nlohmann/json.hpp>
 

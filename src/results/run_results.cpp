@@ -135,9 +135,7 @@ RunResults read_run(const std::string& folder)
   RunResults run{.folder = folder,
       .name = distinct_names({folder})[0],
       .case_toml = read_file(path_in(folder, case_file)),
-      .summary = read_summary(path_in(folder, summary_file)),
-      .ledger = {},
-      .history = {}};
+      .summary = read_summary(path_in(folder, summary_file))};
   if (fs::exists(path_in(folder, ledger_file))) {
     run.ledger = read_number_table(path_in(folder, ledger_file));
     require_whole_ledger(run);

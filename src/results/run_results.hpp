@@ -16,8 +16,8 @@ struct RunResults {
   std::string name;       ///< of the folder: "model_2_gp"
   std::string case_toml;  ///< text of case.toml
   SavedSummary summary;
-  Table ledger;
-  std::vector<PointTable> history;
+  Table ledger = {};
+  std::vector<PointTable> history = {};
 
   Frames frames() const { return Frames(folder); }
 };

@@ -6,7 +6,6 @@
 #include "drawing/point_section.hpp"
 #include "input/case_file.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
 
 namespace terp {

@@ -6,7 +6,6 @@
 #include "user_laws/interface.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 
 namespace terp {

@@ -2,7 +2,6 @@
 
 #include "user_laws/library_material.hpp"
 
-#include <cstdio>
 #include <fmt/format.h>
 
 namespace terp {

@@ -7,7 +7,6 @@
 #include "user_laws/library_material.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
 namespace terp {

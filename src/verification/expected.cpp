@@ -9,12 +9,10 @@
 #include "input/values.hpp"
 #include "stability/bisection.hpp"
 
-#include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fstream>
-#include <map>
 #include <sstream>
 
 namespace terp {

@@ -12,7 +12,6 @@
 #include "verification/measure.hpp"
 
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <limits>

@@ -19,9 +19,8 @@ TEST(AssessDoubt, OfTheImportIsKeptWithTheSection)
 {
   const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/reach";
-  const Finished f =
-      test::terp({"assess", write_doubtful(scratch), "-o", folder, "--cell", "6", "--threads", "1", "--estimate"});
-  EXPECT_EQ(f.status, 0) << f.err;
+  succeeded(
+      test::terp({"assess", write_doubtful(scratch), "-o", folder, "--cell", "6", "--threads", "1", "--estimate"}));
   const auto record = nlohmann::json::parse(text_of(folder + "/doubtful/section.json"));
   ASSERT_EQ(record["notes"].size(), 1u);
   EXPECT_THAT(record["notes"][0], StartsWith("The file has a point of its embankment at x = -1000.00 m, outside of"));

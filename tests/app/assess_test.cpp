@@ -17,11 +17,7 @@ const std::string berm = source_path("tests/dstability/samples/berm-fragility-20
 std::vector<std::string> assess_command(
     const std::string& folder, const std::vector<std::string>& files, const std::vector<std::string>& more = {})
 {
-  std::vector<std::string> words{"assess"};
-  words.insert(words.end(), files.begin(), files.end());
-  words.insert(words.end(), {"-o", folder, "--cell", "4", "-j", "2", "--threads", "1"});
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
+  return with(with(with({"assess"}, files), {"-o", folder, "--cell", "4", "-j", "2", "--threads", "1"}), more);
 }
 
 nlohmann::json reach_in(const std::string& folder) { return nlohmann::json::parse(text_of(folder + "/reach.json")); }
@@ -39,10 +35,13 @@ void replace_in(const std::string& path, const std::string& from, const std::str
   std::ofstream(path) << text.replace(at, from.size(), to);
 }
 
-TEST(Assess, SolvesAReachAndKeepsWhatIsSolved)
-{
+struct Assess : testing::Test {
   const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/reach";
+};
+
+TEST_F(Assess, SolvesAReachAndKeepsWhatIsSolved)
+{
   const auto words = assess_command(folder, {berm, nothing, example}, {"--trigger", "strength=1.3"});
   const Finished f = test::terp(words);
   EXPECT_EQ(f.status, 3) << f.err;
@@ -77,15 +76,12 @@ TEST(Assess, SolvesAReachAndKeepsWhatIsSolved)
   checked.push_back("--estimate");
   EXPECT_EQ(test::terp(checked).status, 3);
   EXPECT_EQ(record_in(folder + "/berm-fragility-2023")["is_held"], false);
-  const Finished changed = test::terp(assess_command(folder, {example}, {"--trigger", "strength=1.3"}));
-  EXPECT_EQ(changed.status, 0) << changed.out << changed.err;
+  succeeded(test::terp(assess_command(folder, {example}, {"--trigger", "strength=1.3"})));
   EXPECT_EQ(reach_in(folder)["sections"][0]["trigger"], "");
 }
 
-TEST(Assess, GoesOnAfterAKill)
+TEST_F(Assess, GoesOnAfterAKill)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/reach";
   const auto words = assess_command(folder, {example}, {"--trigger", "strength=1.3"});
   const std::string run = folder + "/example-2020.03-v1/run";
   {
@@ -104,15 +100,13 @@ TEST(Assess, GoesOnAfterAKill)
   EXPECT_EQ(reach_in(folder)["sections"][0]["state"], "solved");
 }
 
-TEST(Assess, SaysWhatWouldRunAndTakesCasesAsTheyAre)
+TEST_F(Assess, SaysWhatWouldRunAndTakesCasesAsTheyAre)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/reach", section = scratch.path() + "/section";
-  ASSERT_EQ(test::terp({"import", example, "--cell", "4", "-o", section}).status, 0);
+  const std::string section = scratch.path() + "/section";
+  succeeded(test::terp({"import", example, "--cell", "4", "-o", section}));
   const auto words = assess_command(folder, {section, section + "/../" + "section/case.toml"},
       {"--estimate", "--river", "1.5", "--between", "-5,40", "--trigger", "water=2"});
-  const Finished f = test::terp(words);
-  EXPECT_EQ(f.status, 0) << f.err;
+  const Finished f = succeeded(test::terp(words));
   EXPECT_THAT(f.out, ContainsRegex("  section_2 +Stage 2, cells of [0-9.]+ m, [0-9]+ points, at most "));
   EXPECT_THAT(f.out, HasSubstr("    --cell 4, --between -5,40, --river 1.5, --trigger water=2 were not applied: a case "
                                "file is run as it is\n"));
@@ -120,44 +114,36 @@ TEST(Assess, SaysWhatWouldRunAndTakesCasesAsTheyAre)
   EXPECT_FALSE(fs::exists(folder + "/index.html"));
 }
 
-TEST(Assess, RefusesWhatItCannotBegin)
+TEST_F(Assess, RefusesWhatItCannotBegin)
 {
-  const ScratchFolder scratch;
-  const Finished twice = test::terp({"assess", berm, berm, "-o", scratch.path() + "/reach"});
-  EXPECT_EQ(twice.status, 2);
-  EXPECT_EQ(twice.err, "error: " + berm + " is given twice\n  Name each section once.\n");
-  const Finished trigger = test::terp({"import", berm, "--trigger", "wind", "-o", scratch.path() + "/section"});
-  EXPECT_EQ(trigger.status, 2);
-  EXPECT_EQ(trigger.err, "error: there is no trigger `wind`\n  Triggers: strength, strength=F, water, water=LEVEL.\n");
+  EXPECT_EQ(error_with(2, test::terp({"assess", berm, berm, "-o", scratch.path() + "/reach"})),
+      "error: " + berm + " is given twice\n  Name each section once.\n");
+  EXPECT_EQ(error_with(2, test::terp({"import", berm, "--trigger", "wind", "-o", scratch.path() + "/section"})),
+      "error: there is no trigger `wind`\n  Triggers: strength, strength=F, water, water=LEVEL.\n");
   EXPECT_THAT(test::terp({"import", berm, "--trigger", "strength=0.9", "-o", scratch.path() + "/section"}).err,
       HasSubstr("--trigger strength=0.9: `0.9` is not a factor over 1, at most 100\n"));
   EXPECT_THAT(test::terp({"import", berm, "--trigger", "water=high", "-o", scratch.path() + "/section"}).err,
       HasSubstr("--trigger water=high: `high` is not a level in m\n"));
 }
 
-TEST(Assess, DoesNotOverwriteACaseThatWasChangedByHand)
+TEST_F(Assess, DoesNotOverwriteACaseThatWasChangedByHand)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/reach", path = folder + "/example-2020.03-v1/case.toml";
-  ASSERT_EQ(test::terp(assess_command(folder, {example}, {"--estimate"})).status, 0);
+  const std::string path = folder + "/example-2020.03-v1/case.toml";
+  succeeded(test::terp(assess_command(folder, {example}, {"--estimate"})));
   std::ofstream(path, std::ios::app) << "# by hand\n";
   const Finished other = test::terp(assess_command(folder, {example}, {"--estimate", "--strength", "mean"}));
   EXPECT_THAT(other.out, HasSubstr("was changed by hand, and the file or the options changed, too"));
   EXPECT_THAT(text_of(path), HasSubstr("# by hand"));
-  const Finished forced =
-      test::terp(assess_command(folder, {example}, {"--estimate", "--strength", "mean", "--force"}));
-  EXPECT_EQ(forced.status, 0) << forced.out;
+  succeeded(test::terp(assess_command(folder, {example}, {"--estimate", "--strength", "mean", "--force"})));
   EXPECT_THAT(text_of(path), testing::Not(HasSubstr("# by hand")));
 }
 
-TEST(Assess, KeepsACaseThatWasChangedByHandAfterItWasSolvedToo)
+TEST_F(Assess, KeepsACaseThatWasChangedByHandAfterItWasSolvedToo)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/reach", section = folder + "/example-2020.03-v1";
-  ASSERT_EQ(test::terp(assess_command(folder, {example}, {"--estimate"})).status, 0);
+  const std::string section = folder + "/example-2020.03-v1";
+  succeeded(test::terp(assess_command(folder, {example}, {"--estimate"})));
   std::ofstream(section + "/case.toml", std::ios::app) << "# by hand\n";
-  const Finished solved = test::terp(assess_command(folder, {example}));
-  EXPECT_EQ(solved.status, 0) << solved.out << solved.err;
+  succeeded(test::terp(assess_command(folder, {example})));
   const Finished other = test::terp(assess_command(folder, {example}, {"--strength", "mean"}));
   EXPECT_EQ(other.status, 3);
   EXPECT_THAT(other.out, HasSubstr("case.toml was changed by hand, and the file or the options changed, too"));
@@ -170,12 +156,11 @@ TEST(Assess, KeepsACaseThatWasChangedByHandAfterItWasSolvedToo)
   EXPECT_THAT(text_of(section + "/case.toml"), HasSubstr("# by hand"));
 }
 
-TEST(Assess, DoesNotHoldAChangedCaseAndSaysThatItsTriggerWasNotApplied)
+TEST_F(Assess, DoesNotHoldAChangedCaseAndSaysThatItsTriggerWasNotApplied)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/reach", section = folder + "/berm-fragility-2023";
+  const std::string section = folder + "/berm-fragility-2023";
   const std::vector<std::string> trigger{"--trigger", "strength=1.3"};
-  ASSERT_EQ(test::terp(assess_command(folder, {berm}, {"--estimate", trigger[0], trigger[1]})).status, 0);
+  succeeded(test::terp(assess_command(folder, {berm}, {"--estimate", trigger[0], trigger[1]})));
   std::ofstream(section + "/case.toml", std::ios::app) << "# by hand\n";
   EXPECT_EQ(test::terp(assess_command(folder, {berm}, trigger)).status, 3);
   EXPECT_THAT(text_of(section + "/case.toml"), HasSubstr("# by hand"));
@@ -188,17 +173,14 @@ TEST(Assess, DoesNotHoldAChangedCaseAndSaysThatItsTriggerWasNotApplied)
       "imports it anew");
 }
 
-TEST(Assess, KnowsItsOwnCaseHoweverItsFolderIsSpelled)
+TEST_F(Assess, KnowsItsOwnCaseHoweverItsFolderIsSpelled)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/reach", section = folder + "/tutorial-2023";
+  const std::string section = folder + "/tutorial-2023";
   const std::string tutorial = source_path("tests/dstability/samples/tutorial-2023.stix");  // a case with tables
-  ASSERT_EQ(test::terp(assess_command(folder, {tutorial}, {"--estimate"})).status, 0);
+  succeeded(test::terp(assess_command(folder, {tutorial}, {"--estimate"})));
   const auto imported = record_in(section);
   EXPECT_GT(imported["files"].size(), 1u);
-  const Finished other =
-      test::terp(assess_command(scratch.path() + "/./reach", {tutorial}, {"--estimate", "--stability"}));
-  EXPECT_EQ(other.status, 0) << other.out;
+  succeeded(test::terp(assess_command(scratch.path() + "/./reach", {tutorial}, {"--estimate", "--stability"})));
   EXPECT_NE(record_in(section)["question"], imported["question"]);
   EXPECT_EQ(record_in(section)["case_found"], imported["case_found"]);
 
@@ -206,7 +188,7 @@ TEST(Assess, KnowsItsOwnCaseHoweverItsFolderIsSpelled)
   killed["files_next"] = killed["files"];
   killed["files"]["case.toml"] = "1";
   std::ofstream(section + "/section.json") << killed.dump();
-  EXPECT_EQ(test::terp(assess_command(folder, {tutorial}, {"--estimate"})).status, 0);
+  succeeded(test::terp(assess_command(folder, {tutorial}, {"--estimate"})));
   EXPECT_EQ(record_in(section)["files"], imported["files"]);
   EXPECT_TRUE(record_in(section)["files_next"].empty());
   killed["files_next"].clear();
@@ -215,11 +197,10 @@ TEST(Assess, KnowsItsOwnCaseHoweverItsFolderIsSpelled)
       HasSubstr("was changed by hand"));
 }
 
-TEST(Assess, HoldsOnlySoilThatSlidesAsItIsDrawn)
+TEST_F(Assess, HoldsOnlySoilThatSlidesAsItIsDrawn)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/reach", path = folder + "/example-2020.03-v1/case.toml";
-  ASSERT_EQ(test::terp(assess_command(folder, {example}, {"--estimate"})).status, 0);
+  const std::string path = folder + "/example-2020.03-v1/case.toml";
+  succeeded(test::terp(assess_command(folder, {example}, {"--estimate"})));
   replace_in(path, "[initial]\n", "[initial]\nmax_steps = 20\n");
   EXPECT_EQ(test::terp(assess_command(folder, {example})).status, 3);
   const auto record = reach_in(folder)["sections"][0];
@@ -228,21 +209,18 @@ TEST(Assess, HoldsOnlySoilThatSlidesAsItIsDrawn)
   EXPECT_THAT(record["fault"], Not(HasSubstr("with held soil")));  // nothing is known of it
 }
 
-TEST(Assess, TakesNoRunOfAnOlderCaseForThatOfTheCase)
+TEST_F(Assess, TakesNoRunOfAnOlderCaseForThatOfTheCase)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/reach", section = folder + "/example-2020.03-v1";
-  ASSERT_EQ(test::terp(assess_command(folder, {example})).status, 0);
-  const Finished estimate = test::terp(assess_command(folder, {example}, {"--estimate", "--strength", "mean"}));
-  EXPECT_EQ(estimate.status, 2);
-  EXPECT_EQ(estimate.err,
+  const std::string section = folder + "/example-2020.03-v1";
+  succeeded(test::terp(assess_command(folder, {example})));
+  EXPECT_EQ(error_with(2, test::terp(assess_command(folder, {example}, {"--estimate", "--strength", "mean"}))),
       "error: " + section +
           " has a result of another file, other options or another build of terp\n  --estimate leaves it as it is. "
           "Choose another folder: -o FOLDER. --force replaces the case; the same command without --estimate solves it "
           "anew.\n");
   EXPECT_TRUE(fs::exists(section + "/run/summary.json") && fs::exists(folder + "/index.html"));
   std::ofstream(section + "/case.toml", std::ios::app) << "# by hand\n";
-  EXPECT_EQ(test::terp(assess_command(folder, {example}, {"--estimate"})).status, 0);
+  succeeded(test::terp(assess_command(folder, {example}, {"--estimate"})));
   EXPECT_TRUE(fs::exists(section + "/run/summary.json"));
   for (const char* file : {"/index.html", "/reach.csv", "/reach.json"}) EXPECT_FALSE(fs::exists(folder + file)) << file;
   {
@@ -250,20 +228,15 @@ TEST(Assess, TakesNoRunOfAnOlderCaseForThatOfTheCase)
     EXPECT_EQ(test::terp(assess_command(folder, {example})).status, 3);
     EXPECT_THAT(reach_in(folder)["sections"][0]["fault"], testing::StartsWith("another terp is writing to the run"));
   }
-  const Finished f = test::terp(assess_command(folder, {example}));
-  EXPECT_EQ(f.status, 0) << f.out;
+  succeeded(test::terp(assess_command(folder, {example})));
   EXPECT_THAT(text_of(section + "/run/case.toml"), HasSubstr("# by hand"));
 
   std::ofstream(section + "/run/summary.json") << "{";  // a result that is damaged is made again
-  const Finished again = test::terp(assess_command(folder, {example}));
-  EXPECT_EQ(again.status, 0) << again.out << again.err;
-  EXPECT_THAT(again.out, testing::Not(HasSubstr("kept")));
+  EXPECT_THAT(succeeded(test::terp(assess_command(folder, {example}))).out, testing::Not(HasSubstr("kept")));
 }
 
-TEST(Assess, IsStoppedByNoBadFile)
+TEST_F(Assess, IsStoppedByNoBadFile)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/reach";
   std::vector<std::string> files;
   for (const char* name : {"d\xE9.stix", "reach.csv.stix", "c.stix"}) {
     files.push_back(scratch.path() + "/" + name);
@@ -272,8 +245,7 @@ TEST(Assess, IsStoppedByNoBadFile)
   fs::create_directories(folder);
   std::ofstream(folder + "/c") << "no folder\n";
   files.push_back(scratch.path() + "/missing.stix");
-  const Finished f = test::terp(assess_command(folder, files));
-  EXPECT_EQ(f.status, 3) << f.err;
+  error_with(3, test::terp(assess_command(folder, files)));
   const auto sections = reach_in(folder)["sections"];
   EXPECT_EQ(sections[2]["state"], "failed");
   EXPECT_EQ(sections[3]["state"], "refused");
@@ -285,11 +257,10 @@ TEST(Assess, IsStoppedByNoBadFile)
   EXPECT_THAT(sections[2]["fault"], testing::StartsWith("its process ended with status 1 during: import"));
 }
 
-TEST(Assess, AReportInAnotherLanguageIsMadeAnew)
+TEST_F(Assess, AReportInAnotherLanguageIsMadeAnew)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/reach", section = folder + "/example-2020.03-v1";
-  ASSERT_EQ(test::terp(assess_command(folder, {example})).status, 0);
+  const std::string section = folder + "/example-2020.03-v1";
+  succeeded(test::terp(assess_command(folder, {example})));
   const std::string ledger = text_of(section + "/run/ledger.csv"), english = text_of(section + "/run/report.html");
   const Finished dutch = test::terp(assess_command(folder, {example}, {"--language", "nl"}));
   EXPECT_THAT(dutch.out, testing::Not(HasSubstr("kept")));

@@ -7,8 +7,7 @@ namespace check_test {
 TEST(Check, TellsWhatWouldRun)
 {
   const ScratchFolder folder;
-  const Finished f = test::terp(column_command("check"), folder.path());
-  EXPECT_EQ(f.status, 0);
+  const Finished f = succeeded(test::terp(column_command("check"), folder.path()));
   for (const char* line :
       {"  scheme         mpm_gp\n", "  mesh           192 cells, 231 nodes\n", "  cells of soil  64\n",
           "  points         1600\n", "  body 0         clay, 16 m^2, 31840 kg per m, 1600 points\n",
@@ -29,17 +28,15 @@ TEST(Check, NamesWhatChangedSinceTheImport)
   const std::string record = folder.path() + "/imported.toml";
   std::ofstream(record) << text_of(test::column_file);
   const std::vector<std::string> reference{"--set", "reference.imported=\"" + record + "\""};
-  const Finished f = test::terp(column_command("check", reference));
-  EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(f.out, AllOf(HasSubstr("  changed        `mesh`: `cell` was 0.1 m in the import, is 0.5 m here.\n"),
-                         HasSubstr("  changed        `time`: `end` was 4 s in the import, is 0.2 s here.\n")));
+  EXPECT_THAT(succeeded(test::terp(column_command("check", reference))).out,
+      AllOf(HasSubstr("  changed        `mesh`: `cell` was 0.1 m in the import, is 0.5 m here.\n"),
+          HasSubstr("  changed        `time`: `end` was 4 s in the import, is 0.2 s here.\n")));
   EXPECT_THAT(test::terp(column_command("check")).out, Not(HasSubstr("  changed ")));
 }
 
 TEST(Check, QuietItPrintsWarningsAlone)
 {
-  const Finished f = test::terp(column_command("check", {"-q", "--set", "body.0.box=[[0,0.5],[8,2]]"}));
-  EXPECT_EQ(f.status, 0);
+  const Finished f = succeeded(test::terp(column_command("check", {"-q", "--set", "body.0.box=[[0,0.5],[8,2]]"})));
   EXPECT_EQ(f.out, "");
   EXPECT_THAT(f.err, HasSubstr("body 0 (`clay`) hangs in the air"));
 }
@@ -47,9 +44,8 @@ TEST(Check, QuietItPrintsWarningsAlone)
 TEST(Check, SaysHowFarK0IsFromBalanceOnGroundThatIsNotLevel)
 {
   const char* words = "  initial stress k0 on ground that is not level: ";
-  const Finished slope = test::terp(column_command("check", {"--set", "initial={stress=\"k0\", k0=0.5}"}));
-  EXPECT_EQ(slope.status, 0) << slope.err;
-  EXPECT_THAT(slope.out, AllOf(HasSubstr(words), HasSubstr(" % of the weight is out of balance at t = 0")));
+  EXPECT_THAT(succeeded(test::terp(column_command("check", {"--set", "initial={stress=\"k0\", k0=0.5}"}))).out,
+      AllOf(HasSubstr(words), HasSubstr(" % of the weight is out of balance at t = 0")));
   EXPECT_THAT(test::terp(column_command("check")).out, Not(HasSubstr("initial stress")));
 }
 
@@ -65,13 +61,10 @@ TEST(Check, DrawsTheSection)
 {
   const ScratchFolder folder;
   const std::string svg = folder.path() + "/section.svg";
-  const Finished f = test::terp(column_command("check", {"--picture", svg}));
-  EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.out, StartsWith("picture in " + svg + "\n"));
+  EXPECT_THAT(
+      succeeded(test::terp(column_command("check", {"--picture", svg}))).out, StartsWith("picture in " + svg + "\n"));
   EXPECT_THAT(text_of(svg), AllOf(StartsWith("<svg "), HasSubstr("bottom: contact")));
-  const Finished png = test::terp(column_command("check", {"--picture", "section.png"}));
-  EXPECT_EQ(png.status, 2);
-  EXPECT_EQ(png.err,
+  EXPECT_EQ(error_with(2, test::terp(column_command("check", {"--picture", "section.png"}))),
       "error: --picture section.png: the picture is an SVG file, which every browser opens\n  Write --picture "
       "section.svg. "
       "For PNG: rsvg-convert section.svg -o section.png (Debian package librsvg2-bin)\n");
@@ -92,12 +85,11 @@ TEST(Check, SaysHowMuchDiskTheRunNeedsToAFactorOfTwo)
     const std::string folder = scratch.path() + "/run";
     const std::vector<std::string> more{
         "--set", field, "--set", "output.checkpoint.every=0.05", "--set", "mesh.cell=0.2"};
-    const Finished check = test::terp(column_command("check", more));
-    ASSERT_EQ(check.status, 0) << check.err;
+    const Finished check = succeeded(test::terp(column_command("check", more)));
     EXPECT_THAT(check.out, ContainsRegex("  output         [0-9]+ frames of [0-9.]+ MB, 4 checkpoints of [0-9.]+ "
                                          "MB, [0-9]+ rows\n  disk           [0-9.]+ MB at the end, with 2 "
                                          "checkpoints\n"));
-    ASSERT_EQ(run_column(folder, more).status, 0);
+    succeeded(run_column(folder, more));
     double bytes = 0.0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
       if (entry.is_regular_file()) bytes += static_cast<double>(entry.file_size());
@@ -109,26 +101,15 @@ TEST(Check, SaysHowMuchDiskTheRunNeedsToAFactorOfTwo)
 
 TEST(Check, WarnsOfASideThatMovesFurtherThanItsCells)
 {
-  const Finished f = test::terp(column_command("check", {"--set", "boundary.left={velocity=[4.0, 0.0]}"}));
-  EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.err, AllOf(StartsWith("warning: --set boundary.left={velocity=[4.0, 0.0]}: the side stays in place"),
-                         HasSubstr("time.end is 0.8 m")));
+  EXPECT_THAT(succeeded(test::terp(column_command("check", {"--set", "boundary.left={velocity=[4.0, 0.0]}"}))).err,
+      AllOf(StartsWith("warning: --set boundary.left={velocity=[4.0, 0.0]}: the side stays in place"),
+          HasSubstr("time.end is 0.8 m")));
 }
 
 TEST(Check, ShowsNoControlCharactersOfTheTitle)
 {
-  const Finished f = test::terp(column_command("check", {"--set", R"(title="red \u001b[31m soil")"}));
-  EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.out, StartsWith("red ?[31m soil\n"));
-}
-
-TEST(Check, SaysWhereABodyLiesOutsideTheMesh)
-{
-  const Finished f = test::terp(column_command("check", {"--set", "mesh.size=[6.0, 3.0]"}));
-  EXPECT_EQ(f.status, 2);
-  EXPECT_THAT(f.err, AllOf(StartsWith("error: --set mesh.size=[6.0, 3.0]: the body lies outside the mesh\n"),
-                         HasSubstr("Enlarge mesh.size")));
-  EXPECT_EQ(f.out, "");
+  EXPECT_THAT(succeeded(test::terp(column_command("check", {"--set", R"(title="red \u001b[31m soil")"}))).out,
+      StartsWith("red ?[31m soil\n"));
 }
 
 TEST(Check, AVariantOfAMeshFromAPolygonHasOtherCells)
@@ -148,9 +129,7 @@ TEST(Check, AVariantOfAMeshFromAPolygonHasOtherCells)
 
 TEST(Check, WarnsOfAHistoryPointFarFromTheSoil)
 {
-  const Finished f = test::terp(column_command("check", {"--set", "output.history.points.far=[12.0, 1.0]"}));
-  EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.err,
+  EXPECT_THAT(succeeded(test::terp(column_command("check", {"--set", "output.history.points.far=[12.0, 1.0]"}))).err,
       StartsWith("warning: --set output.history.points.far=[12.0, 1.0]: no soil is near the history point `far`\n"));
 }
 
@@ -158,8 +137,11 @@ TEST(Check, PointsAtTheChangeThatSetUpCannotUse)
 {
   const std::string unstructured = source_path("cases/column_collapse/model_2_unstructured.toml");
   const auto error_after = [](const std::string& file, const std::string& change) {
-    return test::terp({"check", file, "--set", change}).err;
+    return error_with(2, test::terp({"check", file, "--set", change}));
   };
+  EXPECT_THAT(error_after(column_file, "mesh.size=[6.0, 3.0]"),
+      AllOf(StartsWith("error: --set mesh.size=[6.0, 3.0]: the body lies outside the mesh\n"),
+          HasSubstr("Enlarge mesh.size")));
   EXPECT_THAT(error_after(column_file, "body[0].box=[[0.0, 0.0], [20.0, 2.0]]"),
       StartsWith("error: --set body[0].box=[[0.0, 0.0], [20.0, 2.0]]: the body lies outside the mesh\n"));
   EXPECT_THAT(error_after(column_file, "mesh.cell=1e-6"),

@@ -13,17 +13,13 @@ inline const std::string column_file = source_path("cases/column_collapse/model_
 /// A command for the column; short: 0.2 s on cells of 0.5 m, 66 steps of 1600 points.
 inline std::vector<std::string> column_command(const std::string& command, const std::vector<std::string>& more = {})
 {
-  std::vector<std::string> words{command, column_file, "--set", "mesh.cell=0.5", "--set", "time.end=0.2", "-j", "1"};
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
+  return with({command, column_file, "--set", "mesh.cell=0.5", "--set", "time.end=0.2", "-j", "1"}, more);
 }
 
 /// `terp run` of the column into a folder.
 inline Finished run_column(const std::string& folder, const std::vector<std::string>& more = {})
 {
-  std::vector<std::string> words = column_command("run", {"-o", folder});
-  words.insert(words.end(), more.begin(), more.end());
-  return terp(words);
+  return terp(column_command("run", with({"-o", folder}, more)));
 }
 
 }  // namespace terp::test

@@ -1,10 +1,9 @@
 // terp converge, as a user meets it.
-#include "app/coarse_column.hpp"
+#include "app/same_results.hpp"
 #include "system/process.hpp"
 #include "support/test.hpp"
 #include <csignal>
 #include <regex>
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 namespace converge_test {
@@ -15,34 +14,30 @@ namespace fs = std::filesystem;
 std::vector<std::string> converge_command(
     const std::string& folder, const std::vector<std::string>& more = {}, const std::string& cells = "0.5,1,0.25")
 {
-  std::vector<std::string> words{
-      "converge", column_file, "--cells", cells, "--set", "time.end=0.2", "-j", "1", "-o", folder};
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
+  return with({"converge", column_file, "--cells", cells, "--set", "time.end=0.2", "-j", "1", "-o", folder}, more);
 }
-
-bool is_checkpoint(const std::string& name) { return name.starts_with("checkpoint_") && name.ends_with(".h5"); }
 
 nlohmann::json study_in(const std::string& folder)
 {
   return nlohmann::json::parse(text_of(folder + "/convergence.json"));
 }
 
-TEST(Converge, TheExampleOfTheReadmeFitsItsMesh)
+struct Converge : testing::Test {
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/study";
+};
+
+TEST_F(Converge, TheExampleOfTheReadmeFitsItsMesh)
 {
   const std::string readme = text_of(source_path("README.md"));
   std::smatch found;
   ASSERT_TRUE(std::regex_search(readme, found, std::regex("build/terp converge +(\\S+) --cells (\\S+)")));
-  const Finished f = test::terp({"converge", source_path(found[1]), "--cells", found[2], "--estimate"});
-  EXPECT_EQ(f.status, 0) << f.err;
+  succeeded(test::terp({"converge", source_path(found[1]), "--cells", found[2], "--estimate"}));
 }
 
-TEST(Converge, SolvesAllSizesFromCoarseToFineAndAnswers)
+TEST_F(Converge, SolvesAllSizesFromCoarseToFineAndAnswers)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/study";
-  const Finished f = test::terp(converge_command(folder));
-  EXPECT_EQ(f.status, 0) << f.err;
+  const Finished f = succeeded(test::terp(converge_command(folder)));
   EXPECT_EQ(f.err, "");
   EXPECT_THAT(f.out,
       AllOf(HasSubstr("  cells of 0.25 m  768 cells, 6400 points, 132 steps, about "), HasSubstr("  all 3 runs "),
@@ -59,58 +54,42 @@ TEST(Converge, SolvesAllSizesFromCoarseToFineAndAnswers)
   EXPECT_EQ(text_of(folder + "/cell_0.5/ledger.csv"), text_of(scratch.path() + "/run/ledger.csv"));
 }
 
-TEST(Converge, KeepsWhatIsSolvedAndRefusesRunsOfAnotherCase)
+TEST_F(Converge, KeepsWhatIsSolvedAndRefusesRunsOfAnotherCase)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/study";
-  ASSERT_EQ(test::terp(converge_command(folder, {"-q"})).status, 0);
+  succeeded(test::terp(converge_command(folder, {"-q"})));
   const auto written = fs::last_write_time(folder + "/cell_0.5/summary.json");
   fs::remove_all(folder + "/cell_0.25");
-  const Finished again = test::terp(converge_command(folder, {"--set", "title=Another"}));
-  EXPECT_EQ(again.status, 0) << again.err;
-  EXPECT_THAT(again.out,
+  EXPECT_THAT(succeeded(test::terp(converge_command(folder, {"--set", "title=Another"}))).out,
       AllOf(HasSubstr("[2/3] cells of 0.5 m  kept, solved before\n"), HasSubstr("[3/3] cells of 0.25 m  solved in ")));
   EXPECT_EQ(fs::last_write_time(folder + "/cell_0.5/summary.json"), written);
-  const Finished other = test::terp(converge_command(folder, {"--set", "material.clay.eta=20"}));
-  EXPECT_EQ(other.status, 1);
-  EXPECT_EQ(other.err, "error: " + folder +
-                           "/cell_1: this folder holds a run of another case\n  material.clay.eta (50, now 20)\n"
-                           "  Use --force to solve all sizes anew, or -o DIR for another folder.\n");
-  EXPECT_EQ(test::terp(converge_command(folder, {"--set", "material.clay.eta=20", "-q", "--force"})).status, 0);
+  EXPECT_EQ(error_with(1, test::terp(converge_command(folder, {"--set", "material.clay.eta=20"}))),
+      "error: " + folder +
+          "/cell_1: this folder holds a run of another case\n  material.clay.eta (50, now 20)\n"
+          "  Use --force to solve all sizes anew, or -o DIR for another folder.\n");
+  succeeded(test::terp(converge_command(folder, {"--set", "material.clay.eta=20", "-q", "--force"})));
   EXPECT_THAT(text_of(folder + "/cell_1/case.toml"), HasSubstr("eta = 20"));
 }
 
-TEST(Converge, GoesOnWithARunThatWasInterrupted)
+TEST_F(Converge, GoesOnWithARunThatWasInterrupted)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/study";
   const std::vector<std::string> often{"--set", "output.checkpoint.every=0.1", "--set", "time.end=0.6"};
   {
     Process process(converge_command(folder, often));
-    const auto has_checkpoint = [&] {
-      const std::string finest = folder + "/cell_0.25";
-      return fs::exists(finest) && !std::ranges::none_of(names_in(finest), is_checkpoint);
-    };
-    for (int k = 0; k < 4000 && !has_checkpoint(); ++k) ::usleep(2000);
+    wait_for_checkpoint(folder + "/cell_0.25");
     process.send(SIGINT);
-    const Finished stopped = process.wait();
-    EXPECT_EQ(stopped.status, 1);
-    EXPECT_THAT(
-        stopped.err, EndsWith("stopped; what is solved is kept in " + folder + ". Go on with the same command\n"));
+    EXPECT_THAT(error_with(1, process.wait()),
+        EndsWith("stopped; what is solved is kept in " + folder + ". Go on with the same command\n"));
   }
   EXPECT_FALSE(fs::exists(folder + "/convergence.json"));
-  const Finished resumed = test::terp(converge_command(folder, often));
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
-  EXPECT_THAT(resumed.out, AllOf(HasSubstr("[1/3] cells of 1 m  kept, solved before\n"), HasSubstr(" of which "),
-                               HasSubstr("[3/3] cells of 0.25 m  solved in ")));
-  ASSERT_EQ(test::terp(converge_command(scratch.path() + "/whole", often)).status, 0);
+  EXPECT_THAT(succeeded(test::terp(converge_command(folder, often))).out,
+      AllOf(HasSubstr("[1/3] cells of 1 m  kept, solved before\n"), HasSubstr(" of which "),
+          HasSubstr("[3/3] cells of 0.25 m  solved in ")));
+  succeeded(test::terp(converge_command(scratch.path() + "/whole", often)));
   EXPECT_EQ(text_of(folder + "/cell_0.25/ledger.csv"), text_of(scratch.path() + "/whole/cell_0.25/ledger.csv"));
 }
 
-TEST(Converge, GoesOnWithOtherSizesWhereOneStopsItself)
+TEST_F(Converge, GoesOnWithOtherSizesWhereOneStopsItself)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/study";
   // Soil flies out of the mesh: on cells of 1 m at 0.214 s, on smaller ones later than the end.
   const Finished f = test::terp(converge_command(folder,
       {"--set", "body[0].velocity=[40.0, 0.0]", "--set", "boundary.right=\"free\"", "--set", "time.end=0.217"}));
@@ -125,13 +104,10 @@ TEST(Converge, GoesOnWithOtherSizesWhereOneStopsItself)
   EXPECT_EQ(runs[1]["solved"], true);
 }
 
-TEST(Converge, SolvesVariantsAtAllSizes)
+TEST_F(Converge, SolvesVariantsAtAllSizes)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/study";
-  const Finished f = test::terp(converge_command(
-      folder, {"--variant", "scheme=mpm_mixed; body.*.points_per_cell=[3, 3]", "--json", "--report"}, "1,0.5"));
-  ASSERT_EQ(f.status, 0) << f.err;
+  const Finished f = succeeded(test::terp(converge_command(
+      folder, {"--variant", "scheme=mpm_mixed; body.*.points_per_cell=[3, 3]", "--json", "--report"}, "1,0.5")));
   const auto json = nlohmann::json::parse(f.out.substr(0, f.out.rfind("}\n") + 2));
   ASSERT_EQ(json["sequences"].size(), 2);
   EXPECT_EQ(
@@ -140,11 +116,9 @@ TEST(Converge, SolvesVariantsAtAllSizes)
   EXPECT_TRUE(fs::exists(folder + "/report.html"));
 }
 
-TEST(Converge, TurnsTheCellsAndVariesTheirPointsAndSetsAllBesideEachOther)
+TEST_F(Converge, TurnsTheCellsAndVariesTheirPointsAndSetsAllBesideEachOther)
 {
   if (!run_process({"gmsh", "--version"}, 60.0).found) GTEST_SKIP() << "gmsh is not installed";
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/study";
   // 5 points are those of the case, 0 degrees its direction.
   const Finished f = test::terp(converge_command(folder, {"--turn", "0,22.5", "--points", "4,5"}, "0.5,0.25"));
   ASSERT_EQ(f.status, 0) << f.err;
@@ -167,14 +141,11 @@ TEST(Converge, TurnsTheCellsAndVariesTheirPointsAndSetsAllBesideEachOther)
   EXPECT_THAT(text_of(folder + "/convergence.html"), HasSubstr("<h2>All variants</h2>"));
 }
 
-TEST(Converge, RefusesToTurnOtherMeshesThanSquares)
+TEST_F(Converge, RefusesToTurnOtherMeshesThanSquares)
 {
-  const ScratchFolder scratch;
   const auto refused = [&](const std::string& mesh) {
-    const Finished f = test::terp({"converge", column_file, "--cells", "1,0.5", "--turn", "10", "-o",
-        scratch.path() + "/study", "--set", "mesh=" + mesh});
-    EXPECT_EQ(f.status, 2);
-    return f.err;
+    return error_with(2, test::terp({"converge", column_file, "--cells", "1,0.5", "--turn", "10", "-o", folder, "--set",
+                             "mesh=" + mesh}));
   };
   EXPECT_EQ(refused("{ size = [16, 3], cells = [16, 3] }"),
       "error: " + column_file +
@@ -192,16 +163,12 @@ TEST(Converge, RefusesToTurnOtherMeshesThanSquares)
       HasSubstr("as it is refined\n"));
 }
 
-TEST(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
+TEST_F(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
 {
-  const ScratchFolder scratch;
   const auto refused = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> words{"converge", column_file, "-o", scratch.path() + "/study"};
-    words.insert(words.end(), more.begin(), more.end());
-    const Finished f = test::terp(words);
-    EXPECT_EQ(f.status, 2) << f.err;
-    EXPECT_FALSE(fs::exists(scratch.path() + "/study"));
-    return f.err;
+    const std::string err = error_with(2, test::terp(with({"converge", column_file, "-o", folder}, more)));
+    EXPECT_FALSE(fs::exists(folder));
+    return err;
   };
   EXPECT_EQ(refused({"--cells", "0.5"}),
       "error: --cells: one size says nothing of the mesh\n"
@@ -233,18 +200,15 @@ TEST(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
   EXPECT_THAT(refused({"--cells", "1,0.4"}), HasSubstr("cells of 0.4 m: the mesh is not a whole number of such cells"));
 }
 
-TEST(Converge, ShowsAWarningOfAllSizesOnce)
+TEST_F(Converge, ShowsAWarningOfAllSizesOnce)
 {
-  const ScratchFolder scratch;
-  const Finished f = test::terp(
-      converge_command(scratch.path() + "/study", {"--estimate", "--set", "output.history.points.far=[12, 2]"}));
+  const Finished f = test::terp(converge_command(folder, {"--estimate", "--set", "output.history.points.far=[12, 2]"}));
   EXPECT_THAT(f.err, StartsWith("warning: --set output.history.points.far=[12, 2]: no soil is near the history point"));
   EXPECT_EQ(f.err.find("warning: ", 1), std::string::npos) << f.err;
 }
 
-TEST(Converge, WarnsOfPointsThatStayTheSameAtAllSizes)
+TEST_F(Converge, WarnsOfPointsThatStayTheSameAtAllSizes)
 {
-  const ScratchFolder scratch;
   std::string points = "x,y,volume,material\n";
   for (const char* x : {"0.125", "0.375", "0.625", "0.875"})
     for (const char* y : {"0.125", "0.375", "0.625", "0.875"}) points += std::string(x) + "," + y + ",0.0625,clay\n";
@@ -253,23 +217,19 @@ TEST(Converge, WarnsOfPointsThatStayTheSameAtAllSizes)
       "time.end = 0.01\nmesh = {size = [2.0, 1.0], cell = 0.5}\nbody = [{points = \"points.csv\"}]\n"
       "[material.clay]\nmodel = \"linear_elastic\"\ndensity = 2000.0\nshear_modulus = 1e6\npoisson_ratio = 0.3\n"
       "[boundary]\nbottom = \"fixed\"\nleft = \"roller\"\n[forces]\ngravity = [0.0, -9.81]\n");
-  const Finished f = test::terp({"converge", scratch.path() + "/case.toml", "--cells", "0.5,0.25", "--estimate"});
-  EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(
-      f.err, HasSubstr("warning: the points of points.csv are the same at all sizes: smaller cells hold fewer of "
-                       "them, until cells are empty\n"));
+      succeeded(test::terp({"converge", scratch.path() + "/case.toml", "--cells", "0.5,0.25", "--estimate"})).err,
+      HasSubstr("warning: the points of points.csv are the same at all sizes: smaller cells hold fewer of "
+                "them, until cells are empty\n"));
 }
 
-TEST(Converge, RefusesVariantsWithOneFolderAndCasesThatCannotBeRead)
+TEST_F(Converge, RefusesVariantsWithOneFolderAndCasesThatCannotBeRead)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/study";
-  const Finished two = test::terp(
-      converge_command(folder, {"--variant", "scheme=mpm_mixed", "--variant", "scheme = mpm_mixed"}, "1,0.5"));
-  EXPECT_EQ(two.status, 2);
-  EXPECT_EQ(two.err, "error: two variants would have one folder, " + folder +
-                         "/cell_1_scheme_mpm_mixed\n  Write one of them differently.\n");
-  ASSERT_EQ(test::terp(converge_command(folder, {"-q"}, "1,0.5")).status, 0);
+  EXPECT_EQ(error_with(2, test::terp(converge_command(
+                              folder, {"--variant", "scheme=mpm_mixed", "--variant", "scheme = mpm_mixed"}, "1,0.5"))),
+      "error: two variants would have one folder, " + folder +
+          "/cell_1_scheme_mpm_mixed\n  Write one of them differently.\n");
+  succeeded(test::terp(converge_command(folder, {"-q"}, "1,0.5")));
   std::string summary = text_of(folder + "/cell_1/summary.json");
   const std::string key = "\"terp_version\": \"";
   summary.insert(summary.find(key) + key.size(), "9.");
@@ -282,24 +242,20 @@ TEST(Converge, RefusesVariantsWithOneFolderAndCasesThatCannotBeRead)
       HasSubstr("/cell_0.5: this folder holds a run of another case\n  its case cannot be read\n"));
 }
 
-TEST(Converge, EstimatesWithoutRunning)
+TEST_F(Converge, EstimatesWithoutRunning)
 {
-  const ScratchFolder scratch;
-  const Finished f = test::terp(converge_command(scratch.path() + "/study", {"--estimate"}));
-  EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.out, AllOf(HasSubstr("  all 3 runs       about "), EndsWith(" on 1 thread\nnothing was run\n")));
-  EXPECT_FALSE(fs::exists(scratch.path() + "/study"));
+  EXPECT_THAT(succeeded(test::terp(converge_command(folder, {"--estimate"}))).out,
+      AllOf(HasSubstr("  all 3 runs       about "), EndsWith(" on 1 thread\nnothing was run\n")));
+  EXPECT_FALSE(fs::exists(folder));
 }
 
-TEST(Converge, RefusesAFolderThatHoldsSomethingElse)
+TEST_F(Converge, RefusesAFolderThatHoldsSomethingElse)
 {
-  const ScratchFolder scratch;
-  ASSERT_EQ(run_column(scratch.path() + "/run", {"-q"}).status, 0);
-  const Finished run = test::terp(converge_command(scratch.path() + "/run"));
-  EXPECT_EQ(run.status, 1);
-  EXPECT_EQ(run.err, "error: " + scratch.path() +
-                         "/run: this is the folder of one run; the sizes get folders of their own\n"
-                         "  Choose another: -o DIR\n");
+  succeeded(run_column(scratch.path() + "/run", {"-q"}));
+  EXPECT_EQ(error_with(1, test::terp(converge_command(scratch.path() + "/run"))),
+      "error: " + scratch.path() +
+          "/run: this is the folder of one run; the sizes get folders of their own\n"
+          "  Choose another: -o DIR\n");
   fs::create_directories(scratch.path() + "/cell_1");
   write_text(scratch.path() + "/cell_1/notes.txt", "mine");
   EXPECT_EQ(

@@ -19,49 +19,39 @@ std::string write_drawing(const ScratchFolder& scratch, const std::string& more 
   return path;
 }
 
-TEST(ImportFolder, WritesAStageThatTerpChecks)
-{
+struct ImportFolder : testing::Test {
   const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/section";
-  const Finished f =
-      test::terp({"import", tutorial, "--scenario", "2", "--between", "-30,60", "--cell", "1", "-o", folder});
-  EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(f.out, HasSubstr("Next: terp check " + folder + "/case.toml"));
-  EXPECT_THAT(text_of(folder + "/report.md"), HasSubstr("Only the part from x = -30 to 60 m and above z = -9 m was"));
-  const Finished check = test::terp({"check", folder + "/case.toml"});
-  EXPECT_EQ(check.status, 0) << check.err;
-  EXPECT_THAT(check.out, HasSubstr("su_peak"));
+};
 
-  const Finished again = test::terp({"import", tutorial, "--scenario", "2", "-o", folder});
-  EXPECT_EQ(again.status, 2);
-  EXPECT_EQ(again.err,
+TEST_F(ImportFolder, WritesAStageThatTerpChecks)
+{
+  EXPECT_THAT(
+      succeeded(test::terp({"import", tutorial, "--scenario", "2", "--between", "-30,60", "--cell", "1", "-o", folder}))
+          .out,
+      HasSubstr("Next: terp check " + folder + "/case.toml"));
+  EXPECT_THAT(text_of(folder + "/report.md"), HasSubstr("Only the part from x = -30 to 60 m and above z = -9 m was"));
+  EXPECT_THAT(succeeded(test::terp({"check", folder + "/case.toml"})).out, HasSubstr("su_peak"));
+  EXPECT_EQ(error_with(2, test::terp({"import", tutorial, "--scenario", "2", "-o", folder})),
       "error: " + folder + "/case.toml is there already\n  Choose another folder: -o FOLDER. --force replaces it.\n");
 }
 
-TEST(ImportFolder, SetsTheRiverToAnotherLevel)
+TEST_F(ImportFolder, SetsTheRiverToAnotherLevel)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/low";
-  const Finished f =
-      test::terp({"import", tutorial, "--scenario", "2", "--cell", "2", "--river", "10.5", "-o", folder});
-  EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(f.err, HasSubstr("warning: The river stands at 10.50 m instead of the 12.00 m of the file (--river)."));
-  const Finished check = test::terp({"check", folder + "/case.toml"});
-  EXPECT_EQ(check.status, 0) << check.err;
-  EXPECT_THAT(check.out, HasSubstr("stage high_water_river_at_10_50_m"));
-  const Finished list = test::terp({"import", tutorial, "--river", "10.5"});
-  EXPECT_EQ(list.status, 2);
-  EXPECT_THAT(list.err, HasSubstr("error: --river has no effect without -o"));
+  EXPECT_THAT(
+      succeeded(test::terp({"import", tutorial, "--scenario", "2", "--cell", "2", "--river", "10.5", "-o", folder}))
+          .err,
+      HasSubstr("warning: The river stands at 10.50 m instead of the 12.00 m of the file (--river)."));
+  EXPECT_THAT(
+      succeeded(test::terp({"check", folder + "/case.toml"})).out, HasSubstr("stage high_water_river_at_10_50_m"));
+  EXPECT_THAT(error_with(2, test::terp({"import", tutorial, "--river", "10.5"})),
+      HasSubstr("error: --river has no effect without -o"));
 }
 
-TEST(ImportFolder, AsksWhichScenarioAndRefusesOthers)
+TEST_F(ImportFolder, AsksWhichScenarioAndRefusesOthers)
 {
   const auto said = [](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"import", tutorial, "-o", "/tmp/none"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Finished f = test::terp(arguments);
-    EXPECT_EQ(f.status, 2);
-    return f.err;
+    return error_with(2, test::terp(with({"import", tutorial, "-o", "/tmp/none"}, more)));
   };
   EXPECT_THAT(said({}), HasSubstr("has 3 scenarios\n  Choose one: --scenario 1 to 3. terp import "));
   EXPECT_THAT(said({"--scenario", "7"}), HasSubstr("has no scenario 7\n  It has 3.\n"));
@@ -73,47 +63,35 @@ TEST(ImportFolder, AsksWhichScenarioAndRefusesOthers)
   EXPECT_THAT(said({"--scenario", "2", "--soil-defaults", tutorial}), HasSubstr("error: "));
 }
 
-TEST(ImportFolder, ListsTheRegionsOfADrawing)
+TEST_F(ImportFolder, ListsTheRegionsOfADrawing)
 {
-  const ScratchFolder scratch;
-  const Finished f = test::terp({"import", write_drawing(scratch)});
-  EXPECT_EQ(f.status, 0) << f.err;
+  const Finished f = succeeded(test::terp({"import", write_drawing(scratch)}));
   EXPECT_THAT(f.out, ContainsRegex("zand +120\\.000 +4   0\\.00 to 40\\.00, 0\\.00 to 3\\.00"));
   EXPECT_THAT(f.out, ContainsRegex("all +195\\.000"));
   EXPECT_THAT(f.out, HasSubstr("The drawing has no unit ($INSUNITS): one unit was taken as 1 m."));
 }
 
-TEST(ImportFolder, WritesADrawingAsACaseToFillIn)
+TEST_F(ImportFolder, WritesADrawingAsACaseToFillIn)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/section";
-  const Finished f = test::terp({"import", write_drawing(scratch), "-o", folder});
-  EXPECT_EQ(f.status, 0) << f.err;
-  const Finished check = test::terp({"check", folder + "/case.toml"});
-  EXPECT_EQ(check.status, 0) << check.err;
+  succeeded(test::terp({"import", write_drawing(scratch), "-o", folder}));
+  succeeded(test::terp({"check", folder + "/case.toml"}));
 }
 
-TEST(ImportFolder, RefusesADrawingByEntityAndUnit)
+TEST_F(ImportFolder, RefusesADrawingByEntityAndUnit)
 {
-  const ScratchFolder scratch;
   const std::string path = write_drawing(scratch, "0\nARC\n5\n3C\n8\nklei\n");
-  const Finished f = test::terp({"import", path});
-  EXPECT_EQ(f.status, 2);
-  EXPECT_THAT(f.err, HasSubstr("error: " + path + ": ARC with handle 3C: is not read\n  It is on layer klei."));
+  EXPECT_THAT(error_with(2, test::terp({"import", path})),
+      HasSubstr("error: " + path + ": ARC with handle 3C: is not read\n  It is on layer klei."));
   EXPECT_THAT(test::terp({"import", path, "--unit", "mile"}).err,
       HasSubstr("there is no unit `mile` of drawings\n  Units: m, dm, cm, mm, ft, in.\n"));
   EXPECT_THAT(test::terp({"import"}).err, HasSubstr("`terp import` needs a file\n  Give a .stix or a .dxf"));
 }
 
-TEST(ImportFolder, RefusesOptionsThatWouldHaveNoEffect)
+TEST_F(ImportFolder, RefusesOptionsThatWouldHaveNoEffect)
 {
-  const ScratchFolder scratch;
-  const std::string drawing = write_drawing(scratch), folder = scratch.path() + "/none";
-  const auto said = [](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "import");
-    const Finished f = test::terp(arguments);
-    EXPECT_EQ(f.status, 2);
-    return f.err;
+  const std::string drawing = write_drawing(scratch);
+  const auto said = [](const std::vector<std::string>& arguments) {
+    return error_with(2, test::terp(with({"import"}, arguments)));
   };
   EXPECT_EQ(said({tutorial, "--unit", "mm"}),
       "error: --unit is of drawings\n  " + tutorial + " is a D-Stability file. Leave the option out.\n");
@@ -126,34 +104,27 @@ TEST(ImportFolder, RefusesOptionsThatWouldHaveNoEffect)
   const std::vector<std::string> to_folder{tutorial, "--scenario", "2", "-o", folder};
   for (const std::vector<std::string>& list :
       {std::vector<std::string>{"--json"}, {"--slices", scratch.path() + "/s.csv"}}) {
-    auto both = to_folder;
-    both.insert(both.end(), list.begin(), list.end());
-    EXPECT_EQ(said(both),
+    EXPECT_EQ(said(with(to_folder, list)),
         "error: " + list[0] + " is not written with -o\n  Make the list and the case one after the other.\n");
   }
   EXPECT_FALSE(std::filesystem::exists(folder));
 }
 
-TEST(ImportFolder, HoldsTheSoilAsAskedAlsoWhereTheTriggerIsLookedFor)
+TEST_F(ImportFolder, HoldsTheSoilAsAskedAlsoWhereTheTriggerIsLookedFor)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/section";
-  const Finished f = test::terp({"import", source_path("tests/dstability/samples/example-2020.03-v1.stix"), "--cell",
-      "8", "--held", "--trigger", "strength", "-o", folder});
-  EXPECT_EQ(f.status, 0) << f.err;
+  const Finished f = succeeded(test::terp({"import", source_path("tests/dstability/samples/example-2020.03-v1.stix"),
+      "--cell", "8", "--held", "--trigger", "strength", "-o", folder}));
   EXPECT_THAT(text_of(folder + "/case.toml"), AllOf(HasSubstr("at_strength = 0.5"), HasSubstr("\"weaker_soil\"")));
   EXPECT_THAT(f.err, HasSubstr("warning: The soil is held until it is at rest"));
 }
 
-TEST(ImportFolder, RefusesCellsThatAreTooMany)
+TEST_F(ImportFolder, RefusesCellsThatAreTooMany)
 {
-  const Finished f = test::terp({"import", tutorial, "--scenario", "2", "--cell", "0.002", "-o", "/tmp/none"});
-  EXPECT_EQ(f.status, 2);
-  EXPECT_THAT(
-      f.err, HasSubstr("cells of 0.002 m are too small for this section\n  The soil would have 6.9e+08 of them"));
+  EXPECT_THAT(error_with(2, test::terp({"import", tutorial, "--scenario", "2", "--cell", "0.002", "-o", "/tmp/none"})),
+      HasSubstr("cells of 0.002 m are too small for this section\n  The soil would have 6.9e+08 of them"));
 }
 
-TEST(ImportFolder, PrintsTheTableOfDefaults)
+TEST_F(ImportFolder, PrintsTheTableOfDefaults)
 {
   EXPECT_THAT(test::terp({"import", "--soil-defaults-table"}).out, HasSubstr("\npeat,peat veen,10.8,50,"));
 }

@@ -10,8 +10,7 @@ const std::string samples = source_path("tests/dstability/samples/");
 
 TEST(Import, ListsWhatAFileHolds)
 {
-  const Finished f = test::terp({"import", samples + "tutorial-2023.stix"});
-  EXPECT_EQ(f.status, 0);
+  const Finished f = succeeded(test::terp({"import", samples + "tutorial-2023.stix"}));
   EXPECT_THAT(
       f.out, AllOf(StartsWith(samples + "tutorial-2023.stix: D-Stability 2023.00+ca71a792f, content version 2\n"),
                  HasSubstr("scenario 3  \"Improvement\""), HasSubstr("1 excavation; 2 added layers; 1 uniform load"),
@@ -37,27 +36,23 @@ TEST(Import, WritesASliceTableOverAnEarlierOneAndOverNothingElse)
   const std::string csv = scratch.path() + "/slices.csv", file = scratch.path() + "/berm.stix";
   std::filesystem::copy_file(samples + "berm-fragility-2023.stix", file);
   for (int k = 0; k < 2; ++k) {
-    const Finished f = test::terp({"import", file, "--slices", csv});
-    EXPECT_EQ(f.status, 0) << f.err;
-    EXPECT_THAT(
-        f.out, AllOf(HasSubstr("bishopbruteforce/bishopbruteforceresult"), EndsWith("1 results in " + csv + "\n")));
+    EXPECT_THAT(succeeded(test::terp({"import", file, "--slices", csv})).out,
+        AllOf(HasSubstr("bishopbruteforce/bishopbruteforceresult"), EndsWith("1 results in " + csv + "\n")));
   }
   const std::string table = text_of(csv);
   EXPECT_EQ(std::ranges::count(table, '\n'), 32);
-  const Finished refused = test::terp({"import", file, "--slices", file});
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_EQ(refused.err, "error: " + file +
-                             " is there already, and it is no table of slices\n"
-                             "  Choose another name: --slices slices.csv\n");
+  EXPECT_EQ(error_with(2, test::terp({"import", file, "--slices", file})),
+      "error: " + file +
+          " is there already, and it is no table of slices\n"
+          "  Choose another name: --slices slices.csv\n");
 }
 
 TEST(Import, RefusesABadFileWithStatus2)
 {
-  const Finished empty = test::terp({"import", samples + "empty-2023.stix"});
-  EXPECT_EQ(empty.status, 2);
-  EXPECT_EQ(empty.err, "error: " + samples +
-                           "empty-2023.stix, geometries/: has no soil layer in any stage\n"
-                           "  There is nothing to read. Draw the section in D-Stability and save it.\n");
+  EXPECT_EQ(error_with(2, test::terp({"import", samples + "empty-2023.stix"})),
+      "error: " + samples +
+          "empty-2023.stix, geometries/: has no soil layer in any stage\n"
+          "  There is nothing to read. Draw the section in D-Stability and save it.\n");
   EXPECT_EQ(test::terp({"import", samples + "none.stix"}).status, 1);
   EXPECT_EQ(test::terp({"import", samples + "SOURCES.md"}).status, 2);
 }

@@ -50,16 +50,15 @@ TEST(EverySet, ARunThatGoesOnWithAnotherSetSaysSoAndNamesBoth)
 {
   const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run", path = folder + "/summary.json";
-  ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
+  succeeded(run_column(folder, {"-q"}));
   auto summary = nlohmann::json::parse(text_of(path));
   const std::string now = summary["instructions"];
   EXPECT_EQ(test::terp({"resume", folder, "-q", "-j", "1"}).err, "");  // the same set
   summary["instructions"] = "abacus";
   write_text(path, summary.dump());
-  const Finished f = test::terp({"resume", folder, "-q", "-j", "1"});
-  EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(f.err, HasSubstr("warning: the run was solved with the instruction set abacus so far, and goes on with " +
-                               now + "; its results may differ in the last digits"));
+  EXPECT_THAT(succeeded(test::terp({"resume", folder, "-q", "-j", "1"})).err,
+      HasSubstr("warning: the run was solved with the instruction set abacus so far, and goes on with " + now +
+                "; its results may differ in the last digits"));
   EXPECT_EQ(nlohmann::json::parse(text_of(path))["instructions"], "abacus, " + now);
 }
 
@@ -108,7 +107,7 @@ TEST(Instructions, AWordThatIsNoneIsBadInputWhateverTheCommand)
     EXPECT_EQ(f.out, "");
     EXPECT_THAT(f.err, StartsWith("error: TERP_INSTRUCTIONS=mmx: there is no such set in this build. It has: "));
   }
-  EXPECT_EQ(test::terp({"--help"}).status, 0);
+  succeeded(test::terp({"--help"}));
 }
 
 }  // namespace instructions_test

@@ -21,8 +21,7 @@ std::size_t longest_line(const std::string& text)
 TEST(Help, NamesTheCommandsAndExitStatuses)
 {
   for (const auto& words : std::vector<std::vector<std::string>>{{"--help"}, {"-h"}, {"help"}}) {
-    const Finished f = test::terp(words);
-    EXPECT_EQ(f.status, 0);
+    const Finished f = succeeded(test::terp(words));
     EXPECT_THAT(f.out, StartsWith("terp: explicit material point method for soil"));
     for (const char* part : {"run CASE.toml", "resume RUN", "report RUN", "compare RUN", "check CASE.toml",
              "explain TOPIC", "  list ", "terp COMMAND --help", "--set scheme=mpm_mixed",
@@ -48,8 +47,7 @@ TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
       {"study", {"mpirun", "--part", "--keep"}}, {"assess", {"--estimate"}}, {"import", {"--slices"}},
       {"explain", {"TOPIC"}}, {"list", {}}};
   for (const auto& [command, options] : commands) {
-    const Finished f = test::terp({command, "--help"});
-    EXPECT_EQ(f.status, 0);
+    const Finished f = succeeded(test::terp({command, "--help"}));
     EXPECT_THAT(f.out, AllOf(HasSubstr("\nUsage: terp " + command), HasSubstr("\nExit status: 0 solved, 2 bad input")));
     for (const auto& option : options) EXPECT_THAT(f.out, HasSubstr(option)) << command;
     EXPECT_LE(longest_line(f.out), 80u) << command;
@@ -67,17 +65,11 @@ TEST(Help, OffersNothingThatACommandDoesNotDo)
   EXPECT_THAT(test::terp({"verify", "--help"}).out, Not(HasSubstr("Excludes")));
 }
 
-TEST(Help, IsWhatTerpAloneSays)
-{
-  const Finished f = test::terp({});
-  EXPECT_EQ(f.status, 0);
-  EXPECT_EQ(f.out, test::terp({"--help"}).out);
-}
+TEST(Help, IsWhatTerpAloneSays) { EXPECT_EQ(succeeded(test::terp({})).out, test::terp({"--help"}).out); }
 
 TEST(Version, SaysWhichInstructionsItUsesAndWhatItWasBuiltWith)
 {
-  const Finished f = test::terp({"--version"});
-  EXPECT_EQ(f.status, 0);
+  const Finished f = succeeded(test::terp({"--version"}));
   EXPECT_THAT(f.out, StartsWith("terp " TERP_VERSION " (" + std::string(instructions()) + ")\n  compiler       "));
   EXPECT_THAT(f.out, ContainsRegex("\n  instructions   .*" + std::string(instructions())));
   EXPECT_THAT(f.out, HasSubstr(std::string("\n  OpenTURNS      ") + (has_openturns() ? "yes\n" : "no\n")));
@@ -140,16 +132,14 @@ TEST(CommandLine, SaysWhatIsNoNumberAndWhatIsOutOfRange)
 
 TEST(CommandLine, PagesAreInEnglishOrDutch)
 {
-  const Finished f = test::terp({"report", "runs/a", "--language", "fr"});
-  EXPECT_EQ(f.status, 2);
-  EXPECT_THAT(f.err, StartsWith("error: --language: fr not in {en,nl}"));
+  EXPECT_THAT(error_with(2, test::terp({"report", "runs/a", "--language", "fr"})),
+      StartsWith("error: --language: fr not in {en,nl}"));
 }
 
 TEST(Explain, TellsOfAMaterialASchemeAndAKey)
 {
-  const Finished law = test::terp({"explain", "tresca_softening"});
-  EXPECT_EQ(law.status, 0);
-  EXPECT_THAT(law.out, AllOf(HasSubstr("su_peak"), HasSubstr("Pa"), HasSubstr("Eq. (5)")));
+  EXPECT_THAT(succeeded(test::terp({"explain", "tresca_softening"})).out,
+      AllOf(HasSubstr("su_peak"), HasSubstr("Pa"), HasSubstr("Eq. (5)")));
   EXPECT_THAT(test::terp({"explain", "mpm_gp"}).out, HasSubstr("material points own the history"));
   EXPECT_THAT(test::terp({"explain", "mesh.cell"}).out, HasSubstr(" m"));
 }
@@ -164,8 +154,7 @@ TEST(Explain, OffersTheNearestTopicForOneThatIsNone)
 
 TEST(List, NamesEverySchemeMaterialAndOutput)
 {
-  const Finished f = test::terp({"list"});
-  EXPECT_EQ(f.status, 0);
+  const Finished f = succeeded(test::terp({"list"}));
   for (const char* name :
       {"standard_mpm", "mpm_mixed", "mpm_gp", "linear_elastic", "tresca_softening", "eps_deviatoric", "velocity"})
     EXPECT_THAT(f.out, HasSubstr(name));

@@ -28,9 +28,7 @@ struct Place {
   }
   Finished run(const std::vector<std::string>& more = {}) const
   {
-    std::vector<std::string> words{"run", "case.toml", "-o", "run", "-q", "-j", "1"};
-    words.insert(words.end(), more.begin(), more.end());
-    return test::terp(words, scratch.path() + "/a/b");
+    return test::terp(with({"run", "case.toml", "-o", "run", "-q", "-j", "1"}, more), scratch.path() + "/a/b");
   }
   /// The files that were not there before or changed, those of the run left out.
   std::vector<std::string> written() const
@@ -77,10 +75,9 @@ TEST(Paths, ACaseFileWhoseNameIsAPathGoesNowhereButWhereItIsTold)
     for (const std::string command : {"run", "stability"}) {
       std::vector<std::string> words{command, name};
       if (command == "run") words.push_back("--force");
-      const Finished f = test::terp(words, scratch.path());
-      EXPECT_EQ(f.status, 2) << f.err;
-      EXPECT_THAT(f.err, AllOf(StartsWith("error: " + name + ": its run would be named `"),
-                             HasSubstr("terp run " + name + " -o DIR\n")));
+      EXPECT_THAT(error_with(2, test::terp(words, scratch.path())),
+          AllOf(StartsWith("error: " + name + ": its run would be named `"),
+              HasSubstr("terp run " + name + " -o DIR\n")));
     }
     EXPECT_EQ(test::terp({"run", name, "-q", "-o", "told" + name}, scratch.path()).status, 0);
   }
@@ -93,7 +90,7 @@ TEST(Paths, ACaseFileThatIsALinkLeavesNothingBesideItsTarget)
   const Place place(case_with_name("clay"));
   fs::rename(place.scratch.path() + "/a/b/case.toml", place.scratch.path() + "/real.toml");
   fs::create_symlink("../../real.toml", place.scratch.path() + "/a/b/case.toml");
-  EXPECT_EQ(place.run().status, 0);
+  succeeded(place.run());
   EXPECT_THAT(place.written(), ElementsAre("real.toml"));  // it was moved there
 }
 
@@ -106,7 +103,7 @@ TEST(Paths, LinksInAnEarlierRunAreReplacedAndNotFollowed)
   for (const char* name : {"results.vtkhdf.series", "history.csv", "ledger.csv", "summary.json", "case.toml",
            "case.toml.tmp", "mesh.msh", "checkpoint_000000001.h5"})
     fs::create_symlink(mine, folder + "/" + name);
-  EXPECT_EQ(place.run({"--force"}).status, 0);
+  succeeded(place.run({"--force"}));
   EXPECT_EQ(text_of(mine), "mine");
 }
 
@@ -118,8 +115,7 @@ TEST(Paths, FilesThatACaseNamesAreOnlyRead)
   text.replace(text.find("material = 'clay'\n"), 18, "");
   const Place place(text);
   write_text(place.scratch.path() + "/points.csv", "x,y,volume,material\n0.25,0.25,0.25,clay\n");
-  const Finished f = place.run();
-  EXPECT_EQ(f.status, 0) << f.err;
+  succeeded(place.run());
   EXPECT_EQ(text_of(place.scratch.path() + "/points.csv"), "x,y,volume,material\n0.25,0.25,0.25,clay\n");
 
   // The run folder has copies: it can be moved, and the originals may go.
@@ -128,9 +124,8 @@ TEST(Paths, FilesThatACaseNamesAreOnlyRead)
   fs::remove(place.scratch.path() + "/points.csv");
   EXPECT_THAT(text_of(moved + "/case.toml"), HasSubstr("points = \"points_1.csv\""));
   EXPECT_EQ(test::terp({"resume", moved, "-q", "-j", "1"}).err, "");
-  EXPECT_EQ(test::terp({"report", moved, "-o", place.scratch.path() + "/page.html"}).status, 0);
-  const Finished second = test::terp({"run", moved + "/case.toml", "-o", again, "-q", "-j", "1"});
-  EXPECT_EQ(second.status, 0) << second.err;
+  succeeded(test::terp({"report", moved, "-o", place.scratch.path() + "/page.html"}));
+  succeeded(test::terp({"run", moved + "/case.toml", "-o", again, "-q", "-j", "1"}));
   EXPECT_EQ(text_of(again + "/ledger.csv"), text_of(moved + "/ledger.csv"));
   write_text(moved + "/points_1.csv", "x,y,volume,material\n0.3,0.25,0.25,clay\n");
   EXPECT_THAT(test::terp({"resume", moved}).err, HasSubstr("body[0].points (content)"));
@@ -144,9 +139,7 @@ TEST(Paths, ASideWhoseNameWouldBeACommandOfGmshIsRefused)
   std::string text = case_with_name("clay");
   text.replace(text.find("mesh ="), text.find("\n[[body]]") - text.find("mesh ="), mesh);
   const Place place(text);
-  const Finished f = place.run();
-  EXPECT_EQ(f.status, 2);
-  EXPECT_THAT(f.err, HasSubstr("a side cannot be named `a\") = {1}; SystemCall"));
+  EXPECT_THAT(error_with(2, place.run()), HasSubstr("a side cannot be named `a\") = {1}; SystemCall"));
   EXPECT_THAT(place.written(), IsEmpty());
   EXPECT_FALSE(fs::exists(place.scratch.path() + "/a/b/run"));
 }
@@ -159,8 +152,7 @@ TEST(Paths, GmshIsCalledWithoutAShell)
   text.replace(text.find("mesh ="), text.find("\n[[body]]") - text.find("mesh ="),
       "mesh = { polygon = [[0, 0], [2, 0], [2, 1], [0, 1]], cell = 0.5, edges = { '" + name + "' = [0] } }");
   const Place place(text + "[boundary]\n'" + name + "' = \"roller\"\n");
-  const Finished f = place.run();
-  EXPECT_EQ(f.status, 0) << f.err;
+  succeeded(place.run());
   EXPECT_THAT(place.written(), IsEmpty());
 }
 

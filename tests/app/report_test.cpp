@@ -36,10 +36,8 @@ nlohmann::json document_in(const std::string& html)
 TEST(Report, IsOneFileWithBothRunsAndTheirComparison)
 {
   const std::string path = runs().scratch.path() + "/report.html";
-  const Finished f = test::terp({"report", runs().mixed, runs().gp, "-o", path});
-  EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(
-      f.out, AllOf(StartsWith("mixed: 3 frames, 1600 points, places to "), HasSubstr("report in " + path + " (")));
+  EXPECT_THAT(succeeded(test::terp({"report", runs().mixed, runs().gp, "-o", path})).out,
+      AllOf(StartsWith("mixed: 3 frames, 1600 points, places to "), HasSubstr("report in " + path + " (")));
   const auto document = document_in(read_file(path));
   EXPECT_EQ(document["runs"].size(), 2);
   EXPECT_EQ(document["runs"][0]["scheme"], "mpm_mixed");
@@ -55,31 +53,27 @@ TEST(Report, ReplacesAnEarlierPageButNoOtherFile)
   const std::string page = scratch.path() + "/page.html", other = scratch.path() + "/results.vtkhdf.series";
   std::ofstream(page) << "<!DOCTYPE html><p>old";
   std::ofstream(other) << "ten days of work";
-  EXPECT_EQ(test::terp({"report", runs().gp, "-o", page}).status, 0);
+  succeeded(test::terp({"report", runs().gp, "-o", page}));
   EXPECT_EQ(document_in(read_file(page))["runs"].size(), 1);
-  const Finished f = test::terp({"report", runs().gp, "-o", other});
-  EXPECT_EQ(f.status, 2);
-  EXPECT_EQ(f.err, "error: " + other + " is there already, and it is no page\n  Choose another name: -o report.html\n");
+  EXPECT_EQ(error_with(2, test::terp({"report", runs().gp, "-o", other})),
+      "error: " + other + " is there already, and it is no page\n  Choose another name: -o report.html\n");
   EXPECT_EQ(read_file(other), "ten days of work");
 }
 
 TEST(Report, OfAFolderThatIsNoRunSaysSo)
 {
   const ScratchFolder scratch;
-  const Finished f = test::terp({"report", scratch.path()});
-  EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr("it has no case.toml")));
+  EXPECT_THAT(error_with(1, test::terp({"report", scratch.path()})),
+      AllOf(StartsWith("error: "), HasSubstr("it has no case.toml")));
 }
 
 TEST(Report, IsWrittenAtTheEndOfARunThatAsksForIt)
 {
   const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  const Finished f = run_column(folder, {"--report"});
-  EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.out, HasSubstr("report in " + folder + "/report.html"));
+  EXPECT_THAT(succeeded(run_column(folder, {"--report"})).out, HasSubstr("report in " + folder + "/report.html"));
   EXPECT_EQ(document_in(read_file(folder + "/report.html"))["runs"][0]["finished"], true);
-  EXPECT_EQ(run_column(folder, {"--force", "-q"}).status, 0);
+  succeeded(run_column(folder, {"--force", "-q"}));
   EXPECT_FALSE(std::filesystem::exists(folder + "/report.html"));  // of the earlier run
 }
 
@@ -88,64 +82,53 @@ TEST(Report, IsWrittenAtTheEndOfARunThatGoesOn)
   const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run", page = folder + "/report.html",
                     checkpoint = folder + "/checkpoint_000000033.h5";
-  ASSERT_EQ(run_column(folder, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}).status, 0);
-  ASSERT_EQ(test::terp({"resume", checkpoint, "-q"}).status, 0);
+  succeeded(run_column(folder, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}));
+  succeeded(test::terp({"resume", checkpoint, "-q"}));
   EXPECT_FALSE(std::filesystem::exists(page));
-  const Finished f = test::terp({"resume", checkpoint, "--report"});
-  EXPECT_EQ(f.status, 0) << f.err;
+  succeeded(test::terp({"resume", checkpoint, "--report"}));
   EXPECT_EQ(document_in(read_file(page))["runs"][0]["finished"], true);
 }
 
 TEST(Compare, PrintsATableAndWantsTwoRuns)
 {
-  const Finished f = test::terp({"compare", runs().mixed, runs().gp});
-  EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.out, AllOf(HasSubstr("mpm_mixed   mpm_gp\n"), HasSubstr("front at the end [m]"),
-                         HasSubstr("A: eps_eq_p > 0.06 from [s]"), HasSubstr("With MPM-Mixed")));
-  const Finished one = test::terp({"compare", runs().gp});
-  EXPECT_EQ(one.status, 2);
-  EXPECT_EQ(one.err, "error: terp compare takes two run folders or more\n  One run by itself: terp report RUN\n");
+  EXPECT_THAT(succeeded(test::terp({"compare", runs().mixed, runs().gp})).out,
+      AllOf(HasSubstr("mpm_mixed   mpm_gp\n"), HasSubstr("front at the end [m]"),
+          HasSubstr("A: eps_eq_p > 0.06 from [s]"), HasSubstr("With MPM-Mixed")));
+  EXPECT_EQ(error_with(2, test::terp({"compare", runs().gp})),
+      "error: terp compare takes two run folders or more\n  One run by itself: terp report RUN\n");
 }
 
 TEST(Compare, RefusesARunThatIsGivenTwice)
 {
   for (const char* command : {"compare", "report"}) {
-    const Finished f = test::terp({command, runs().gp, runs().gp + "/../gp"});
-    EXPECT_EQ(f.status, 2);
-    EXPECT_EQ(f.err,
+    EXPECT_EQ(error_with(2, test::terp({command, runs().gp, runs().gp + "/../gp"})),
         "error: the run " + runs().gp + " is given twice, also as " + runs().gp + "/../gp\n  Name each run once.\n");
   }
 }
 
 TEST(Export, OfAFrameOrFieldThatIsNotThereIsBadInput)
 {
-  const Finished frame = test::terp({"export", runs().gp, "--frames", "99"});
-  EXPECT_EQ(frame.status, 2);
-  EXPECT_THAT(frame.err, StartsWith("error: there is no frame `99` in `99`: the run has frames 0 to 2\n"));
-  const Finished field = test::terp({"export", runs().gp, "--field", "sigma"});
-  EXPECT_EQ(field.status, 2);
-  EXPECT_THAT(field.err, AllOf(StartsWith("error: "), HasSubstr(" has no field `sigma`\n  It has: ")));
+  EXPECT_THAT(error_with(2, test::terp({"export", runs().gp, "--frames", "99"})),
+      StartsWith("error: there is no frame `99` in `99`: the run has frames 0 to 2\n"));
+  EXPECT_THAT(error_with(2, test::terp({"export", runs().gp, "--field", "sigma"})),
+      AllOf(StartsWith("error: "), HasSubstr(" has no field `sigma`\n  It has: ")));
 }
 
 TEST(Export, WritesTheFramesAndSaysWhere)
 {
   const std::string folder = runs().scratch.path() + "/csv";
-  const Finished f = test::terp({"export", runs().gp, "--field", "su", "--frames", "0,last", "-o", folder});
-  EXPECT_EQ(f.status, 0);
-  EXPECT_EQ(f.out, "2 frames in " + folder + ", listed in " + folder + "/frames.csv\n");
+  EXPECT_EQ(succeeded(test::terp({"export", runs().gp, "--field", "su", "--frames", "0,last", "-o", folder})).out,
+      "2 frames in " + folder + ", listed in " + folder + "/frames.csv\n");
   EXPECT_TRUE(std::filesystem::exists(folder + "/frame_00002.csv"));
-  const Finished wrong = test::terp({"export", runs().gp, "--format", "vtu"});
-  EXPECT_EQ(wrong.status, 2);
-  EXPECT_THAT(
-      wrong.err, StartsWith("error: there is no format `vtu`\n  Formats: csv. The frames of a run are VTKHDF files"));
+  EXPECT_THAT(error_with(2, test::terp({"export", runs().gp, "--format", "vtu"})),
+      StartsWith("error: there is no format `vtu`\n  Formats: csv. The frames of a run are VTKHDF files"));
 }
 
 TEST(Watch, SaysHowFarARunCameAndThatItIsFinished)
 {
-  const Finished f = test::terp({"watch", runs().gp});
-  EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.out, AllOf(StartsWith("t = 0.200 of 0.2 s (100 %)  kinetic energy "), HasSubstr(" kJ/m  front x = 8."),
-                         HasSubstr("no terp is writing to " + runs().gp + ": the run is finished\n")));
+  EXPECT_THAT(succeeded(test::terp({"watch", runs().gp})).out,
+      AllOf(StartsWith("t = 0.200 of 0.2 s (100 %)  kinetic energy "), HasSubstr(" kJ/m  front x = 8."),
+          HasSubstr("no terp is writing to " + runs().gp + ": the run is finished\n")));
 }
 
 TEST(Watch, WhileARunGoesOnSaysWhenItWillEnd)
@@ -167,13 +150,10 @@ TEST(Watch, WhileARunGoesOnSaysWhenItWillEnd)
 TEST(Watch, OfAFolderThatIsNoRunSaysSo)
 {
   const ScratchFolder scratch;
-  const Finished f = test::terp({"watch", scratch.path()});
-  EXPECT_EQ(f.status, 1);
-  EXPECT_EQ(f.err, "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
-  const Finished missing = test::terp({"watch", "no/such"});
-  EXPECT_EQ(missing.status, 1);
-  EXPECT_THAT(
-      missing.err, StartsWith("error: no/such: no such run folder\n  Give the folder that `terp run` writes to"));
+  EXPECT_EQ(error_with(1, test::terp({"watch", scratch.path()})),
+      "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
+  EXPECT_THAT(error_with(1, test::terp({"watch", "no/such"})),
+      StartsWith("error: no/such: no such run folder\n  Give the folder that `terp run` writes to"));
 }
 
 }  // namespace report_test

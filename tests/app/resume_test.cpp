@@ -1,12 +1,8 @@
 // terp resume, as a user meets it: files, messages, exit statuses.
-#include "app/coarse_column.hpp"
 #include "app/same_results.hpp"
-#include "output/checkpoint.hpp"
 #include "output/small_disk.hpp"
 #include "support/test.hpp"
-#include <chrono>
 #include <csignal>
-#include <thread>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
 
@@ -14,98 +10,83 @@ namespace resume_test {
 
 const std::string last_checkpoint = "/checkpoint_000000066.h5";
 
-/// A signal stops a run, and resuming it ends in the results of a run that was not stopped.
-void stop_and_resume(int signal)
-{
+struct Resume : testing::Test {
   const ScratchFolder scratch;
-  const std::string whole = scratch.path() + "/whole", stopped = scratch.path() + "/stopped";
-  Process running(longer_run(stopped, "1"));
-  wait_for_rows(stopped);
-  running.send(signal);
-  const Finished f = running.wait();
-  EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.out, AllOf(HasSubstr("stopped at t = "),
-                         HasSubstr("a checkpoint is written. Go on with:\n  terp resume " + stopped + "\n")));
-  EXPECT_EQ(nlohmann::json::parse(text_of(stopped + "/summary.json")).at("finished"), false);
+  const std::string folder = scratch.path() + "/run";
+  const std::string whole = scratch.path() + "/whole";
 
-  const Finished resumed = test::terp({"resume", stopped, "-j", "2"});
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
-  EXPECT_THAT(resumed.out, AllOf(StartsWith("resuming " + stopped + " at t = "), HasSubstr("solved in ")));
-  EXPECT_EQ(nlohmann::json::parse(text_of(stopped + "/summary.json")).at("finished"), true);
-  ASSERT_EQ(test::terp(longer_run(whole, "1")).status, 0);
-  expect_same_results(whole, stopped, "/checkpoint_000001320.h5");
-}
+  /// A signal stops a run, and resuming it ends in the results of a run that was not stopped.
+  void stop_and_resume(int signal)
+  {
+    Process running(longer_run(folder, "1"));
+    wait_for_rows(folder);
+    running.send(signal);
+    const Finished f = running.wait();
+    EXPECT_EQ(f.status, 1);
+    EXPECT_THAT(f.out, AllOf(HasSubstr("stopped at t = "),
+                           HasSubstr("a checkpoint is written. Go on with:\n  terp resume " + folder + "\n")));
+    EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/summary.json")).at("finished"), false);
 
-TEST(Resume, AfterCtrlCEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGINT); }
+    EXPECT_THAT(succeeded(test::terp({"resume", folder, "-j", "2"})).out,
+        AllOf(StartsWith("resuming " + folder + " at t = "), HasSubstr("solved in ")));
+    EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/summary.json")).at("finished"), true);
+    ASSERT_EQ(test::terp(longer_run(whole, "1")).status, 0);
+    expect_same_results(whole, folder, "/checkpoint_000001320.h5");
+  }
+};
 
-TEST(Resume, AfterSigtermEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGTERM); }
+TEST_F(Resume, AfterCtrlCEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGINT); }
 
-TEST(Resume, AfterSighupEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGHUP); }
+TEST_F(Resume, AfterSigtermEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGTERM); }
 
-TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
+TEST_F(Resume, AfterSighupEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGHUP); }
+
+TEST_F(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
 {
-  const ScratchFolder scratch;
-  const std::string whole = scratch.path() + "/whole", again = scratch.path() + "/again";
-  ASSERT_EQ(
-      run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status,
-      0);
+  const std::string again = scratch.path() + "/again";
+  succeeded(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}));
   std::filesystem::copy(whole, again, std::filesystem::copy_options::recursive);
-  const Finished f = test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"});
-  EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(f.out, HasSubstr("step 33 of 66\n"));
+  EXPECT_THAT(succeeded(test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"})).out,
+      HasSubstr("step 33 of 66\n"));
   expect_same_results(whole, again, last_checkpoint);
   EXPECT_EQ(text_of(whole + "/mesh.vtkhdf.series"), text_of(again + "/mesh.vtkhdf.series"));
 }
 
-TEST(Resume, WherePointsLeftSinceTheLastRowOfTheLedgerEndsInTheSameResults)
+TEST_F(Resume, WherePointsLeftSinceTheLastRowOfTheLedgerEndsInTheSameResults)
 {
-  const ScratchFolder scratch;
-  const std::string whole = scratch.path() + "/whole", again = scratch.path() + "/again";
-  ASSERT_EQ(run_column(whole,
-                {"-q", "--set", "mesh.size=[8.5, 3]", "--set", "boundary.right=open", "--set", "body.0.velocity=[8, 0]",
-                    "--set", "output.ledger.every=0.15", "--set", "output.checkpoint={every=0.1, keep=0}"})
-                .status,
-      0);
+  const std::string again = scratch.path() + "/again";
+  succeeded(run_column(
+      whole, {"-q", "--set", "mesh.size=[8.5, 3]", "--set", "boundary.right=open", "--set", "body.0.velocity=[8, 0]",
+                 "--set", "output.ledger.every=0.15", "--set", "output.checkpoint={every=0.1, keep=0}"}));
   std::filesystem::copy(whole, again, std::filesystem::copy_options::recursive);
-  const Finished f = test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"});
-  EXPECT_EQ(f.status, 0) << f.err;
+  succeeded(test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"}));
   expect_same_results(whole, again, last_checkpoint);
   EXPECT_EQ(text_of(whole + "/left_the_mesh.csv"), text_of(again + "/left_the_mesh.csv"));
 }
 
-TEST(Resume, SkipsADamagedCheckpointAndSaysSo)
+TEST_F(Resume, SkipsADamagedCheckpointAndSaysSo)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run";
-  ASSERT_EQ(run_column(folder, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}).status, 0);
+  succeeded(run_column(folder, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}));
   std::filesystem::resize_file(folder + last_checkpoint, 1000);
-  const Finished f = test::terp({"resume", folder, "-j", "1"});
-  EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.err, HasSubstr("warning: skipped " + folder + last_checkpoint));
+  EXPECT_THAT(succeeded(test::terp({"resume", folder, "-j", "1"})).err,
+      HasSubstr("warning: skipped " + folder + last_checkpoint));
   EXPECT_NO_THROW(read_checkpoint(folder + last_checkpoint));
 }
 
-TEST(Resume, WithoutARunOrACheckpointFails)
+TEST_F(Resume, WithoutARunOrACheckpointFails)
 {
-  const ScratchFolder scratch;
-  const Finished nowhere = test::terp({"resume", scratch.path() + "/none"});
-  EXPECT_EQ(nowhere.status, 1);
-  EXPECT_EQ(nowhere.err, "error: " + scratch.path() + "/none: no such run folder\n");
-  const std::string folder = scratch.path() + "/run";
-  ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
+  EXPECT_EQ(error_with(1, test::terp({"resume", scratch.path() + "/none"})),
+      "error: " + scratch.path() + "/none: no such run folder\n");
+  succeeded(run_column(folder, {"-q"}));
   std::filesystem::remove(folder + last_checkpoint);
-  const Finished f = test::terp({"resume", folder});
-  EXPECT_EQ(f.status, 1);
-  EXPECT_EQ(f.err, "error: " + folder + ": no checkpoint to resume from. Start the case anew with `terp run`.\n");
+  EXPECT_EQ(error_with(1, test::terp({"resume", folder})),
+      "error: " + folder + ": no checkpoint to resume from. Start the case anew with `terp run`.\n");
 }
 
-TEST(Resume, OfACaseFileSaysWhatItTakesAndWhatRunIsFor)
+TEST_F(Resume, OfACaseFileSaysWhatItTakesAndWhatRunIsFor)
 {
-  const ScratchFolder scratch;
   write_text(scratch.path() + "/base.toml", "");
-  const Finished f = test::terp({"resume", "base.toml"}, scratch.path());
-  EXPECT_EQ(f.status, 2);
-  EXPECT_EQ(f.err,
+  EXPECT_EQ(error_with(2, test::terp({"resume", "base.toml"}, scratch.path())),
       "error: base.toml: `terp resume` takes a run folder, as in terp resume runs/base\n"
       "  It goes on from the newest checkpoint there. To solve a case file from its start: terp run base.toml\n");
   EXPECT_THAT(test::terp({"resume", "runs/base/case.toml"}).err, HasSubstr("as in terp resume runs/base\n"));
@@ -116,40 +97,33 @@ TEST(Resume, OfACaseFileSaysWhatItTakesAndWhatRunIsFor)
       "error: folder.toml: this is no run folder, it holds no case.toml\n");
 }
 
-TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
+TEST_F(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
 {
-  const ScratchFolder scratch;
-  const std::string whole = scratch.path() + "/whole";
-  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set",
-                                  "output.fields.every=0.05", "--set", "output.mesh=true"})
-                .status,
-      0);
+  succeeded(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set",
+                                  "output.fields.every=0.05", "--set", "output.mesh=true"}));
   std::filesystem::remove(whole + last_checkpoint);
   for (const std::string name : {"history.csv", "ledger.csv"}) {
     const std::string folder = scratch.path() + "/no_" + name;
     std::filesystem::copy(whole, folder, std::filesystem::copy_options::recursive);
     std::filesystem::remove(folder + "/" + name);
     const auto before = names_in(folder);
-    const Finished f = test::terp({"resume", folder});
-    EXPECT_EQ(f.status, 1) << name;
-    EXPECT_THAT(f.err, StartsWith("error: cannot resume from step 33, t = 0.1 s, without all of " + folder + "/" +
-                                  name + ": it is missing\n"));
+    EXPECT_EQ(error_with(1, test::terp({"resume", folder})),
+        "error: cannot resume from step 33, t = 0.1 s, without all of " + folder + "/" + name +
+            ": it is missing\n  Put the file back, resume from an earlier checkpoint, or start the case anew: terp "
+            "run " +
+            folder + "/case.toml -o NEW_FOLDER\n");
     EXPECT_EQ(names_in(folder), before);
   }
   const std::string ledger = text_of(whole + "/ledger.csv");
   write_text(whole + "/ledger.csv", ledger.substr(0, ledger.find("\n0.06") + 1));
   EXPECT_THAT(test::terp({"resume", whole}).err, HasSubstr("/ledger.csv: it holds 6 rows up to there, 11 are due\n"));
   write_text(whole + "/ledger.csv", ledger);
-  EXPECT_EQ(test::terp({"resume", whole, "-q", "-j", "1"}).status, 0);
+  succeeded(test::terp({"resume", whole, "-q", "-j", "1"}));
 }
 
-TEST(Resume, WhereAFolderOrAPipeStandsForAFileOfTheRunIsRefused)
+TEST_F(Resume, WhereAFolderOrAPipeStandsForAFileOfTheRunIsRefused)
 {
-  const ScratchFolder scratch;
-  const std::string whole = scratch.path() + "/whole";
-  ASSERT_EQ(
-      run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status,
-      0);
+  succeeded(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}));
   for (const std::string name : {"mesh.vtkhdf", "history.csv", "ledger.csv", "left_the_mesh.csv", "footings.csv"}) {
     for (const bool is_pipe : {false, true}) {
       const std::string folder = scratch.path() + (is_pipe ? "/pipe_" : "/folder_") + name, path = folder + "/" + name;
@@ -170,24 +144,22 @@ TEST(Resume, WhereAFolderOrAPipeStandsForAFileOfTheRunIsRefused)
   }
 }
 
-TEST(Resume, WhereFramesWereCutNamesThemAndGoesOn)
+TEST_F(Resume, WhereFramesWereCutNamesThemAndGoesOn)
 {
-  const ScratchFolder scratch;
-  const std::string whole = scratch.path() + "/whole", folder = scratch.path() + "/cut",
-                    cut = folder + "/frames/points_00001.vtkhdf";
-  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set",
-                                  "output.fields.every=0.05", "--set", "output.mesh=true"})
-                .status,
-      0);
+  const std::string folder = scratch.path() + "/cut", cut = folder + "/frames/points_00001.vtkhdf";
+  succeeded(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set",
+                                  "output.fields.every=0.05", "--set", "output.mesh=true"}));
   std::filesystem::remove(whole + last_checkpoint);
   std::filesystem::copy(whole, folder, std::filesystem::copy_options::recursive);
+  std::filesystem::remove(folder + "/frames/points_00000.vtkhdf");
   for (const std::string& path : {cut, folder + "/mesh.vtkhdf"})
     std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
-  const Finished f = test::terp({"resume", folder, "-q", "-j", "1"});
-  EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.err, AllOf(HasSubstr("warning: " + cut + " is damaged; the run goes on without it: cannot read " + cut),
-                         HasSubstr("warning: " + folder + "/mesh.vtkhdf is damaged; it is written again")));
+  EXPECT_THAT(succeeded(test::terp({"resume", folder, "-q", "-j", "1"})).err,
+      AllOf(HasSubstr("points_00000.vtkhdf is missing; the run goes on without it"),
+          HasSubstr("warning: " + cut + " is damaged; the run goes on without it: cannot read " + cut),
+          HasSubstr("warning: " + folder + "/mesh.vtkhdf is damaged; it is written again")));
   auto expected = frames_of(whole);
+  expected.erase("points_00000.vtkhdf");
   const auto seen = frames_of(folder);
   expected["points_00001.vtkhdf"] = seen.at("points_00001.vtkhdf");
   EXPECT_TRUE(seen == expected);
@@ -197,22 +169,25 @@ TEST(Resume, WhereFramesWereCutNamesThemAndGoesOn)
       HasSubstr("warning: " + cut + " is left out: cannot read " + cut));
 }
 
-TEST(Resume, WithAFileOfAnotherRunOfTheSameSizeIsRefused)
+TEST_F(Resume, WithAFileOfAnotherRunOfTheSameSizeIsRefused)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run", other = scratch.path() + "/other";
-  ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
-  ASSERT_EQ(run_column(other, {"-q", "--set", "material.clay.eta=40"}).status, 0);
+  const std::string other = scratch.path() + "/other";
+  succeeded(run_column(folder, {"-q"}));
+  succeeded(run_column(other, {"-q", "--set", "material.clay.eta=40"}));
   for (const std::string name : {"/frames/points_00000.vtkhdf", "/history.csv", "/ledger.csv"}) {
     const std::string ours = text_of(folder + name);
     write_text(folder + name, text_of(other + name));
-    const Finished f = test::terp({"resume", folder});
-    EXPECT_EQ(f.status, 1) << name;
-    EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot resume from step 66, t = 0.2 s: " + folder + name + " is "),
-                           HasSubstr("Nothing was changed")));
+    const auto before = names_in(folder);
+    EXPECT_THAT(error_with(1, test::terp({"resume", folder})),
+        AllOf(StartsWith("error: cannot resume from step 66, t = 0.2 s: " + folder + name + " is "),
+            HasSubstr("of another "),
+            HasSubstr("\n  Put a copy of it back, or start the case anew: terp run " + folder +
+                      "/case.toml -o NEW_FOLDER\n  Nothing was changed")));
+    EXPECT_EQ(names_in(folder), before);
+    EXPECT_EQ(text_of(folder + name), text_of(other + name));
     write_text(folder + name, ours);
   }
-  EXPECT_EQ(test::terp({"resume", folder, "-q"}).status, 0);
+  succeeded(test::terp({"resume", folder, "-q"}));
 }
 
 /// Writes the case of a run folder anew with `from` replaced.
@@ -222,41 +197,34 @@ void edit_case(const std::string& folder, const std::string& from, const std::st
   write_text(folder + "/case.toml", text.replace(text.find(from), from.size(), to));
 }
 
-TEST(Resume, OfACaseThatWasChangedIsRefusedWithWhatChanged)
+TEST_F(Resume, OfACaseThatWasChangedIsRefusedWithWhatChanged)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run";
-  ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
+  succeeded(run_column(folder, {"-q"}));
   edit_case(folder, "[5, 5]", "[4, 4]");
   edit_case(folder, "eta = 50.0", "eta = 40.0  # softer");
   const auto before = names_in(folder);
-  const Finished f = test::terp({"resume", folder});
-  EXPECT_EQ(f.status, 1);
-  EXPECT_EQ(f.err, "error: cannot resume from step 66: " + folder +
-                       "/case.toml was changed since the run began\n"
-                       "  body[0].points_per_cell ([5, 5], now [4, 4])\n"
-                       "  material.clay.eta (50, now 40)\n"
-                       "  Put back what it began with, or solve the changed case from its start: terp run " +
-                       folder +
-                       "/case.toml -o NEW_FOLDER\n"
-                       "  These may change: title, time.end, time.at_most, output.fields.every, output.checkpoint\n");
+  EXPECT_EQ(error_with(1, test::terp({"resume", folder})),
+      "error: cannot resume from step 66: " + folder +
+          "/case.toml was changed since the run began\n"
+          "  body[0].points_per_cell ([5, 5], now [4, 4])\n"
+          "  material.clay.eta (50, now 40)\n"
+          "  Put back what it began with, or solve the changed case from its start: terp run " +
+          folder +
+          "/case.toml -o NEW_FOLDER\n"
+          "  These may change: title, time.end, time.at_most, output.fields.every, output.checkpoint\n");
   EXPECT_EQ(names_in(folder), before);
   edit_case(folder, "[4, 4]", "5");
   edit_case(folder, "eta = 40.0", "eta = 5.0e1");
-  EXPECT_EQ(test::terp({"resume", folder, "-q"}).status, 0);
+  succeeded(test::terp({"resume", folder, "-q"}));
 }
 
-TEST(Resume, WithALaterEndGoesOnInTheSameTimeStepWithoutGapOrDoubleRows)
+TEST_F(Resume, WithALaterEndGoesOnInTheSameTimeStepWithoutGapOrDoubleRows)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole";
-  ASSERT_EQ(run_column(folder, {"-q", "--set", "output.fields.every=0.05"}).status, 0);
-  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.fields.every=0.05", "--set", "time.end=0.4"}).status, 0);
+  succeeded(run_column(folder, {"-q", "--set", "output.fields.every=0.05"}));
+  succeeded(run_column(whole, {"-q", "--set", "output.fields.every=0.05", "--set", "time.end=0.4"}));
   edit_case(folder, "end = 0.2", "end = 0.4");
-  const Finished f = test::terp({"resume", folder, "-j", "1"});
-  EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(
-      f.out, AllOf(HasSubstr("step 66 of 132\n"), HasSubstr("  from here on with another time.end (0.2, now 0.4)\n")));
+  EXPECT_THAT(succeeded(test::terp({"resume", folder, "-j", "1"})).out,
+      AllOf(HasSubstr("step 66 of 132\n"), HasSubstr("  from here on with another time.end (0.2, now 0.4)\n")));
   expect_same_results(whole, folder, "/checkpoint_000000132.h5");  // 0.4 s are just twice as many of the same steps
   edit_case(folder, "end = 0.4", "end = 0.401");
   EXPECT_THAT(test::terp({"resume", folder, "-j", "1"}).out, HasSubstr("step 132 of 133\n"));
@@ -266,10 +234,8 @@ TEST(Resume, WithALaterEndGoesOnInTheSameTimeStepWithoutGapOrDoubleRows)
       "  Set a later time.end in case.toml of the folder, or name an earlier checkpoint.\n");
 }
 
-TEST(Resume, SaysFirstThatAnotherTerpIsWriting)
+TEST_F(Resume, SaysFirstThatAnotherTerpIsWriting)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run";
   Process running(longer_run(folder, "1"));
   wait_for_rows(folder);
   const std::string refused = "error: another terp is writing to the run folder " + folder + "\n";

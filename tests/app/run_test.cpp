@@ -1,12 +1,8 @@
 // terp run, as a user meets them: files, messages, exit statuses.
-#include "app/coarse_column.hpp"
 #include "app/same_results.hpp"
-#include "output/checkpoint.hpp"
 #include "output/small_disk.hpp"
 #include "support/test.hpp"
-#include <chrono>
 #include <csignal>
-#include <thread>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
 
@@ -17,12 +13,14 @@ namespace run_test {
 
 const std::string last_checkpoint = "/checkpoint_000000066.h5";
 
-TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
-{
+struct Run : testing::Test {
   const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  const Finished f = run_column(folder);
-  EXPECT_EQ(f.status, 0);
+};
+
+TEST_F(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
+{
+  const Finished f = succeeded(run_column(folder));
   EXPECT_EQ(f.err, "");
   EXPECT_THAT(f.out,
       AllOf(HasSubstr("solved in "), HasSubstr(": 1600 points, 66 steps of 0.00303 s, "), HasSubstr(" on 1 thread\n"),
@@ -39,77 +37,67 @@ TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
   EXPECT_THAT(text_of(folder + "/history.csv"), HasSubstr("\n0,A,"));
 }
 
-TEST(Run, SaysInItsSummaryWhereSoilSoftenedWithoutALength)
+TEST_F(Run, SaysInItsSummaryWhereSoilSoftenedWithoutALength)
 {
-  const ScratchFolder scratch;
   const char* line =
       "\n  softening        no length, no reference width: the result depends on the cells (docs/convergence.md)\n";
   EXPECT_THAT(run_column(scratch.path() + "/point").out, HasSubstr(line));
   for (const char* change : {"material.clay.softening.length=0.6", "material.clay.softening.reference_width=0.5",
            "material.clay.su_residual=8e3", "time.end=0.02"}) {
-    const Finished f = run_column(scratch.path() + "/" + change, {"--set", change});
-    EXPECT_EQ(f.status, 0) << f.err;
-    EXPECT_THAT(f.out, Not(HasSubstr("softening  "))) << change;
+    EXPECT_THAT(
+        succeeded(run_column(scratch.path() + "/" + change, {"--set", change})).out, Not(HasSubstr("softening  ")))
+        << change;
   }
 }
 
-TEST(Run, AtAStrengthIsRecordedAndResumedAndCompared)
+TEST_F(Run, AtAStrengthIsRecordedAndResumedAndCompared)
 {
-  const ScratchFolder scratch;
   const std::string weak = scratch.path() + "/weak", full = scratch.path() + "/full";
-  const Finished f = run_column(weak, {"--at-strength", "1.25", "--set", "output.checkpoint.every=0.1"});
-  EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(f.out, HasSubstr("\n  strengths        divided by 1.25\n"));
+  EXPECT_THAT(succeeded(run_column(weak, {"--at-strength", "1.25", "--set", "output.checkpoint.every=0.1"})).out,
+      HasSubstr("\n  strengths        divided by 1.25\n"));
   EXPECT_EQ(nlohmann::json::parse(text_of(weak + "/summary.json")).at("at_strength"), 1.25);
   EXPECT_THAT(text_of(weak + "/case.toml"), HasSubstr("at_strength = 1.25"));
   const std::string end = text_of(weak + "/history.csv");
-  const Finished resumed = test::terp({"resume", weak + "/checkpoint_000000033.h5", "-j", "1"});
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
-  EXPECT_THAT(resumed.out, HasSubstr("\n  strengths        divided by 1.25\n"));
+  EXPECT_THAT(succeeded(test::terp({"resume", weak + "/checkpoint_000000033.h5", "-j", "1"})).out,
+      HasSubstr("\n  strengths        divided by 1.25\n"));
   EXPECT_EQ(text_of(weak + "/history.csv"), end);
   EXPECT_THAT(run_column(full).out, Not(HasSubstr("strengths")));
   EXPECT_THAT(test::terp({"compare", full, weak}).out, HasSubstr("at_strength"));
 }
 
-TEST(Run, RefusesAStrengthThatCannotBe)
+TEST_F(Run, RefusesAStrengthThatCannotBe)
 {
-  const ScratchFolder scratch;
-  const Finished zero = run_column(scratch.path() + "/run", {"--at-strength", "0"});
-  EXPECT_EQ(zero.status, 2);
-  EXPECT_THAT(zero.err, HasSubstr("`at_strength` is out of range"));
-  const Finished fluid = run_column(scratch.path() + "/run",
-      {"--at-strength", "1.2", "--set", "material.clay={model=\"newtonian_fluid\", density=1000.0, bulk_modulus=1e6}"});
-  EXPECT_EQ(fluid.status, 2);
-  EXPECT_THAT(fluid.err,
+  EXPECT_THAT(error_with(2, run_column(folder, {"--at-strength", "0"})), HasSubstr("`at_strength` is out of range"));
+  EXPECT_THAT(error_with(2, run_column(folder,
+                                {"--at-strength", "1.2", "--set",
+                                    "material.clay={model=\"newtonian_fluid\", density=1000.0, bulk_modulus=1e6}"})),
       AllOf(HasSubstr("the strength of `clay` cannot be divided"),
           HasSubstr("Got at_strength = 1.2. Soil of the law newtonian_fluid has none that a factor could divide")));
-  const Finished elastic = run_column(scratch.path() + "/run",
-      {"--at-strength", "1.2", "--set",
-          "material.clay={model=\"linear_elastic\", density=1000.0, shear_modulus=1e6, poisson_ratio=0.3}", "--set",
-          "boundary.bottom=\"roller\""});
-  EXPECT_EQ(elastic.status, 2);
-  EXPECT_THAT(elastic.err, HasSubstr("no material of this case has a strength to divide"));
+  EXPECT_THAT(
+      error_with(
+          2, run_column(folder,
+                 {"--at-strength", "1.2", "--set",
+                     "material.clay={model=\"linear_elastic\", density=1000.0, shear_modulus=1e6, poisson_ratio=0.3}",
+                     "--set", "boundary.bottom=\"roller\""})),
+      HasSubstr("no material of this case has a strength to divide"));
 }
 
-TEST(Run, GoesToRunsAndTheNameOfTheCaseByDefault)
+TEST_F(Run, GoesToRunsAndTheNameOfTheCaseByDefault)
 {
-  const ScratchFolder scratch;
-  EXPECT_EQ(test::terp(column_command("run", {"-q"}), scratch.path()).status, 0);
+  succeeded(test::terp(column_command("run", {"-q"}), scratch.path()));
   EXPECT_TRUE(std::filesystem::exists(scratch.path() + "/runs/model_2/summary.json"));
 }
 
-TEST(Run, NotOnATerminalTellsPlainLinesWithoutControlCharacters)
+TEST_F(Run, NotOnATerminalTellsPlainLinesWithoutControlCharacters)
 {
-  const ScratchFolder scratch;
-  const Finished f = run_column(scratch.path() + "/run");
+  const Finished f = run_column(folder);
   EXPECT_TRUE(std::all_of(f.out.begin(), f.out.end(), [](unsigned char c) { return c == '\n' || c >= ' '; }));
   EXPECT_THAT(f.out, HasSubstr("100.0 %  t = 0.200 of 0.2 s  step 66 of 66  "));
   EXPECT_THAT(f.out, HasSubstr("M point-steps/s  ETA "));
 }
 
-TEST(Run, OnATerminalTellsItsProgressInOneLineThatIsWrittenAnew)
+TEST_F(Run, OnATerminalTellsItsProgressInOneLineThatIsWrittenAnew)
 {
-  const ScratchFolder scratch;
   if (std::system("command -v script > /dev/null") != 0) GTEST_SKIP() << "needs script(1)";
   const std::string command = "script -qec '" + program() + " run " + column_file +
                               " --set mesh.cell=0.5 --set time.end=0.2 -j 1 -o " + scratch.path() +
@@ -119,40 +107,33 @@ TEST(Run, OnATerminalTellsItsProgressInOneLineThatIsWrittenAnew)
       AllOf(HasSubstr("\r\033[K100.0 %  t = 0.200 of 0.2 s"), HasSubstr("solved in ")));
 }
 
-TEST(Run, QuietSaysNothing)
+TEST_F(Run, QuietSaysNothing)
 {
-  const ScratchFolder scratch;
-  const Finished f = run_column(scratch.path() + "/run", {"-q"});
-  EXPECT_EQ(f.status, 0);
+  const Finished f = succeeded(run_column(folder, {"-q"}));
   EXPECT_EQ(f.out + f.err, "");
 }
 
-TEST(Run, VerboseTellsTheTimeOfEachPass)
+TEST_F(Run, VerboseTellsTheTimeOfEachPass)
 {
-  const ScratchFolder scratch;
-  const Finished f = run_column(scratch.path() + "/run", {"-v"});
+  const Finished f = run_column(folder, {"-v"});
   for (const char* pass : {"points to cells", "nodes", "cells to points", "velocities", "stress", "move"})
     EXPECT_THAT(f.out, HasSubstr(pass));
 }
 
-TEST(Run, DoesNotTouchAnEarlierRunWithoutForce)
+TEST_F(Run, DoesNotTouchAnEarlierRunWithoutForce)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run";
-  ASSERT_EQ(run_column(folder).status, 0);
+  succeeded(run_column(folder));
   const std::string summary = text_of(folder + "/summary.json"), checkpoint = text_of(folder + last_checkpoint);
-  const Finished refused = run_column(folder, {"--set", "scheme=mpm_mixed"});
-  EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.err, AllOf(StartsWith("error: "), HasSubstr(folder), HasSubstr("--force")));
+  EXPECT_THAT(error_with(1, run_column(folder, {"--set", "scheme=mpm_mixed"})),
+      AllOf(StartsWith("error: "), HasSubstr(folder), HasSubstr("--force")));
   EXPECT_EQ(text_of(folder + "/summary.json"), summary);
   EXPECT_EQ(text_of(folder + last_checkpoint), checkpoint);
-  EXPECT_EQ(run_column(folder, {"--set", "scheme=mpm_mixed", "--force"}).status, 0);
+  succeeded(run_column(folder, {"--set", "scheme=mpm_mixed", "--force"}));
   EXPECT_THAT(text_of(folder + "/summary.json"), HasSubstr("mpm_mixed"));
 }
 
-TEST(Run, OfABadCaseNamesFileAndLineAndLeavesNothing)
+TEST_F(Run, OfABadCaseNamesFileAndLineAndLeavesNothing)
 {
-  const ScratchFolder scratch;
   std::string text = text_of(column_file);
   text.replace(text.find("su_residual   = 2.0e3"), 11, "su_resdiual");
   write_text(scratch.path() + "/bad.toml", text);
@@ -166,79 +147,65 @@ TEST(Run, OfABadCaseNamesFileAndLineAndLeavesNothing)
   EXPECT_THAT(names_in(scratch.path()), ElementsAre("bad.toml"));
 }
 
-TEST(Run, OfAFileThatIsNotThereIsBadInput)
+TEST_F(Run, OfAFileThatIsNotThereIsBadInput)
 {
-  const Finished f = test::terp({"run", "no/such/case.toml"});
-  EXPECT_EQ(f.status, 2);
-  EXPECT_THAT(f.err, HasSubstr("no/such/case.toml"));
+  EXPECT_THAT(error_with(2, test::terp({"run", "no/such/case.toml"})), HasSubstr("no/such/case.toml"));
 }
 
-TEST(Run, IntoAPlaceThatIsNoFolderFails)
+TEST_F(Run, IntoAPlaceThatIsNoFolderFails)
 {
-  const ScratchFolder scratch;
   write_text(scratch.path() + "/file", "mine");
-  const Finished f = run_column(scratch.path() + "/file/run");
-  EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr(scratch.path() + "/file")));
+  EXPECT_THAT(error_with(1, run_column(scratch.path() + "/file/run")),
+      AllOf(StartsWith("error: "), HasSubstr(scratch.path() + "/file")));
   EXPECT_EQ(text_of(scratch.path() + "/file"), "mine");
 }
 
-TEST(Run, OnAFullDiskFailsWithThePathAndTheReason)
+TEST_F(Run, OnAFullDiskFailsWithThePathAndTheReason)
 {
   const SmallDisk disk(600 * 1024);  // less than the first frame and a checkpoint
   if (!disk.is_there()) GTEST_SKIP() << "needs the right to mount a tmpfs";
-  const std::string folder = disk.path() + "/run";
-  const Finished f = run_column(folder, {"--set", "output.fields.every=0.01"});
-  EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr(folder), HasSubstr("No space left on device"),
-                         HasSubstr("\n  No checkpoint was written yet. Make room on the disk, or mend what is told "
-                                   "above, then give the same command with --force.\n")));
+  const std::string full = disk.path() + "/run";
+  EXPECT_THAT(error_with(1, run_column(full, {"--set", "output.fields.every=0.01"})),
+      AllOf(StartsWith("error: "), HasSubstr(full), HasSubstr("No space left on device"),
+          HasSubstr("\n  No checkpoint was written yet. Make room on the disk, or mend what is told "
+                    "above, then give the same command with --force.\n")));
 }
 
-TEST(Run, OnADiskThatFillsUpSaysHowToGoOnAndCanGoOn)
+TEST_F(Run, OnADiskThatFillsUpSaysHowToGoOnAndCanGoOn)
 {
   const SmallDisk disk(26 << 20);
   if (!disk.is_there()) GTEST_SKIP() << "needs the right to mount a tmpfs";
-  const std::string folder = disk.path() + "/run", filler = disk.path() + "/mine";
+  const std::string full = disk.path() + "/run", filler = disk.path() + "/mine";
   const std::vector<std::string> often{
       "-q", "--set", "output.fields.every=0.01", "--set", "output.checkpoint.every=0.03"};
   write_text(filler, std::string((24 << 20) + (1 << 19), 'x'));
-  const Finished f = run_column(folder, often);
-  EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err, MatchesRegex("error: cannot write " + folder +
-                                  "/[a-z0-9_./]+: No space left on device\n"
-                                  "  Earlier results are intact, up to the checkpoint at t = 0[.][0-9]+ s. "
-                                  "Make room on the disk, or mend what is told above, then go on with:\n"
-                                  "  terp resume " +
-                                  folder + "\n"));
+  EXPECT_THAT(error_with(1, run_column(full, often)),
+      MatchesRegex("error: cannot write " + full +
+                   "/[a-z0-9_./]+: No space left on device\n"
+                   "  Earlier results are intact, up to the checkpoint at t = 0[.][0-9]+ s. "
+                   "Make room on the disk, or mend what is told above, then go on with:\n"
+                   "  terp resume " +
+                   full + "\n"));
   std::filesystem::remove(filler);
-  const Finished resumed = test::terp({"resume", folder, "-q", "-j", "1"});
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
-  const ScratchFolder scratch;
-  ASSERT_EQ(run_column(scratch.path() + "/run", often).status, 0);
-  EXPECT_EQ(text_of(folder + "/ledger.csv"), text_of(scratch.path() + "/run/ledger.csv"));
+  succeeded(test::terp({"resume", full, "-q", "-j", "1"}));
+  succeeded(run_column(folder, often));
+  EXPECT_EQ(text_of(full + "/ledger.csv"), text_of(folder + "/ledger.csv"));
 }
 
-TEST(Run, ThatStopsItselfHasAStatusOfItsOwnAndKeepsItsState)
+TEST_F(Run, ThatStopsItselfHasAStatusOfItsOwnAndKeepsItsState)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run";
-  const Finished f = run_column(
-      folder, {"--set", "body[0].velocity=[60.0, 0.0]", "--set", "boundary.right=\"free\"", "--set", "time.end=0.3"});
-  EXPECT_EQ(f.status, 3);
-  EXPECT_THAT(f.err,
+  EXPECT_THAT(error_with(3, run_column(folder, {"--set", "body[0].velocity=[60.0, 0.0]", "--set",
+                                                   "boundary.right=\"free\"", "--set", "time.end=0.3"})),
       AllOf(HasSubstr("points had to be put back at the walls"), HasSubstr("  saved    " + folder + "/failed_")));
   EXPECT_THAT(names_in(folder), Contains(StartsWith("failed_")));
   EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/summary.json")).at("finished"), false);
 }
 
-TEST(Run, SaysWhenSoilCameToASideOfTheMesh)
+TEST_F(Run, SaysWhenSoilCameToASideOfTheMesh)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run";  // the column from 0 to 8 m, a wall 1 m before it
+  // The column from 0 to 8 m, a wall 1 m before it
   const Finished f =
-      run_column(folder, {"-q", "--set", "body[0].velocity=[8.0, 0.0]", "--set", "mesh.size=[9.5, 3.0]"});
-  EXPECT_EQ(f.status, 0) << f.err;
+      succeeded(run_column(folder, {"-q", "--set", "body[0].velocity=[8.0, 0.0]", "--set", "mesh.size=[9.5, 3.0]"}));
   const auto reached = nlohmann::json::parse(text_of(folder + "/summary.json")).at("reached_sides");
   ASSERT_EQ(reached.size(), 1u) << reached;
   EXPECT_EQ(reached[0].at("side"), "right");
@@ -246,9 +213,8 @@ TEST(Run, SaysWhenSoilCameToASideOfTheMesh)
   EXPECT_THAT(f.err, ContainsRegex("warning: [^ ]*: soil came to the side `right` of the mesh by t = 0.1"));
 }
 
-TEST(Run, WarnsWhereLocalDampingTookFarMoreThanItsFactorPromises)
+TEST_F(Run, WarnsWhereLocalDampingTookFarMoreThanItsFactorPromises)
 {
-  const ScratchFolder scratch;
   const auto err = [&](const char* name, const std::vector<std::string>& more) {
     return run_column(scratch.path() + "/" + name, more).err;
   };
@@ -264,9 +230,8 @@ TEST(Run, WarnsWhereLocalDampingTookFarMoreThanItsFactorPromises)
   EXPECT_GT(nlohmann::json::parse(text_of(scratch.path() + "/slow/summary.json")).at("damping_over_promised"), 7.0);
 }
 
-TEST(Run, WarnsWhereSoilCameToCellsTooWideForItsSofteningLength)
+TEST_F(Run, WarnsWhereSoilCameToCellsTooWideForItsSofteningLength)
 {
-  const ScratchFolder scratch;
   const std::string path = scratch.path() + "/case.toml";
   write_text(path,  // a block flies from cells of 0.1 m to cells of 0.3 m
       "time.end = 0.3\nmesh = { size = [4.0, 1.0], cells = [20, 10], grading = [3.0, 1.0] }\n"
@@ -274,8 +239,8 @@ TEST(Run, WarnsWhereSoilCameToCellsTooWideForItsSofteningLength)
       "[material.clay]\nmodel = \"tresca_softening\"\ndensity = 2000.0\nshear_modulus = 1e6\npoisson_ratio = 0.3\n"
       "su_peak = 8e3\nsu_residual = 2e3\neta = 20.0\nsoftening.length = 0.3\n");
   const auto run_with = [&](const std::string& length) {
-    return test::terp({"run", path, "-q", "-j", "1", "--force", "-o", scratch.path() + "/run", "--set",
-        "material.clay.softening.length=" + length});
+    return test::terp(
+        {"run", path, "-q", "-j", "1", "--force", "-o", folder, "--set", "material.clay.softening.length=" + length});
   };
   EXPECT_THAT(run_with("0.35").err,
       ContainsRegex("warning: [^ ]*/run: soil came to cells of which its softening length holds 1\\.[1-4]; see "
@@ -283,23 +248,21 @@ TEST(Run, WarnsWhereSoilCameToCellsTooWideForItsSofteningLength)
   EXPECT_THAT(run_with("0.7").err, Not(HasSubstr("came to cells")));
 }
 
-TEST(Run, OnTwoThreadsGivesTheResultsOfOne)
+TEST_F(Run, OnTwoThreadsGivesTheResultsOfOne)
 {
-  const ScratchFolder scratch;
   const std::string one = scratch.path() + "/one", two = scratch.path() + "/two";
-  ASSERT_EQ(run_column(one, {"-q"}).status, 0);
+  succeeded(run_column(one, {"-q"}));
   std::vector<std::string> words = column_command("run", {"-o", two, "-q"});
   *(std::find(words.begin(), words.end(), "-j") + 1) = "2";
-  ASSERT_EQ(test::terp(words).status, 0);
+  succeeded(test::terp(words));
   expect_same_results(one, two, last_checkpoint);
 }
 
-TEST(Run, OfTheCaseInARunFolderRepeatsIt)
+TEST_F(Run, OfTheCaseInARunFolderRepeatsIt)
 {
-  const ScratchFolder scratch;
   const std::string first = scratch.path() + "/first", again = scratch.path() + "/again";
-  ASSERT_EQ(run_column(first, {"-q"}).status, 0);
-  ASSERT_EQ(test::terp({"run", first + "/case.toml", "-o", again, "-q", "-j", "1"}).status, 0);
+  succeeded(run_column(first, {"-q"}));
+  succeeded(test::terp({"run", first + "/case.toml", "-o", again, "-q", "-j", "1"}));
   expect_same_results(first, again, last_checkpoint);
 }
 
@@ -317,16 +280,15 @@ void stop_with_repeated(int signal)
   EXPECT_THAT(names_in(folder), Contains(StartsWith("checkpoint_"))) << signal;
 }
 
-TEST(Run, KeepsItsWorkWhenASignalComesMoreThanOnce) { stop_with_repeated(SIGTERM); }
+TEST_F(Run, KeepsItsWorkWhenASignalComesMoreThanOnce) { stop_with_repeated(SIGTERM); }
 
-TEST(Run, KeepsItsWorkOnTheSignalsOfBatchSystems)
+TEST_F(Run, KeepsItsWorkOnTheSignalsOfBatchSystems)
 {
   for (const int signal : {SIGUSR1, SIGUSR2, SIGXCPU, SIGQUIT}) stop_with_repeated(signal);
 }
 
-TEST(Run, EqualRunsLeaveEqualFilesButForTheSummary)
+TEST_F(Run, EqualRunsLeaveEqualFilesButForTheSummary)
 {
-  const ScratchFolder scratch;
   const std::string one = scratch.path() + "/one", two = scratch.path() + "/two";
   for (const auto& folder : {one, two}) ASSERT_EQ(run_column(folder, {"-q", "--set", "output.mesh=true"}).status, 0);
   for (const std::string& name : names_in(one)) {

@@ -71,4 +71,18 @@ inline void wait_for_rows(const std::string& folder)
   FAIL() << "the run does not start";
 }
 
+/// Waits until a run has written a checkpoint.
+inline void wait_for_checkpoint(const std::string& folder)
+{
+  const auto is_checkpoint = [](const std::string& name) {
+    return name.starts_with("checkpoint_") && name.ends_with(".h5");
+  };
+  for (int k = 0; k < 6000; ++k) {
+    const auto names = std::filesystem::exists(folder) ? names_in(folder) : std::vector<std::string>{};
+    if (std::any_of(names.begin(), names.end(), is_checkpoint)) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  FAIL() << "the run writes no checkpoint";
+}
+
 }  // namespace terp::test

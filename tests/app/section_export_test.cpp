@@ -11,10 +11,9 @@ TEST(SectionExport, DrawsTheGroundAndTheOutlinesOfARun)
   const ScratchFolder scratch;
   const std::string run = scratch.path() + "/run", dxf = scratch.path() + "/after.dxf",
                     csv = scratch.path() + "/after.csv";
-  ASSERT_EQ(test::run_column(run).status, 0);
-  const Finished f = test::terp({"export", run, "--dxf", dxf, "--profile", csv});
-  EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_EQ(f.out, "section in " + dxf + "\nsection in " + csv + "\n");
+  succeeded(test::run_column(run));
+  EXPECT_EQ(succeeded(test::terp({"export", run, "--dxf", dxf, "--profile", csv})).out,
+      "section in " + dxf + "\nsection in " + csv + "\n");
   const DxfDrawing drawing = read_dxf(dxf);
   ASSERT_GE(drawing.lines.size(), 3u);
   EXPECT_EQ(drawing.lines[0].layer, "ground_start");

@@ -11,12 +11,12 @@ TEST(Stability, LeavesItsResultsTheMechanismAndAPicture)
 {
   const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/cut";
-  const Finished f = test::terp({"stability", cut, "--cells", "0.5,1", "--from", "1.05", "--to", "1.25", "--tolerance",
-      "0.1", "-o", folder, "-j", "1"});
-  EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(f.out, AllOf(HasSubstr("factor of safety 1."), HasSubstr("the slope on the right of the highest ground"),
-                         HasSubstr("its soil moves to the right"), HasSubstr(" on cells of 1 m, "),
-                         HasSubstr(" on cells of 0.5 m.\n  In the limit of small cells ")));
+  EXPECT_THAT(succeeded(test::terp({"stability", cut, "--cells", "0.5,1", "--from", "1.05", "--to", "1.25",
+                            "--tolerance", "0.1", "-o", folder, "-j", "1"}))
+                  .out,
+      AllOf(HasSubstr("factor of safety 1."), HasSubstr("the slope on the right of the highest ground"),
+          HasSubstr("its soil moves to the right"), HasSubstr(" on cells of 1 m, "),
+          HasSubstr(" on cells of 0.5 m.\n  In the limit of small cells ")));
   const auto json = nlohmann::json::parse(text_of(folder + "/stability.json"));
   EXPECT_EQ(json.at("mechanism").at("slope"), "right");
   EXPECT_NEAR(json.at("mechanism").at("exit").at(0), 5.0, 1.0) << "the toe of the cut";
@@ -39,9 +39,8 @@ TEST(Stability, NamesTheRunInItsWarnings)
 
 TEST(Stability, TakesDifferentSizesOfCells)
 {
-  const Finished f = test::terp({"stability", cut, "--cells", "1,1"});
-  EXPECT_EQ(f.status, 2);
-  EXPECT_EQ(f.err, "error: --cells: the size 1 m is given twice\n  Give each size once.\n");
+  EXPECT_EQ(error_with(2, test::terp({"stability", cut, "--cells", "1,1"})),
+      "error: --cells: the size 1 m is given twice\n  Give each size once.\n");
 }
 
 }  // namespace stability_test

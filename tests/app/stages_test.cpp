@@ -50,11 +50,24 @@ set = { "load.q.pressure" = 5e3 }
 struct Files {
   explicit Files(const std::string& text) { std::ofstream(scratch.path() + "/a.toml") << text; }
   std::string run(const std::string& name) const { return scratch.path() + '/' + name; }
-  Finished solve(const std::string& name, std::vector<std::string> more = {}) const
+  Finished solve(const std::string& name, const std::vector<std::string>& more = {}) const
   {
-    std::vector<std::string> words{"run", scratch.path() + "/a.toml", "-j", "1", "-o", run(name)};
-    words.insert(words.end(), more.begin(), more.end());
-    return test::terp(words);
+    return test::terp(with({"run", scratch.path() + "/a.toml", "-j", "1", "-o", run(name)}, more));
+  }
+  /// Those of the run `whole`, the first one first.
+  std::vector<std::string> checkpoints() const
+  {
+    std::vector<std::string> names = names_in(run("whole"));
+    std::erase_if(names, [](const std::string& name) { return !name.starts_with("checkpoint_"); });
+    return names;
+  }
+  /// The run `whole` once more from one of its checkpoints, which ends in the same bits.
+  void go_on_from(const std::string& checkpoint) const
+  {
+    std::filesystem::copy(run("whole"), run("again"), std::filesystem::copy_options::recursive);
+    succeeded(test::terp({"resume", run("again") + '/' + checkpoint, "-j", "1"}));
+    expect_same_results(run("whole"), run("again"), '/' + checkpoints().back());
+    std::filesystem::remove_all(run("again"));
   }
   ScratchFolder scratch;
 };
@@ -67,8 +80,7 @@ nlohmann::json summary_of(const std::string& folder)
 TEST(StagesOfARun, LeaveTheirNamesAndTheirEnds)
 {
   const Files files(stages + soil);
-  const Finished f = files.solve("run");
-  ASSERT_EQ(f.status, 0) << f.err;
+  const Finished f = succeeded(files.solve("run"));
   EXPECT_THAT(f.out, HasSubstr("  stage settle     0 to "));
   EXPECT_THAT(f.out, HasSubstr("steps, at rest\n"));
   EXPECT_THAT(f.out, HasSubstr("load: t = "));
@@ -86,8 +98,7 @@ TEST(StagesOfARun, LeaveTheirNamesAndTheirEnds)
 TEST(StagesOfARun, AreListedByCheck)
 {
   const Files files(stages + soil);
-  const Finished f = test::terp({"check", files.run("a.toml"), "-j", "1"});
-  ASSERT_EQ(f.status, 0) << f.err;
+  const Finished f = succeeded(test::terp({"check", files.run("a.toml"), "-j", "1"}));
   EXPECT_THAT(f.out, HasSubstr("  stage settle   t = 0 to at most 10 s, solved in at most "));
   EXPECT_THAT(f.out, HasSubstr("  stage load     t = 10 to 10.5 s, solved in "));
   EXPECT_THAT(f.out, HasSubstr(": load.q.pressure = 5000.0\n"));
@@ -103,28 +114,18 @@ TEST(StagesOfARun, AreListedByCheck)
 TEST(StagesOfARun, GoOnWithinAnyStageWithTheSameBits)
 {
   const Files files(stages + soil);
-  ASSERT_EQ(files.solve("whole", {"-q"}).status, 0);
-  const auto names = names_in(files.run("whole"));
-  std::vector<std::string> checkpoints;
-  for (const std::string& name : names)
-    if (name.starts_with("checkpoint_")) checkpoints.push_back(name);
+  succeeded(files.solve("whole", {"-q"}));
+  const auto checkpoints = files.checkpoints();
   ASSERT_GT(checkpoints.size(), 4u);
-  std::ranges::sort(checkpoints);
-  for (const std::size_t k : {std::size_t{1}, checkpoints.size() - 6, checkpoints.size() - 2}) {
-    std::filesystem::copy(files.run("whole"), files.run("again"), std::filesystem::copy_options::recursive);
-    const Finished f = test::terp({"resume", files.run("again") + '/' + checkpoints[k], "-j", "1"});
-    EXPECT_EQ(f.status, 0) << f.err;
-    expect_same_results(files.run("whole"), files.run("again"), '/' + checkpoints.back());
-    std::filesystem::remove_all(files.run("again"));
-  }
+  for (const std::size_t k : {std::size_t{1}, checkpoints.size() - 6, checkpoints.size() - 2})
+    files.go_on_from(checkpoints[k]);
 }
 
 TEST(StagesOfARun, AreBeginningsOfOtherRuns)
 {
   const Files files(stages + soil);
-  ASSERT_EQ(files.solve("whole", {"-q"}).status, 0);
-  const Finished f = files.solve("part", {"--from", files.run("whole") + ":settle"});
-  ASSERT_EQ(f.status, 0) << f.err;
+  succeeded(files.solve("whole", {"-q"}));
+  succeeded(files.solve("part", {"--from", files.run("whole") + ":settle"}));
   const StateImage a = read_checkpoint(files.run("whole") + "/stage_02_load.h5"),
                    b = read_checkpoint(files.run("part") + "/stage_02_load.h5");
   for (const NamedArray& array : a.arrays)
@@ -133,11 +134,9 @@ TEST(StagesOfARun, AreBeginningsOfOtherRuns)
       ASSERT_NE(there, b.arrays.end());
       EXPECT_TRUE(there->values == array.values) << array.name;
     }
-  const Finished other = files.solve(
-      "other", {"--from", files.run("whole") + ":settle", "--set", "material.soil.shear_modulus=8e6", "-q"});
-  EXPECT_EQ(other.status, 0) << other.err;
-  const Finished resumed = test::terp({"resume", files.run("other"), "-j", "1"});
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  succeeded(files.solve(
+      "other", {"--from", files.run("whole") + ":settle", "--set", "material.soil.shear_modulus=8e6", "-q"}));
+  succeeded(test::terp({"resume", files.run("other"), "-j", "1"}));
 }
 
 // A run that begins with another one, in its first stage or without any, goes on from all of its checkpoints.
@@ -146,68 +145,49 @@ TEST(StagesOfARun, GoOnWhereTheyBeganWithAnotherRun)
   for (const std::string& end : {std::string("[time]\nend = 0.4\n"), stages}) {
     const Files files(end + soil);
     const std::vector<std::string> brief{"-q", "--set", "initial.stress=\"k0\""};
-    ASSERT_EQ(files.solve("first", brief).status, 0);
-    std::vector<std::string> more = brief;
-    more.insert(more.end(), {"--from", files.run("first") + (end == stages ? "/stage_02_load.h5" : "")});
-    if (end == stages) more.insert(more.end(), {"--set", "stage[1].name=\"other\"", "--set", "stage[0].ramp=0.3"});
-    ASSERT_EQ(files.solve("whole", more).status, 0);
-    std::vector<std::string> checkpoints;
-    for (const std::string& name : names_in(files.run("whole")))
-      if (name.starts_with("checkpoint_")) checkpoints.push_back(name);
-    std::ranges::sort(checkpoints);
+    succeeded(files.solve("first", brief));
+    std::vector<std::string> more{"--from", files.run("first") + (end == stages ? "/stage_02_load.h5" : "")};
+    if (end == stages) more = with(more, {"--set", "stage[1].name=\"other\"", "--set", "stage[0].ramp=0.3"});
+    succeeded(files.solve("whole", with(brief, more)));
+    const auto checkpoints = files.checkpoints();
     ASSERT_GT(checkpoints.size(), 2u);
-    for (const std::size_t k : {std::size_t{0}, checkpoints.size() - 2}) {
-      std::filesystem::copy(files.run("whole"), files.run("again"), std::filesystem::copy_options::recursive);
-      const Finished f = test::terp({"resume", files.run("again") + '/' + checkpoints[k], "-j", "1"});
-      EXPECT_EQ(f.status, 0) << f.err;
-      expect_same_results(files.run("whole"), files.run("again"), '/' + checkpoints.back());
-      std::filesystem::remove_all(files.run("again"));
-    }
+    for (const std::size_t k : {std::size_t{0}, checkpoints.size() - 2}) files.go_on_from(checkpoints[k]);
   }
 }
 
 TEST(StagesOfARun, ThatAreNoBeginningAreRefused)
 {
   const Files files(stages + soil);
-  ASSERT_EQ(files.solve("whole", {"-q"}).status, 0);
-  const Finished none = files.solve("a", {"--from", files.run("whole") + ":flood"});
-  EXPECT_EQ(none.status, 1);
-  EXPECT_THAT(none.err, HasSubstr("no stage `flood` of this run has ended\n  Stages that have: load, settle"));
-  const Finished nowhere = files.solve("b", {"--from", files.run("nowhere")});
-  EXPECT_EQ(nowhere.status, 1);
-  EXPECT_THAT(nowhere.err, HasSubstr("there is no such run or checkpoint\n  Give RUN:STAGE"));
-  const Finished a_case = files.solve("b", {"--from", files.run("whole") + "/case.toml"});
-  EXPECT_EQ(a_case.status, 1);
-  EXPECT_THAT(a_case.err, HasSubstr("/case.toml: this is a case file; give the run to begin with: RUN, RUN:STAGE"));
+  succeeded(files.solve("whole", {"-q"}));
+  EXPECT_THAT(error_with(1, files.solve("a", {"--from", files.run("whole") + ":flood"})),
+      HasSubstr("no stage `flood` of this run has ended\n  Stages that have: load, settle"));
+  EXPECT_THAT(error_with(1, files.solve("b", {"--from", files.run("nowhere")})),
+      HasSubstr("there is no such run or checkpoint\n  Give RUN:STAGE"));
+  EXPECT_THAT(error_with(1, files.solve("b", {"--from", files.run("whole") + "/case.toml"})),
+      HasSubstr("/case.toml: this is a case file; give the run to begin with: RUN, RUN:STAGE"));
   const Finished mesh = files.solve("c", {"--from", files.run("whole") + ":settle", "--set", "mesh.cell=0.25"});
   EXPECT_EQ(mesh.status, 1);
   EXPECT_THAT(mesh.err, HasSubstr("it is of another mesh, other bodies or another scheme\n  mesh.cell ([0.5, 0.5], now "
                                   "[0.25, 0.25])"));
-  const Finished nothing = files.solve("d", {"--from", files.run("whole") + ":load"});
-  EXPECT_EQ(nothing.status, 2);
-  EXPECT_THAT(nothing.err, HasSubstr("the run begins with the end of the stage `load`, the last of this case"));
+  EXPECT_THAT(error_with(2, files.solve("d", {"--from", files.run("whole") + ":load"})),
+      HasSubstr("the run begins with the end of the stage `load`, the last of this case"));
   std::ofstream(files.run("whole") + "/case.toml", std::ios::app) << "[flood]\nwater_level = 1.0\n";
-  const Finished changed = files.solve("e", {"--from", files.run("whole") + ":settle"});
-  EXPECT_EQ(changed.status, 1);
-  EXPECT_THAT(changed.err, HasSubstr("/case.toml was changed since that run began\n"));
-  EXPECT_THAT(changed.err, HasSubstr("\n  flood.water_level (not set, now 1"));
+  const std::string changed = error_with(1, files.solve("e", {"--from", files.run("whole") + ":settle"}));
+  EXPECT_THAT(changed, HasSubstr("/case.toml was changed since that run began\n"));
+  EXPECT_THAT(changed, HasSubstr("\n  flood.water_level (not set, now 1"));
   std::filesystem::remove(files.run("whole") + "/case.toml");
-  const Finished alone = files.solve("f", {"--from", files.run("whole") + ":settle"});
-  EXPECT_EQ(alone.status, 1);
-  EXPECT_THAT(alone.err, HasSubstr("there is no case.toml beside it\n  What the soil of the checkpoint is made of"));
+  EXPECT_THAT(error_with(1, files.solve("f", {"--from", files.run("whole") + ":settle"})),
+      HasSubstr("there is no case.toml beside it\n  What the soil of the checkpoint is made of"));
 }
 
 TEST(ARunUntilRest, EndsThereOrSaysThatItDidNot)
 {
   const Files files("[time]\nuntil = \"at_rest\"\nat_most = 10.0\n" + soil);
-  const Finished f = files.solve("run");
-  ASSERT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(f.out, HasSubstr(", at rest\n"));
+  EXPECT_THAT(succeeded(files.solve("run")).out, HasSubstr(", at rest\n"));
   EXPECT_EQ(summary_of(files.run("run")).at("finished"), true);
-  const Finished late = files.solve("late", {"--set", "time.at_most=0.1", "--set", "time.rest_time=0.05"});
-  EXPECT_EQ(late.status, 0);
-  EXPECT_THAT(late.err, HasSubstr("late: the run ended after 0.1 s, at t = 0.1 s, before the soil was at rest: its "
-                                  "fastest node moved with "));
+  EXPECT_THAT(succeeded(files.solve("late", {"--set", "time.at_most=0.1", "--set", "time.rest_time=0.05"})).err,
+      HasSubstr("late: the run ended after 0.1 s, at t = 0.1 s, before the soil was at rest: its "
+                "fastest node moved with "));
   EXPECT_EQ(summary_of(files.run("late")).at("stages").at(0).at("at_rest"), false);
   const Finished brief = files.solve("brief", {"--set", "time.at_most=0.1", "--set", "time.rest_speed=1e3"});
   EXPECT_THAT(brief.err, HasSubstr("its fastest node was not slower than 1e+03 m/s for 0.5 s after the last change"));
@@ -219,12 +199,10 @@ TEST(ARunWithAFixedEnd, WarnsOfAVerdictOnSoilThatStillMoves)
 {
   const Files files("[time]\nend = 0.3\n[flood]\nwater_level = 0.1\n" + soil);
   const Finished early =
-      files.solve("early", {"--set", "initial.stress=\"none\"", "--set", "material.soil.shear_modulus=2e4"});
-  ASSERT_EQ(early.status, 0) << early.err;
+      succeeded(files.solve("early", {"--set", "initial.stress=\"none\"", "--set", "material.soil.shear_modulus=2e4"}));
   EXPECT_THAT(early.err, HasSubstr("early: the soil still moves at the end, its fastest node with "));
   EXPECT_THAT(early.out, HasSubstr("; the soil still moves, "));
-  const Finished rested = files.solve("rested", {"--set", "time.end=10.0"});
-  ASSERT_EQ(rested.status, 0) << rested.err;
+  const Finished rested = succeeded(files.solve("rested", {"--set", "time.end=10.0"}));
   EXPECT_EQ(summary_of(files.run("rested")).at("flood").at("still_moves"), false);
   EXPECT_THAT(rested.err, testing::Not(HasSubstr("still moves")));
 }
@@ -236,8 +214,7 @@ TEST(ARunWithAVerdict, WarnsOfDamagedGroundJustAboveTheWater)
     return files.solve(name, {"--set", "initial.stress=\"none\"", "--set", "material.soil.shear_modulus=1e5", "--set",
                                  "forces.damping.local=0.9", "--set", "flood.water_level=" + level});
   };
-  const Finished close = solved("close", "1.41");
-  ASSERT_EQ(close.status, 0) << close.err;
+  const Finished close = succeeded(solved("close", "1.41"));
   EXPECT_THAT(close.out, HasSubstr("damaged, holds the water"));
   EXPECT_THAT(close.err, HasSubstr("close: the ground that remains is only 0.03 m higher than holds the water: "));
   EXPECT_THAT(solved("far", "1.3").err, testing::Not(HasSubstr("only")));

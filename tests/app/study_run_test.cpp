@@ -85,7 +85,7 @@ TEST(StudyRun, FourRanksMakeOneTableAndRankZeroSpeaks)
 {
   const ScratchFolder folder;
   const std::string study = write_study(folder.path(), column_study);
-  ASSERT_EQ(test::terp({"study", "run", study, "-q", "-o", "one"}, folder.path()).status, 0);
+  succeeded(test::terp({"study", "run", study, "-q", "-o", "one"}, folder.path()));
   Launch launch(folder.path(), {"study", "run", study});
   const std::vector<Finished> all = launch.wait();
   EXPECT_THAT(all[0].out, AllOf(HasSubstr("12 realisations, 12 solved"), HasSubstr("page in runs/demo/report.html")));
@@ -143,9 +143,8 @@ TEST(StudyRun, AnotherTerpIsRefusedWhileRanksSolve)
   const LongStudy study;
   Launch launch(study.folder.path(), {"study", "run", study.path, "-q", "-o", "ranks"});
   study.wait_for_rows("ranks", 10);
-  const Finished other = test::terp({"study", "run", study.path, "-q", "-o", "ranks"}, study.folder.path());
-  EXPECT_EQ(other.status, 1);
-  EXPECT_THAT(other.err, HasSubstr("another terp is writing to the run folder ranks/locks/part_1_of_1"));
+  EXPECT_THAT(error_with(1, test::terp({"study", "run", study.path, "-q", "-o", "ranks"}, study.folder.path())),
+      HasSubstr("another terp is writing to the run folder ranks/locks/part_1_of_1"));
   launch.rank(0).send(SIGTERM);
   const std::vector<Finished> all = launch.wait();
   EXPECT_EQ(all[0].status, 1);

@@ -36,20 +36,6 @@ class FileSizeLimit {
 const std::vector<std::string> often{
     "-q", "--set", "output.fields.every=0.02", "--set", "output.checkpoint.every=0.02"};
 
-/// Waits until a run has written a checkpoint.
-void wait_for_checkpoint(const std::string& folder)
-{
-  const auto is_checkpoint = [](const std::string& name) {
-    return name.starts_with("checkpoint_") && name.ends_with(".h5");
-  };
-  for (int k = 0; k < 6000; ++k) {
-    const auto names = fs::exists(folder) ? names_in(folder) : std::vector<std::string>{};
-    if (std::any_of(names.begin(), names.end(), is_checkpoint)) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  FAIL() << "the run writes no checkpoint";
-}
-
 /// What terp says on standard error where it can start no thread beside its own.
 std::string said_without_threads(std::vector<std::string> words)
 {
@@ -68,7 +54,13 @@ std::string said_without_threads(std::vector<std::string> words)
   return text_of(scratch.path() + "/err");
 }
 
-TEST(Trouble, MissingThreadsAreAWarningOfEveryCommandThatSolves)
+struct Trouble : testing::Test {
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  const std::string whole = scratch.path() + "/whole";
+};
+
+TEST_F(Trouble, MissingThreadsAreAWarningOfEveryCommandThatSolves)
 {
   const std::string warning =
       "warning: the system granted 1 of 2 threads (ulimit -u); the results are the same, the run takes longer\n";
@@ -82,7 +74,7 @@ TEST(Trouble, MissingThreadsAreAWarningOfEveryCommandThatSolves)
   }
 }
 
-TEST(Trouble, AReadOnlyDiskIsRefusedBeforeAnythingRuns)
+TEST_F(Trouble, AReadOnlyDiskIsRefusedBeforeAnythingRuns)
 {
   const SmallDisk disk(1 << 20);
   if (!disk.is_there()) GTEST_SKIP() << "needs the right to mount a tmpfs";
@@ -93,13 +85,9 @@ TEST(Trouble, AReadOnlyDiskIsRefusedBeforeAnythingRuns)
   EXPECT_EQ(f.err, "error: cannot make the run folder " + disk.path() + "/run: Read-only file system\n");
 }
 
-TEST(Trouble, AFileThatMayGrowNoMoreIsAnErrorAndTheRunCanGoOn)
+TEST_F(Trouble, AFileThatMayGrowNoMoreIsAnErrorAndTheRunCanGoOn)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole";
-  std::vector<std::string> half = often;
-  half.insert(half.end(), {"--set", "time.end=0.1"});
-  ASSERT_EQ(run_column(folder, half).status, 0);
+  succeeded(run_column(folder, with(often, {"--set", "time.end=0.1"})));
   std::string text = text_of(folder + "/case.toml");
   write_text(folder + "/case.toml", text.replace(text.find("end = 0.1"), 9, "end = 0.2"));
   Finished f;
@@ -111,45 +99,34 @@ TEST(Trouble, AFileThatMayGrowNoMoreIsAnErrorAndTheRunCanGoOn)
   EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot write " + folder + "/frames/points_"), HasSubstr("File too large"),
                          HasSubstr("Earlier results are intact, up to the checkpoint at t = 0.1"),
                          HasSubstr("terp resume " + folder)));
-  const Finished resumed = test::terp({"resume", folder, "-q", "-j", "2"});
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
-  ASSERT_EQ(run_column(whole, often).status, 0);
+  succeeded(test::terp({"resume", folder, "-q", "-j", "2"}));
+  succeeded(run_column(whole, often));
   expect_same_results(whole, folder, "/checkpoint_000000066.h5");
 }
 
-TEST(Trouble, ResultsThatCannotBeWrittenAnyMoreEndTheRunAndItCanGoOn)
+TEST_F(Trouble, ResultsThatCannotBeWrittenAnyMoreEndTheRunAndItCanGoOn)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole",
-                    aside = scratch.path() + "/aside";
+  const std::string aside = scratch.path() + "/aside";
   const std::vector<std::string> more{
       "--set", "time.end=0.6", "--set", "output.fields.every=0.02", "--set", "output.checkpoint.every=0.02"};
-  std::vector<std::string> words = longer_run(folder, "1");
-  words.insert(words.end(), more.begin(), more.end());
-  Process running(words);
+  Process running(with(longer_run(folder, "1"), more));
   wait_for_checkpoint(folder);
   fs::rename(folder + "/frames", aside);
   write_text(folder + "/frames", "");
-  const Finished f = running.wait();
-  EXPECT_EQ(f.status, 1);
+  const std::string err = error_with(1, running.wait());
   // Make the folder, open, write or rename: as far as the writing of a frame had come.
   EXPECT_THAT(
-      f.err, AllOf(ContainsRegex("error: cannot [a-z ]+ " + folder + "/frames"), HasSubstr("terp resume " + folder)));
+      err, AllOf(ContainsRegex("error: cannot [a-z ]+ " + folder + "/frames"), HasSubstr("terp resume " + folder)));
 
   fs::remove(folder + "/frames");
   fs::rename(aside, folder + "/frames");
-  const Finished resumed = test::terp({"resume", folder, "-q", "-j", "2"});
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
-  words = longer_run(whole, "1");
-  words.insert(words.end(), more.begin(), more.end());
-  ASSERT_EQ(test::terp(words).status, 0);
+  succeeded(test::terp({"resume", folder, "-q", "-j", "2"}));
+  succeeded(test::terp(with(longer_run(whole, "1"), more)));
   expect_same_results(whole, folder, "/checkpoint_000000396.h5");
 }
 
-TEST(Trouble, AClosedTerminalStopsTheRunWithACheckpoint)
+TEST_F(Trouble, AClosedTerminalStopsTheRunWithACheckpoint)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run";
   const std::vector<std::string> words = longer_run(folder, "1");
   std::string program = test::program();
   std::vector<char*> arguments{program.data()};
@@ -171,32 +148,26 @@ TEST(Trouble, AClosedTerminalStopsTheRunWithACheckpoint)
   EXPECT_TRUE(newest_good_checkpoint(folder).image);
 }
 
-TEST(Trouble, ARunThatWasStartedWithNohupOutlivesItsTerminal)
+TEST_F(Trouble, ARunThatWasStartedWithNohupOutlivesItsTerminal)
 {
-  const ScratchFolder scratch;
   const auto before = std::signal(SIGHUP, SIG_IGN);  // what nohup does
-  std::vector<std::string> words = longer_run(scratch.path() + "/run", "1");
-  words.insert(words.end(), {"--set", "time.end=0.6"});
-  Process running(words);
+  Process running(with(longer_run(folder, "1"), {"--set", "time.end=0.6"}));
   std::signal(SIGHUP, before);
-  wait_for_rows(scratch.path() + "/run");
+  wait_for_rows(folder);
   running.send(SIGHUP);
-  EXPECT_EQ(running.wait().status, 0);
+  succeeded(running.wait());
 }
 
-TEST(Trouble, APipeThatNobodyReadsDoesNotEndTheRun)
+TEST_F(Trouble, APipeThatNobodyReadsDoesNotEndTheRun)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run";
   std::string command = program();
   for (const std::string& word : column_command("run", {"-o", folder})) command += ' ' + word;
   EXPECT_EQ(std::system(("bash -c '" + command + " | true; exit ${PIPESTATUS[0]}'").c_str()), 0);
   EXPECT_THAT(text_of(folder + "/summary.json"), HasSubstr("\"finished\": true"));
 }
 
-TEST(Trouble, AnAnswerThatCannotBePrintedIsAnErrorButARunIsSolved)
+TEST_F(Trouble, AnAnswerThatCannotBePrintedIsAnErrorButARunIsSolved)
 {
-  const ScratchFolder scratch;
   const auto status_of = [&](const std::string& words) {
     return WEXITSTATUS(
         std::system((program() + " " + words + " > /dev/full 2> " + scratch.path() + "/errors").c_str()));
@@ -208,14 +179,13 @@ TEST(Trouble, AnAnswerThatCannotBePrintedIsAnErrorButARunIsSolved)
         << words;
   }
   std::string run;
-  for (const std::string& word : column_command("run", {"-o", scratch.path() + "/run"})) run += word + ' ';
+  for (const std::string& word : column_command("run", {"-o", folder})) run += word + ' ';
   EXPECT_EQ(status_of(run), 0);
   EXPECT_THAT(text_of(scratch.path() + "/run/summary.json"), HasSubstr("\"finished\": true"));
 }
 
-TEST(Trouble, ClosedStandardStreamsLeaveTheTablesAsTheyAre)
+TEST_F(Trouble, ClosedStandardStreamsLeaveTheTablesAsTheyAre)
 {
-  const ScratchFolder scratch;
   const auto run = [&](const std::string& name, const std::string& redirections) {
     std::string command = program();
     for (const std::string& word : column_command("run", {"-v", "-o", scratch.path() + "/" + name}))
@@ -232,15 +202,12 @@ TEST(Trouble, ClosedStandardStreamsLeaveTheTablesAsTheyAre)
   }
 }
 
-TEST(Trouble, WhatAKillLeavesUnderTemporaryNamesIsRemovedByResume)
+TEST_F(Trouble, WhatAKillLeavesUnderTemporaryNamesIsRemovedByResume)
 {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run";
-  ASSERT_EQ(run_column(folder, often).status, 0);
+  succeeded(run_column(folder, often));
   for (const char* name : {"/frames/points_00003.vtkhdf.tmp", "/checkpoint_000000033.h5.tmp"})
     write_text(folder + name, "cut short");
-  const Finished resumed = test::terp({"resume", folder, "-q", "-j", "1"});
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  succeeded(test::terp({"resume", folder, "-q", "-j", "1"}));
   for (const std::string& in : {folder, folder + "/frames"})
     for (const std::string& name : names_in(in)) EXPECT_FALSE(name.ends_with(".tmp")) << name;
 }

@@ -30,8 +30,7 @@ class UserLawProgram : public testing::Test {
 
 TEST_F(UserLawProgram, SaysWhatTheLawCosts)
 {
-  const Finished check = test::terp({"check", case_with(0, 0.0)});
-  EXPECT_EQ(check.status, 0) << check.err;
+  const Finished check = succeeded(test::terp({"check", case_with(0, 0.0)}));
   EXPECT_THAT(check.out, HasSubstr("  law of clay    law.so: "));
   EXPECT_THAT(check.out, HasSubstr(" us per point and step, "));
   EXPECT_THAT(check.out, HasSubstr("one thread at a time (thread_safe = false)"));
@@ -77,9 +76,8 @@ TEST_F(UserLawProgram, WarnsOfAStrengthBelowZero)
 
 TEST_F(UserLawProgram, NamesTheInterfaceThatTheLibraryHas)
 {
-  const Finished check = test::terp({"check", case_with(0, 0.0), "--set", "material.clay.interface=\"native\""});
-  EXPECT_EQ(check.status, 2);
-  EXPECT_THAT(check.err, HasSubstr("It has umat_, that of interface = \"umat\". Give this interface."));
+  EXPECT_THAT(error_with(2, test::terp({"check", case_with(0, 0.0), "--set", "material.clay.interface=\"native\""})),
+      HasSubstr("It has umat_, that of interface = \"umat\". Give this interface."));
 }
 
 TEST_F(UserLawProgram, ShearsTheOneCellOfTheExample)
@@ -87,10 +85,8 @@ TEST_F(UserLawProgram, ShearsTheOneCellOfTheExample)
   if (!is_built("tresca.so")) GTEST_SKIP() << "built without gfortran";
   std::filesystem::copy(law_folder() + "/tresca.so", path("tresca.so"));
   std::filesystem::copy(test::source_path("cases/user_law/one_cell.toml"), path("one_cell.toml"));
-  const Finished run = test::terp({"run", path("one_cell.toml"), "-q", "-o", path("run")});
-  EXPECT_EQ(run.status, 0);
-  EXPECT_EQ(run.err, "");
-  EXPECT_EQ(test::terp({"export", path("run"), "--field", "stress", "--frames", "1,5,last"}).status, 0);
+  EXPECT_EQ(succeeded(test::terp({"run", path("one_cell.toml"), "-q", "-o", path("run")})).err, "");
+  succeeded(test::terp({"export", path("run"), "--field", "stress", "--frames", "1,5,last"}));
   for (const auto& [frame, by_hand] : std::map<std::string, std::string>{
            {"frame_00001", ",7272.727\n"}, {"frame_00005", ",5856.719"}, {"frame_00050", ",2041.472"}})
     EXPECT_THAT(text_of(path("run/csv/" + frame + ".csv")), HasSubstr(by_hand)) << "docs/user_laws.md has the numbers";
@@ -100,9 +96,7 @@ TEST_F(UserLawProgram, RefusesALawThatReadsAParameterWhichTheCaseForgot)
 {
   const std::string file = case_with(25, 0.0);  // compares with a number behind PROPS, and is elastic where it is none
   for (const char* command : {"check", "run"}) {
-    const Finished told = test::terp({command, file, "-q"});
-    EXPECT_EQ(told.status, 2);
-    EXPECT_THAT(told.err,
+    EXPECT_THAT(error_with(2, test::terp({command, file, "-q"})),
         AllOf(HasSubstr("case.toml:13:14: the law of the library uses more parameters than the case gives"),
             HasSubstr(
                 "It is given 6, and what it returned for strains of 0.05 to 1 % changed with numbers that do not"),
@@ -114,24 +108,20 @@ TEST_F(UserLawProgram, IsToldOfStateThatIsTooShortBeforeARunBegins)
 {
   const std::string file = case_with(15, 0.0);  // writes behind STATEV
   for (const char* command : {"check", "run"}) {
-    const Finished told = test::terp({command, file, "-q"});
-    EXPECT_EQ(told.status, 2);
-    EXPECT_THAT(told.err, HasSubstr("case.toml:14:9: the law of the library uses more state variables than the case"));
+    EXPECT_THAT(error_with(2, test::terp({command, file, "-q"})),
+        HasSubstr("case.toml:14:9: the law of the library uses more state variables than the case"));
   }
 }
 
 TEST_F(UserLawProgram, IsToldOfAFaultOnce)
 {
   const std::string fault = "the law returned a stress that is not a number";
-  const Finished check = test::terp({"check", case_with(1, 0.0)});
-  EXPECT_EQ(check.status, 3);
-  EXPECT_THAT(check.err,
-      AllOf(HasSubstr("error: the run would stop itself: "), HasSubstr(fault), Not(HasSubstr("checkpoint"))));
-  EXPECT_EQ(check.err.find(fault), check.err.rfind(fault)) << check.err;
-  const Finished run = test::terp({"run", case_with(1, 0.0), "-q", "-o", path("run")});
-  EXPECT_EQ(run.status, 3);
+  const std::string check = error_with(3, test::terp({"check", case_with(1, 0.0)}));
   EXPECT_THAT(
-      run.err, HasSubstr("left     no checkpoint was written yet: begin anew with the corrected library or case"));
+      check, AllOf(HasSubstr("error: the run would stop itself: "), HasSubstr(fault), Not(HasSubstr("checkpoint"))));
+  EXPECT_EQ(check.find(fault), check.rfind(fault)) << check;
+  EXPECT_THAT(error_with(3, test::terp({"run", case_with(1, 0.0), "-q", "-o", path("run")})),
+      HasSubstr("left     no checkpoint was written yet: begin anew with the corrected library or case"));
 }
 
 TEST_F(UserLawProgram, SaysNothingOfAPlasticStrainThatIsNotKnown)
@@ -148,24 +138,17 @@ TEST_F(UserLawProgram, SaysNothingOfAPlasticStrainThatIsNotKnown)
 TEST_F(UserLawProgram, ComparesTheStiffnessOfTheLawWithTheCase)
 {
   const std::string file = case_with(0, 0.0);
-  const auto said = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> words{"check", file, "-q"};
-    words.insert(words.end(), more.begin(), more.end());
-    return test::terp(words);
-  };
+  const auto said = [&](const std::vector<std::string>& more) { return test::terp(with({"check", file, "-q"}, more)); };
   EXPECT_THAT(said({}).err, Not(HasSubstr("the law of the library")));
-  const Finished soft = said({"--set", "material.clay.shear_modulus=3e6"});
-  EXPECT_EQ(soft.status, 0);
-  EXPECT_THAT(soft.err, AllOf(HasSubstr("the law of the library is softer than the case says"),
-                            HasSubstr("give shear_modulus = 2e+06 and poisson_ratio = 0.3.")));
-  const Finished stiff = said({"--set", "material.clay.shear_modulus=1e6"});
-  EXPECT_EQ(stiff.status, 0);
-  EXPECT_THAT(stiff.err, AllOf(HasSubstr("is stiffer than the case says"),
-                             HasSubstr("G = 2e+06 Pa; shear_modulus and poisson_ratio say 3.5e+06 Pa and 1e+06 Pa."),
-                             HasSubstr("is too long by a factor of 1.41")));
-  const Finished unstable = said({"--set", "material.clay.shear_modulus=2e3"});
-  EXPECT_EQ(unstable.status, 2);
-  EXPECT_THAT(unstable.err, HasSubstr("=2e3: the law of the library is too stiff for the time step"));
+  EXPECT_THAT(succeeded(said({"--set", "material.clay.shear_modulus=3e6"})).err,
+      AllOf(HasSubstr("the law of the library is softer than the case says"),
+          HasSubstr("give shear_modulus = 2e+06 and poisson_ratio = 0.3.")));
+  EXPECT_THAT(succeeded(said({"--set", "material.clay.shear_modulus=1e6"})).err,
+      AllOf(HasSubstr("is stiffer than the case says"),
+          HasSubstr("G = 2e+06 Pa; shear_modulus and poisson_ratio say 3.5e+06 Pa and 1e+06 Pa."),
+          HasSubstr("is too long by a factor of 1.41")));
+  EXPECT_THAT(error_with(2, said({"--set", "material.clay.shear_modulus=2e3"})),
+      HasSubstr("=2e3: the law of the library is too stiff for the time step"));
   EXPECT_EQ(test::terp({"run", file, "-q", "-o", path("run"), "--set", "material.clay.shear_modulus=2e3"}).status, 2);
 }
 
@@ -174,66 +157,57 @@ TEST_F(UserLawProgram, IsWarnedOfAShearStrainTakenAsTensorial)
   const std::string file = case_with(21, 0.0);
   for (const std::vector<std::string>& words :
       {std::vector<std::string>{"check", file, "-q"}, {"run", file, "-q", "-o", path("run")}}) {
-    const Finished told = test::terp(words);
-    EXPECT_EQ(told.status, 0) << told.err;
-    EXPECT_THAT(
-        told.err, AllOf(HasSubstr("the law of the library is stiffer in one direction of shearing than in another"),
-                      HasSubstr("G is 4e+06 Pa of the shear strain 12 (xy), 2e+06 Pa of the strains 11 and 22"),
-                      HasSubstr("a UMAT and an ESM are given engineering shear")));
+    EXPECT_THAT(succeeded(test::terp(words)).err,
+        AllOf(HasSubstr("the law of the library is stiffer in one direction of shearing than in another"),
+            HasSubstr("G is 4e+06 Pa of the shear strain 12 (xy), 2e+06 Pa of the strains 11 and 22"),
+            HasSubstr("a UMAT and an ESM are given engineering shear")));
   }
 }
 
 TEST_F(UserLawProgram, ResumesInAFolderThatWasMovedWithTheSameBits)
 {
   const std::string file = case_with(0, 0.0);
-  EXPECT_EQ(test::terp({"run", file, "-q", "-o", path("whole")}).status, 0);
-  EXPECT_EQ(test::terp({"run", file, "-q", "-o", path("part"), "--set", "time.end=0.2"}).status, 0);
+  succeeded(test::terp({"run", file, "-q", "-o", path("whole")}));
+  succeeded(test::terp({"run", file, "-q", "-o", path("part"), "--set", "time.end=0.2"}));
   std::filesystem::rename(path("part"), path("moved"));
   std::filesystem::remove(path("law.so"));
   std::filesystem::path first;
   for (const auto& entry : std::filesystem::directory_iterator(path("moved")))
     if (entry.path().filename().string().starts_with("checkpoint_") && (first.empty() || entry.path() < first))
       first = entry.path();
-  const Finished resumed = test::terp({"resume", first.string(), "-q"});
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  succeeded(test::terp({"resume", first.string(), "-q"}));
   EXPECT_EQ(text_of(path("moved/ledger.csv")), text_of(path("whole/ledger.csv")));
 }
 
 TEST_F(UserLawProgram, DoesNotResumeWithAnotherLibrary)
 {
-  EXPECT_EQ(test::terp({"run", case_with(0, 0.0), "-q", "-o", path("run")}).status, 0);
+  succeeded(test::terp({"run", case_with(0, 0.0), "-q", "-o", path("run")}));
   std::filesystem::copy(
       law_folder() + "/wrong_umat.so", path("run/library_1.so"), std::filesystem::copy_options::overwrite_existing);
   std::ofstream(path("run/library_1.so"), std::ios::app) << "rebuilt";
-  const Finished resumed = test::terp({"resume", path("run"), "-q"});
-  EXPECT_EQ(resumed.status, 1);
-  EXPECT_THAT(resumed.err, HasSubstr("material.clay.library (content)"));
+  EXPECT_THAT(error_with(1, test::terp({"resume", path("run"), "-q"})), HasSubstr("material.clay.library (content)"));
 }
 
 TEST_F(UserLawProgram, KeepsTheCheckpointsOfARunWhoseLawCrashes)
 {
-  const Finished run = test::terp({"run", case_with(3, 0.12), "-q", "-o", path("run")});
-  EXPECT_EQ(run.status, 3);
-  EXPECT_THAT(run.err, HasSubstr("the law used memory that is not its own (SIGSEGV)"));
-  EXPECT_THAT(run.err, HasSubstr("material `clay`, material point "));
-  EXPECT_THAT(run.err, HasSubstr("left     the checkpoint at t = 0.1"));
-  EXPECT_THAT(run.err, HasSubstr("terp run CASE.toml --from " + path("run") + " -o NEW_FOLDER"));
-  const Finished mended = test::terp({"run", case_with(0, 0.0), "-q", "--from", path("run"), "-o", path("mended")});
-  EXPECT_EQ(mended.status, 0) << mended.err;
+  const std::string run = error_with(3, test::terp({"run", case_with(3, 0.12), "-q", "-o", path("run")}));
+  EXPECT_THAT(run, HasSubstr("the law used memory that is not its own (SIGSEGV)"));
+  EXPECT_THAT(run, HasSubstr("material `clay`, material point "));
+  EXPECT_THAT(run, HasSubstr("left     the checkpoint at t = 0.1"));
+  EXPECT_THAT(run, HasSubstr("terp run CASE.toml --from " + path("run") + " -o NEW_FOLDER"));
+  succeeded(test::terp({"run", case_with(0, 0.0), "-q", "--from", path("run"), "-o", path("mended")}));
 }
 
 TEST_F(UserLawProgram, StopsWithItsOwnStatusWhereTheLawEndsTheProgram)
 {
-  const Finished run = test::terp({"run", case_with(6, 0.12), "-q", "-o", path("run")});
-  EXPECT_EQ(run.status, 3);
-  EXPECT_THAT(run.err, HasSubstr("error: the law of material `clay` ended the program"));
+  EXPECT_THAT(error_with(3, test::terp({"run", case_with(6, 0.12), "-q", "-o", path("run")})),
+      HasSubstr("error: the law of material `clay` ended the program"));
 }
 
 TEST_F(UserLawProgram, IsNotJudgedForItsFactorOfSafety)
 {
-  const Finished judged = test::terp({"stability", case_with(0, 0.0), "-o", path("stability")});
-  EXPECT_EQ(judged.status, 2);
-  EXPECT_THAT(judged.err, HasSubstr("Terp cannot know which of the library's parameters are strengths"));
+  EXPECT_THAT(error_with(2, test::terp({"stability", case_with(0, 0.0), "-o", path("stability")})),
+      HasSubstr("Terp cannot know which of the library's parameters are strengths"));
 }
 
 }  // namespace user_law_test

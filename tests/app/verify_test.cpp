@@ -32,8 +32,7 @@ TEST(Verify, PrintsTheRowsAndCountsAndReturnsZeroIfAllPass)
 {
   Ledger ledger;
   ledger.add("flight", path_is("1.0"));
-  const Finished f = ledger.verify();
-  EXPECT_EQ(f.status, 0) << f.out << f.err;
+  const Finished f = succeeded(ledger.verify());
   EXPECT_THAT(f.out, AllOf(HasSubstr("flight: Flight\n"), HasSubstr("path      mpm_gp  1 m        1 m   "),
                          HasSubstr("1 rows: 1 pass, 0 red\n")));
   EXPECT_THAT(f.err, HasSubstr("[1/1] flight"));
@@ -48,9 +47,7 @@ TEST(Verify, ARowThatMissesFailsItUnlessTheCaseDeclaresItRed)
   EXPECT_THAT(
       fails.out, AllOf(HasSubstr("  FAIL    Newton"), HasSubstr("1 rows: 0 pass, 1 red (1 not known: FAIL)\n")));
   ledger.add("flight", path_is("1.1", "red = \"it was slow\"\n"));
-  const Finished red = ledger.verify();
-  EXPECT_EQ(red.status, 0);
-  EXPECT_THAT(red.out,
+  EXPECT_THAT(succeeded(ledger.verify()).out,
       AllOf(HasSubstr("  ! path: it was slow\n"), HasSubstr("1 rows: 0 pass, 1 red (1 known, with the reason)\n")));
 }
 
@@ -59,12 +56,12 @@ TEST(Verify, WritesThePages)
   Ledger ledger;
   ledger.add("flight", path_is("1.0"));
   const std::string page = ledger.folder.path() + "/page";
-  EXPECT_EQ(ledger.verify({"--markdown", page + ".md", "--overview", page + "_short.md"}).status, 0);
+  succeeded(ledger.verify({"--markdown", page + ".md", "--overview", page + "_short.md"}));
   EXPECT_TRUE(std::filesystem::file_size(page + ".md") > 100);
   EXPECT_THAT(text_of(page + "_short.md"), HasSubstr("| Flight | 1 | 0 | "));
 
   ledger.add("fall", path_is("1.0"));
-  EXPECT_EQ(ledger.verify({"fall", "--overview", page + "_short.md"}).status, 0);
+  succeeded(ledger.verify({"fall", "--overview", page + "_short.md"}));
   EXPECT_THAT(
       text_of(page + "_short.md"), AllOf(HasSubstr("2 rows: 2 pass"), HasSubstr("[fall]"), HasSubstr("[flight]")));
 }
@@ -74,9 +71,8 @@ TEST(Verify, PagesThatCannotBeWrittenAreRefusedBeforeAnythingIsSolved)
   Ledger ledger;
   ledger.add("flight", path_is("1.0"));
   for (const std::string& page : {ledger.folder.path() + "/no/page.md", ledger.folder.path()}) {
-    const Finished f = ledger.verify({"--markdown", page});
-    EXPECT_EQ(f.status, 1);
-    EXPECT_THAT(f.err, AllOf(HasSubstr(page + ": the page cannot be written"), Not(HasSubstr("[1/1]"))));
+    EXPECT_THAT(error_with(1, ledger.verify({"--markdown", page})),
+        AllOf(HasSubstr(page + ": the page cannot be written"), Not(HasSubstr("[1/1]"))));
   }
 }
 
@@ -84,22 +80,17 @@ TEST(Verify, NothingToSolveOrToJudgeIsNoPass)
 {
   Ledger ledger;
   ledger.add("flight", "[[run]]\nlong = true\n" + path_is("1.0"));
-  const Finished f = ledger.verify({"--short"});
-  EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err, HasSubstr("there is nothing to solve: these cases have no short run"));
+  EXPECT_THAT(
+      error_with(1, ledger.verify({"--short"})), HasSubstr("there is nothing to solve: these cases have no short run"));
   ledger.add("flight", "");
-  const Finished g = ledger.verify();
-  EXPECT_EQ(g.status, 2);
-  EXPECT_THAT(g.err, HasSubstr("there is no [[quantity]]"));
+  EXPECT_THAT(error_with(2, ledger.verify()), HasSubstr("there is no [[quantity]]"));
 }
 
 TEST(Verify, ACaseThatCannotBeReadIsBadInput)
 {
   Ledger ledger;
   ledger.add("flight", path_is("V"));
-  const Finished f = ledger.verify();
-  EXPECT_EQ(f.status, 2);
-  EXPECT_THAT(f.err, HasSubstr("expected.toml:6:13: "));
+  EXPECT_THAT(error_with(2, ledger.verify()), HasSubstr("expected.toml:6:13: "));
 }
 
 TEST(Verify, ABrokenCaseIsOneRowAndTheOthersAreSolved)
@@ -139,9 +130,8 @@ TEST(Verify, ListsWithoutSolvingAndChoosesByNameAndLength)
   EXPECT_THAT(ledger.verify({"--short"}).out, AllOf(HasSubstr("short_one"), Not(HasSubstr("long_one"))));
   EXPECT_THAT(ledger.verify({"--long"}).out, AllOf(HasSubstr("long_one"), Not(HasSubstr("short_one"))));
   EXPECT_THAT(ledger.verify({"short_one"}).out, HasSubstr("1 rows: 1 pass"));
-  const Finished wrong = ledger.verify({"shart_one"});
-  EXPECT_EQ(wrong.status, 1);
-  EXPECT_THAT(wrong.err, HasSubstr("there is no verification case `shart_one`. Did you mean `short_one`?"));
+  EXPECT_THAT(error_with(1, ledger.verify({"shart_one"})),
+      HasSubstr("there is no verification case `shart_one`. Did you mean `short_one`?"));
   EXPECT_EQ(ledger.verify({"--short", "--long"}).status, 2);
 }
 

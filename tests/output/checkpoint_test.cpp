@@ -6,6 +6,7 @@
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
 #include "support/process.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 #include <fmt/format.h>
 
@@ -42,21 +43,23 @@ void flip_bit(const std::string& path, std::size_t k)
 
 void cut_in_half(const std::string& path) { std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2); }
 
-TEST(Checkpoint, ComesBackToTheBit)
+struct Checkpoint : ScratchTest {
+  const std::string path = path_in(folder, "a.h5");
+};
+
+TEST_F(Checkpoint, ComesBackToTheBit)
 {
-  const ScratchFolder folder;
-  const StateImage image = read_checkpoint(write_sample(folder.path(), 1234));
+  const StateImage image = read_checkpoint(write_sample(folder, 1234));
   EXPECT_TRUE(same(image, sample_image(1234)));
   EXPECT_TRUE(std::signbit(std::get<std::vector<Real>>(image.arrays[0].values)[2]));  // -0.0
 }
 
-TEST(Checkpoint, LeavesNoTemporaryFile)
+TEST_F(Checkpoint, LeavesNoTemporaryFile)
 {
-  const ScratchFolder folder;
-  EXPECT_FALSE(std::filesystem::exists(temporary_name(write_sample(folder.path(), 1))));
+  EXPECT_FALSE(std::filesystem::exists(temporary_name(write_sample(folder, 1))));
 }
 
-TEST(Checkpoint, TheChecksumOfNoArraysIsThatOfTheTwoNumbers)
+TEST_F(Checkpoint, TheChecksumOfNoArraysIsThatOfTheTwoNumbers)
 {
   // FNV-1a of 16 zero bytes, by hand: basis * prime^16 modulo 2^64.
   std::uint64_t expected = 0xcbf29ce484222325u;
@@ -64,7 +67,7 @@ TEST(Checkpoint, TheChecksumOfNoArraysIsThatOfTheTwoNumbers)
   EXPECT_EQ(checksum_of(StateImage{}), expected);
 }
 
-TEST(Checkpoint, TheChecksumSeesNamesShapesAndValues)
+TEST_F(Checkpoint, TheChecksumSeesNamesShapesAndValues)
 {
   const StateImage image = sample_image(5);
   StateImage renamed = image, reshaped = image, altered = image;
@@ -74,19 +77,17 @@ TEST(Checkpoint, TheChecksumSeesNamesShapesAndValues)
   for (const auto& other : {renamed, reshaped, altered}) EXPECT_NE(checksum_of(other), checksum_of(image));
 }
 
-TEST(Checkpoint, ThatIsTruncatedIsRefusedByName)
+TEST_F(Checkpoint, ThatIsTruncatedIsRefusedByName)
 {
-  const ScratchFolder folder;
-  const std::string path = write_sample(folder.path(), 1);
+  const std::string path = write_sample(folder, 1);
   cut_in_half(path);
   EXPECT_THAT(
       file_error_of([&] { read_checkpoint(path); }), AllOf(HasSubstr("cannot read " + path), HasSubstr("truncated")));
 }
 
-TEST(Checkpoint, WhoseNumbersWereAlteredIsRefusedByName)
+TEST_F(Checkpoint, WhoseNumbersWereAlteredIsRefusedByName)
 {
-  const ScratchFolder folder;
-  const std::string path = write_sample(folder.path(), 1);
+  const std::string path = write_sample(folder, 1);
   {
     Hdf5File file(path, Hdf5File::Mode::change);
     file.set_real("/", "time", 0.0010000001);
@@ -96,10 +97,9 @@ TEST(Checkpoint, WhoseNumbersWereAlteredIsRefusedByName)
       "cannot use " + path + ": its checksum does not match; the file was altered or damaged");
 }
 
-TEST(Checkpoint, WithAnyByteFlippedIsRefusedOrComesBackToTheBit)
+TEST_F(Checkpoint, WithAnyByteFlippedIsRefusedOrComesBackToTheBit)
 {
-  const ScratchFolder folder;
-  const std::string path = write_sample(folder.path(), 1);
+  const std::string path = write_sample(folder, 1);
   const std::size_t n_bytes = std::filesystem::file_size(path);
   int n_refused = 0;
   for (std::size_t k = 0; k < n_bytes; ++k) {
@@ -115,10 +115,9 @@ TEST(Checkpoint, WithAnyByteFlippedIsRefusedOrComesBackToTheBit)
   EXPECT_GT(n_refused, 64 + 16);  // at least the numbers of the four arrays
 }
 
-TEST(Checkpoint, OfAnotherFormatNamesBothVersions)
+TEST_F(Checkpoint, OfAnotherFormatNamesBothVersions)
 {
-  const ScratchFolder folder;
-  const std::string path = write_sample(folder.path(), 1);
+  const std::string path = write_sample(folder, 1);
   for (const int version : {5, 99}) {
     Hdf5File file(path, Hdf5File::Mode::change);
     file.set_integers("/", "format_version", {version});
@@ -129,10 +128,8 @@ TEST(Checkpoint, OfAnotherFormatNamesBothVersions)
   }
 }
 
-TEST(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
+TEST_F(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
 {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/a.h5";
   StateImage image = sample_image(3);
   image.case_record = "time.end = 0.2\nmaterial.clay.eta = 4.5\n";
   image.tables = "ledger.csv = 85944171f73967e8\n";
@@ -148,25 +145,22 @@ TEST(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
   EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }), HasSubstr("its checksum does not match"));
 }
 
-TEST(Checkpoint, AnArrayWhoseShapeDoesNotFitIsRefused)
+TEST_F(Checkpoint, AnArrayWhoseShapeDoesNotFitIsRefused)
 {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/a.h5";
   const StateImage image{0.0, 0, {{"x", {3}, std::vector<Real>{1.0}}}};
   EXPECT_THAT(
       file_error_of([&] { write_checkpoint(path, image); }), HasSubstr("array `x` holds 1 values, its shape says 3"));
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-TEST(Checkpoint, TheNewestGoodOneIsFoundAndTheBadOnesAreReported)
+TEST_F(Checkpoint, TheNewestGoodOneIsFoundAndTheBadOnesAreReported)
 {
-  const ScratchFolder folder;
-  write_sample(folder.path(), 100);
-  const std::string good = write_sample(folder.path(), 200), bad = write_sample(folder.path(), 300);
-  const std::string no_hdf5 = path_in(folder.path(), checkpoint_file(1000000000));  // ten digits: later, not earlier
+  write_sample(folder, 100);
+  const std::string good = write_sample(folder, 200), bad = write_sample(folder, 300);
+  const std::string no_hdf5 = path_in(folder, checkpoint_file(1000000000));  // ten digits: later, not earlier
   cut_in_half(bad);
   write_file_atomically(no_hdf5, "");
-  const CheckpointSearch search = newest_good_checkpoint(folder.path());
+  const CheckpointSearch search = newest_good_checkpoint(folder);
   EXPECT_EQ(search.path, good);
   ASSERT_TRUE(search.image);
   EXPECT_EQ(search.image->step, 200);
@@ -176,19 +170,17 @@ TEST(Checkpoint, TheNewestGoodOneIsFoundAndTheBadOnesAreReported)
   EXPECT_THAT(search.skipped[1].reason, HasSubstr("truncated"));
 }
 
-TEST(Checkpoint, ALinkToItselfDoesNotHideTheOlderOnes)
+TEST_F(Checkpoint, ALinkToItselfDoesNotHideTheOlderOnes)
 {
-  const ScratchFolder folder;
-  write_sample(folder.path(), 7);
-  std::filesystem::create_symlink(checkpoint_file(9), path_in(folder.path(), checkpoint_file(9)));
-  EXPECT_EQ(newest_good_checkpoint(folder.path()).image->step, 7);
+  write_sample(folder, 7);
+  std::filesystem::create_symlink(checkpoint_file(9), path_in(folder, checkpoint_file(9)));
+  EXPECT_EQ(newest_good_checkpoint(folder).image->step, 7);
 }
 
-TEST(Checkpoint, WhoseArraysAreMoreThanItsFileCanHoldIsRefused)
+TEST_F(Checkpoint, WhoseArraysAreMoreThanItsFileCanHoldIsRefused)
 {
-  const ScratchFolder folder;
   StateImage image{0.0, 1, {{"x", {1000}, std::vector<Real>(1000, 1.5)}}};
-  const std::string path = path_in(folder.path(), checkpoint_file(1));
+  const std::string path = path_in(folder, checkpoint_file(1));
   write_checkpoint(path, image);
   std::string names;
   for (int k = 0; k < 8000; ++k) names += "x\n";  // 64 MB
@@ -197,29 +189,27 @@ TEST(Checkpoint, WhoseArraysAreMoreThanItsFileCanHoldIsRefused)
       "cannot read " + path + ": its values are more than it can hold, at /arrays/x");
 }
 
-TEST(Checkpoint, AFolderWithoutAGoodOneGivesNone)
+TEST_F(Checkpoint, AFolderWithoutAGoodOneGivesNone)
 {
-  const ScratchFolder folder;
-  EXPECT_FALSE(newest_good_checkpoint(folder.path()).image);
+  EXPECT_FALSE(newest_good_checkpoint(folder).image);
   EXPECT_THAT(
       file_error_of([] { newest_good_checkpoint("/no/such"); }), HasSubstr("cannot open the run folder /no/such: "));
 }
 
-TEST(Checkpoint, OnlyTheNewestAreKept)
+TEST_F(Checkpoint, OnlyTheNewestAreKept)
 {
-  const ScratchFolder folder;
-  for (const std::int64_t step : {100, 300, 200}) write_sample(folder.path(), step);
-  remove_old_checkpoints(folder.path(), 0);
-  EXPECT_TRUE(std::filesystem::exists(path_in(folder.path(), checkpoint_file(100))));
-  remove_old_checkpoints(folder.path(), 2);
-  EXPECT_FALSE(std::filesystem::exists(path_in(folder.path(), checkpoint_file(100))));
-  EXPECT_TRUE(std::filesystem::exists(path_in(folder.path(), checkpoint_file(200))));
-  remove_checkpoints_after(folder.path(), 200);
-  EXPECT_FALSE(std::filesystem::exists(path_in(folder.path(), checkpoint_file(300))));
-  EXPECT_TRUE(std::filesystem::exists(path_in(folder.path(), checkpoint_file(200))));
+  for (const std::int64_t step : {100, 300, 200}) write_sample(folder, step);
+  remove_old_checkpoints(folder, 0);
+  EXPECT_TRUE(std::filesystem::exists(path_in(folder, checkpoint_file(100))));
+  remove_old_checkpoints(folder, 2);
+  EXPECT_FALSE(std::filesystem::exists(path_in(folder, checkpoint_file(100))));
+  EXPECT_TRUE(std::filesystem::exists(path_in(folder, checkpoint_file(200))));
+  remove_checkpoints_after(folder, 200);
+  EXPECT_FALSE(std::filesystem::exists(path_in(folder, checkpoint_file(300))));
+  EXPECT_TRUE(std::filesystem::exists(path_in(folder, checkpoint_file(200))));
 }
 
-TEST(Checkpoint, AFullDiskLeavesTheEarlierOneAndNoHalfOne)
+TEST_F(Checkpoint, AFullDiskLeavesTheEarlierOneAndNoHalfOne)
 {
   const SmallDisk disk(256 << 10);
   if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
@@ -232,11 +222,10 @@ TEST(Checkpoint, AFullDiskLeavesTheEarlierOneAndNoHalfOne)
   EXPECT_FALSE(std::filesystem::exists(temporary_name(later)));
 }
 
-TEST(Checkpoint, InPartsIsThatOfTheWhole)
+TEST_F(Checkpoint, InPartsIsThatOfTheWhole)
 {
-  const ScratchFolder folder;
   const StateImage whole = sample_image(7);
-  const std::string path = path_in(folder.path(), checkpoint_file(7));
+  const std::string path = path_in(folder, checkpoint_file(7));
   {
     CheckpointWriter writer(path);
     writer.append({whole.time, 7, {{"points/x", {2, 2}, std::vector<Real>{0.1, 1.0 / 3.0}, 0}}, 0, false});
@@ -248,16 +237,15 @@ TEST(Checkpoint, InPartsIsThatOfTheWhole)
   EXPECT_TRUE(same(read_checkpoint(path), whole));
 }
 
-TEST(Checkpoint, WhosePartsDoNotAllComeIsNotThere)
+TEST_F(Checkpoint, WhosePartsDoNotAllComeIsNotThere)
 {
-  const ScratchFolder folder;
-  const std::string path = path_in(folder.path(), checkpoint_file(7));
+  const std::string path = path_in(folder, checkpoint_file(7));
   {
     StateImage part = sample_image(7);
     part.last = false;
     CheckpointWriter(path).append(part);
   }
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 }  // namespace checkpoint_test

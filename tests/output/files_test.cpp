@@ -2,40 +2,41 @@
 #include "output/files.hpp"
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 namespace files_test {
 
-TEST(Files, AnAtomicWriteReplacesTheContentAndLeavesNoTemporaryFile)
+using Files = ScratchTest;
+
+TEST_F(Files, AnAtomicWriteReplacesTheContentAndLeavesNoTemporaryFile)
 {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/a.txt";
+  const std::string path = folder + "/a.txt";
   write_file_atomically(path, "old and long");
   write_file_atomically(path, "new");
   EXPECT_EQ(read_file(path), "new");
   EXPECT_FALSE(std::filesystem::exists(temporary_name(path)));
 }
 
-TEST(Files, AMissingFileIsNamedWithTheReason)
+TEST_F(Files, AMissingFileIsNamedWithTheReason)
 {
   EXPECT_EQ(file_error_of([] { read_file("/no/such/file"); }), "cannot read /no/such/file: No such file or directory");
 }
 
-TEST(Files, AFolderThatIsAFileIsNamedWithTheReason)
+TEST_F(Files, AFolderThatIsAFileIsNamedWithTheReason)
 {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/file/a.txt";
-  write_file_atomically(folder.path() + "/file", "");
+  const std::string path = folder + "/file/a.txt";
+  write_file_atomically(folder + "/file", "");
   EXPECT_EQ(file_error_of([&] { write_file_atomically(path, "x"); }), "cannot write " + path + ": Not a directory");
 }
 
-TEST(Files, AppendingToAFullDeviceSaysSo)
+TEST_F(Files, AppendingToAFullDeviceSaysSo)
 {
   AppendFile file("/dev/full");
   EXPECT_EQ(file_error_of([&] { file.append("x\n"); }), "cannot write /dev/full: No space left on device");
 }
 
-TEST(Files, AFullDiskLeavesTheOldContentWhole)
+TEST_F(Files, AFullDiskLeavesTheOldContentWhole)
 {
   const SmallDisk disk(64 << 10);
   if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
@@ -52,17 +53,16 @@ TEST(Files, AFullDiskLeavesTheOldContentWhole)
   EXPECT_FALSE(std::filesystem::exists(disk.path() + "/summary.json.tmp"));
 }
 
-TEST(Files, ReservedSpaceMakesTheFileLongerAndKeepsItsContent)
+TEST_F(Files, ReservedSpaceMakesTheFileLongerAndKeepsItsContent)
 {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/a";
+  const std::string path = folder + "/a";
   write_file_atomically(path, "abc");
   reserve_space(path, 10000);
   EXPECT_EQ(std::filesystem::file_size(path), 10003u);
   EXPECT_EQ(read_file(path).substr(0, 3), "abc");
 }
 
-TEST(Files, ReservingMoreThanThereIsLeavesTheFileAsItWas)
+TEST_F(Files, ReservingMoreThanThereIsLeavesTheFileAsItWas)
 {
   const SmallDisk disk(64 << 10);
   if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
@@ -72,14 +72,13 @@ TEST(Files, ReservingMoreThanThereIsLeavesTheFileAsItWas)
   EXPECT_EQ(read_file(path), "abc");
 }
 
-TEST(Files, ATemporaryFileThatIsNotMovedLeavesNothingBehind)
+TEST_F(Files, ATemporaryFileThatIsNotMovedLeavesNothingBehind)
 {
-  const ScratchFolder folder;
   {
-    const TemporaryFile file(folder.path() + "/a");
+    const TemporaryFile file(folder + "/a");
     write_file_atomically(file.name(), "half");
   }
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 }  // namespace files_test

@@ -11,10 +11,14 @@ namespace hdf5_file_test {
 
 constexpr Hdf5File::Layout packed{.packed = true};
 
-TEST(Hdf5File, PackedArraysAreReadBackAlsoWhereTheyComeInPieces)
+struct Hdf5FileTest : testing::Test {
+  const ScratchFolder scratch;
+  const std::string path = scratch.path() + "/a.h5";
+};
+
+TEST_F(Hdf5FileTest, PackedArraysAreReadBackAlsoWhereTheyComeInPieces)
 {
-  const ScratchFolder folder;
-  Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
+  Hdf5File file(path, Hdf5File::Mode::create);
   std::vector<Real> rows(600'000);
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = std::sin(static_cast<Real>(k));
   const std::span<const Real> all(rows);
@@ -26,33 +30,30 @@ TEST(Hdf5File, PackedArraysAreReadBackAlsoWhereTheyComeInPieces)
   EXPECT_NO_THROW(file.check_values());
 }
 
-TEST(Hdf5File, EqualContentGivesEqualBytesWheneverItIsWritten)
+TEST_F(Hdf5FileTest, EqualContentGivesEqualBytesWheneverItIsWritten)
 {
-  const ScratchFolder folder;
   for (const char* name : {"/a.h5", "/b.h5"}) {
-    Hdf5File file(folder.path() + name, Hdf5File::Mode::create);
+    Hdf5File file(scratch.path() + name, Hdf5File::Mode::create);
     file.set_real("/", "time", 0.5);
     file.write<Real>("/group/plain", {3}, std::vector<Real>{1.0, 2.0, 3.0});
     file.write<Real>("/group/packed", {3}, std::vector<Real>{1.0, 2.0, 3.0}, 0, packed);
     file.close();
     std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5's time stamps have seconds
   }
-  EXPECT_EQ(read_file(folder.path() + "/a.h5"), read_file(folder.path() + "/b.h5"));
+  EXPECT_EQ(read_file(path), read_file(scratch.path() + "/b.h5"));
 }
 
-TEST(Hdf5File, MembersComeInTheOrderOfTheirCreation)
+TEST_F(Hdf5FileTest, MembersComeInTheOrderOfTheirCreation)
 {
-  const ScratchFolder folder;
-  Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
+  Hdf5File file(path, Hdf5File::Mode::create);
   file.create_group("/g");
   for (const char* name : {"/g/z", "/g/a", "/g/m"}) file.write<std::int64_t>(name, {1}, std::vector<std::int64_t>{1});
   EXPECT_THAT(file.members("/g"), ElementsAre("z", "a", "m"));
 }
 
-TEST(Hdf5File, AttributesAreReadBack)
+TEST_F(Hdf5FileTest, AttributesAreReadBack)
 {
-  const ScratchFolder folder;
-  Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
+  Hdf5File file(path, Hdf5File::Mode::create);
   file.set_text("/", "unit", "Pa");
   file.set_real("/", "time", 1.0 / 3.0);
   file.set_integers("/", "version", {2, 0});
@@ -61,10 +62,9 @@ TEST(Hdf5File, AttributesAreReadBack)
   EXPECT_THAT(file.integers("/", "version"), ElementsAre(2, 0));
 }
 
-TEST(Hdf5File, AnAttributeOfAnotherKindOrNumberIsRefused)
+TEST_F(Hdf5FileTest, AnAttributeOfAnotherKindOrNumberIsRefused)
 {
-  const ScratchFolder folder;
-  Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
+  Hdf5File file(path, Hdf5File::Mode::create);
   file.set_text("/", "text", "kPa");
   file.set_integers("/", "many", std::vector<std::int64_t>(4000, 7));
   for (const char* name : {"text", "many", "missing"}) {
@@ -72,17 +72,15 @@ TEST(Hdf5File, AnAttributeOfAnotherKindOrNumberIsRefused)
     EXPECT_THAT(file_error_of([&] { file.integer("/", name); }), HasSubstr(name));
   }
   EXPECT_THAT(file_error_of([&] { file.real("/", "many"); }),
-      HasSubstr("cannot read many in " + folder.path() + "/a.h5: it has 4000 values, one is expected"));
+      HasSubstr("cannot read many in " + scratch.path() + "/a.h5: it has 4000 values, one is expected"));
   EXPECT_THAT(file_error_of([&] { file.text("/", "many"); }), HasSubstr("it is no text of fixed length"));
 }
 
-TEST(Hdf5File, AShapeThatIsMoreThanTheFileCanHoldIsRefused)
+TEST_F(Hdf5FileTest, AShapeThatIsMoreThanTheFileCanHoldIsRefused)
 {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the address sanitizer ends the program where memory is refused";
 #endif
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/a.h5";
   constexpr std::int64_t far = std::int64_t{1} << 40;
   {
     Hdf5File file(path, Hdf5File::Mode::create);
@@ -99,29 +97,26 @@ TEST(Hdf5File, AShapeThatIsMoreThanTheFileCanHoldIsRefused)
   EXPECT_EQ(file.read<Real>("/zeros").size(), 1u << 20);
 }
 
-TEST(Hdf5File, AFileThatIsNoHdf5IsNamed)
+TEST_F(Hdf5FileTest, AFileThatIsNoHdf5IsNamed)
 {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/a.h5";
   write_file_atomically(path, "just text");
   EXPECT_THAT(file_error_of([&] { Hdf5File(path, Hdf5File::Mode::read); }), StartsWith("cannot read " + path + ": "));
 }
 
-TEST(Hdf5File, TheSystemsReasonIsGiven)
+TEST_F(Hdf5FileTest, TheSystemsReasonIsGiven)
 {
   EXPECT_EQ(file_error_of([] { Hdf5File("/no/such/a.h5", Hdf5File::Mode::create); }),
       "cannot write /no/such/a.h5: No such file or directory");
 }
 
-TEST(Hdf5File, AMissingDatasetIsNamedWithItsFile)
+TEST_F(Hdf5FileTest, AMissingDatasetIsNamedWithItsFile)
 {
-  const ScratchFolder folder;
-  Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
+  Hdf5File file(path, Hdf5File::Mode::create);
   EXPECT_THAT(
-      file_error_of([&] { file.read<Real>("/velocity"); }), HasSubstr("cannot open /velocity in " + folder.path()));
+      file_error_of([&] { file.read<Real>("/velocity"); }), HasSubstr("cannot open /velocity in " + scratch.path()));
 }
 
-TEST(Hdf5File, AFullDiskIsNoticedEvenWhereNoSpaceWasReserved)
+TEST_F(Hdf5FileTest, AFullDiskIsNoticedEvenWhereNoSpaceWasReserved)
 {
   const SmallDisk disk(64 << 10);
   if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";

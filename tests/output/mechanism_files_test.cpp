@@ -1,7 +1,6 @@
 // What the mechanism of a search leaves in a folder.
 #include "output/mechanism_files.hpp"
 #include "output/hdf5_file.hpp"
-#include "simulation/setup_mesh.hpp"
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"
 #include "support/test.hpp"

@@ -2,7 +2,7 @@
 #include "output/point_frames.hpp"
 #include "output/run_folder.hpp"
 #include "output/samples.hpp"
-#include "support/paths.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 namespace point_frames_test {
@@ -29,10 +29,11 @@ Frame part_of(const Frame& whole, std::size_t first, std::size_t n)
   return part;
 }
 
-TEST(PointFrames, HaveTheHeaderOfTheFormatAndOneVertexPerPoint)
+using PointFrames = ScratchTest;
+
+TEST_F(PointFrames, HaveTheHeaderOfTheFormatAndOneVertexPerPoint)
 {
-  const ScratchFolder folder;
-  const Hdf5File file(write_frames(folder.path(), 1), Hdf5File::Mode::read);
+  const Hdf5File file(write_frames(folder, 1), Hdf5File::Mode::read);
   EXPECT_THAT(file.integers("/VTKHDF", "Version"), ElementsAre(1, 0));
   EXPECT_EQ(file.text("/VTKHDF", "Type"), "UnstructuredGrid");
   EXPECT_THAT(file.read<std::int64_t>("/VTKHDF/Connectivity"), ElementsAre(0, 1, 2, 3, 4));
@@ -42,10 +43,9 @@ TEST(PointFrames, HaveTheHeaderOfTheFormatAndOneVertexPerPoint)
     EXPECT_THAT(file.read<std::int64_t>(std::string("/VTKHDF/") + name), ElementsAre(5));
 }
 
-TEST(PointFrames, KeepPlacesToTheBitAndFieldsInSinglePrecision)
+TEST_F(PointFrames, KeepPlacesToTheBitAndFieldsInSinglePrecision)
 {
-  const ScratchFolder folder;
-  const Hdf5File file(write_frames(folder.path(), 2), Hdf5File::Mode::read);
+  const Hdf5File file(write_frames(folder, 2), Hdf5File::Mode::read);
   const Frame frame = sample_frame(2);
   EXPECT_EQ(file.read<Real>("/VTKHDF/PointData/su"), as_single(frame.fields[0].values));
   EXPECT_EQ(file.read<Real>("/VTKHDF/PointData/stress"), as_single(frame.fields[2].values));
@@ -55,33 +55,30 @@ TEST(PointFrames, KeepPlacesToTheBitAndFieldsInSinglePrecision)
   EXPECT_THAT(std::vector<Real>(v.begin() + 3, v.begin() + 6), ElementsAre(2010.4f, 2010.5f, 0.0));
 }
 
-TEST(PointFrames, StateUnitsAndComponents)
+TEST_F(PointFrames, StateUnitsAndComponents)
 {
-  const ScratchFolder folder;
-  const Hdf5File file(write_frames(folder.path(), 0), Hdf5File::Mode::read);
+  const Hdf5File file(write_frames(folder, 0), Hdf5File::Mode::read);
   EXPECT_EQ(file.text("/VTKHDF/PointData/stress", "unit"), "Pa");
   EXPECT_EQ(file.text("/VTKHDF/PointData/stress", "components"), "xx yy zz xy");
   EXPECT_EQ(file.text("/VTKHDF/PointData/velocity", "components"), "x y z");
   EXPECT_EQ(file.text("/VTKHDF/Points", "unit"), "m");
 }
 
-TEST(PointFrames, WholeNumbersAreKeptAsSuch)
+TEST_F(PointFrames, WholeNumbersAreKeptAsSuch)
 {
-  const ScratchFolder folder;
   Frame frame = sample_frame(0);
   frame.fields[0] = {"cell", "-", 1, {-1.0, 0.0, 16777217.0, 19999999.0, 3.0}};  // 2^24 + 1 is no float
-  PointFrameWriter({folder.path(), point_frames, ""}).append(frame);
-  const Hdf5File file(path_in(folder.path(), frame_file(point_frames, 0)), Hdf5File::Mode::read);
+  PointFrameWriter({folder, point_frames, ""}).append(frame);
+  const Hdf5File file(path_in(folder, frame_file(point_frames, 0)), Hdf5File::Mode::read);
   EXPECT_EQ(file.read<Real>("/VTKHDF/PointData/cell"), frame.fields[0].values);
   EXPECT_FALSE(file.holds_reals("/VTKHDF/PointData/cell"));
 }
 
-TEST(PointFrames, AFrameInPartsIsThatInOnePieceAndThereWhenItsLastPartIs)
+TEST_F(PointFrames, AFrameInPartsIsThatInOnePieceAndThereWhenItsLastPartIs)
 {
-  const ScratchFolder folder;
-  const std::string whole = write_frames(folder.path() + "/whole", 0);
-  PointFrameWriter writer({folder.path(), point_frames, "0123456789abcdef"});
-  const std::string path = path_in(folder.path(), frame_file(point_frames, 0));
+  const std::string whole = write_frames(folder + "/whole", 0);
+  PointFrameWriter writer({folder, point_frames, "0123456789abcdef"});
+  const std::string path = path_in(folder, frame_file(point_frames, 0));
   writer.append(part_of(sample_frame(0), 0, 2));
   writer.append(part_of(sample_frame(0), 2, 2));
   EXPECT_FALSE(std::filesystem::exists(path));

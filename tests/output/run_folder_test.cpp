@@ -2,7 +2,7 @@
 #include "output/run_folder.hpp"
 #include "output/files.hpp"
 #include "output/samples.hpp"
-#include "support/paths.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 namespace run_folder_test {
@@ -15,98 +15,92 @@ std::vector<std::string> files_in(const std::string& folder)
   return names;
 }
 
-TEST(RunFolder, IsMadeWithTheFoldersAboveIt)
+using RunFolder = ScratchTest;
+
+TEST_F(RunFolder, IsMadeWithTheFoldersAboveIt)
 {
-  const ScratchFolder scratch;
-  prepare_run_folder(scratch.path() + "/runs/model_2", false);
-  EXPECT_TRUE(std::filesystem::is_directory(scratch.path() + "/runs/model_2"));
+  prepare_run_folder(folder + "/runs/model_2", false);
+  EXPECT_TRUE(std::filesystem::is_directory(folder + "/runs/model_2"));
 }
 
-TEST(RunFolder, ThatHoldsAnythingIsRefusedWithThreeWaysOut)
+TEST_F(RunFolder, ThatHoldsAnythingIsRefusedWithThreeWaysOut)
 {
-  const ScratchFolder scratch;
-  write_file_atomically(scratch.path() + "/notes.txt", "mine");
-  EXPECT_THAT(file_error_of([&] { prepare_run_folder(scratch.path(), false); }),
-      AllOf(HasSubstr("the run folder " + scratch.path() + " is not empty"), HasSubstr("--force"), HasSubstr("-o DIR"),
-          HasSubstr("`terp resume " + scratch.path() + "`")));
+  write_file_atomically(folder + "/notes.txt", "mine");
+  EXPECT_THAT(file_error_of([&] { prepare_run_folder(folder, false); }),
+      AllOf(HasSubstr("the run folder " + folder + " is not empty"), HasSubstr("--force"), HasSubstr("-o DIR"),
+          HasSubstr("`terp resume " + folder + "`")));
 }
 
-TEST(RunFolder, ForceRemovesTheFilesOfARunAndNoOthers)
+TEST_F(RunFolder, ForceRemovesTheFilesOfARunAndNoOthers)
 {
-  const ScratchFolder scratch;
-  std::filesystem::create_directory(scratch.path() + "/frames");
+  std::filesystem::create_directory(folder + "/frames");
   for (const char* name : {"case.toml", "results.vtkhdf.series", "mesh.vtkhdf", "history.csv", "ledger.csv",
            "summary.json", "summary.json.tmp", "checkpoint_000000100.h5", "checkpoint_1234567890.h5",
            "failed_000000200.h5", "mesh.msh", "points_12.csv", "values_3.csv", "imported.toml",
            "frames/points_00000.vtkhdf", "frames/mesh_00001.vtkhdf.tmp"}) {
-    write_file_atomically(path_in(scratch.path(), name), "old");
+    write_file_atomically(path_in(folder, name), "old");
   }
   const std::vector<std::string> foreign = {"notes.txt", "checkpoint_mine.h5", "checkpoint_.h5", "points_.csv",
       "points_a.csv", "values_a.csv", "my_history.csv"};
-  for (const auto& name : foreign) write_file_atomically(path_in(scratch.path(), name), "mine");
-  std::filesystem::create_directory(scratch.path() + "/case.toml.d");
-  prepare_run_folder(scratch.path(), true);
+  for (const auto& name : foreign) write_file_atomically(path_in(folder, name), "mine");
+  std::filesystem::create_directory(folder + "/case.toml.d");
+  prepare_run_folder(folder, true);
   auto left = foreign;
   left.push_back("case.toml.d");
-  EXPECT_THAT(files_in(scratch.path()), testing::UnorderedElementsAreArray(left));
+  EXPECT_THAT(files_in(folder), testing::UnorderedElementsAreArray(left));
 }
 
-TEST(RunFolder, ForceKeepsAFolderOfFramesThatHoldsAnythingElse)
+TEST_F(RunFolder, ForceKeepsAFolderOfFramesThatHoldsAnythingElse)
 {
-  const ScratchFolder scratch;
-  std::filesystem::create_directory(scratch.path() + "/frames");
+  std::filesystem::create_directory(folder + "/frames");
   for (const char* name : {"frames/points_00000.vtkhdf", "frames/notes.txt"})
-    write_file_atomically(path_in(scratch.path(), name), "");
-  prepare_run_folder(scratch.path(), true);
-  EXPECT_THAT(files_in(scratch.path() + "/frames"), ElementsAre("notes.txt"));
+    write_file_atomically(path_in(folder, name), "");
+  prepare_run_folder(folder, true);
+  EXPECT_THAT(files_in(folder + "/frames"), ElementsAre("notes.txt"));
 }
 
-TEST(RunFolder, HoldsCopiesOfTheFilesThatTheCaseNamesEvenIfTheyAreThoseOfTheRunBefore)
+TEST_F(RunFolder, HoldsCopiesOfTheFilesThatTheCaseNamesEvenIfTheyAreThoseOfTheRunBefore)
 {
-  const ScratchFolder scratch;
-  write_file_atomically(scratch.path() + "/mesh.msh", "nodes");
-  prepare_run_folder(scratch.path(), true, {{scratch.path() + "/mesh.msh", "mesh.msh"}});
-  EXPECT_EQ(read_file(scratch.path() + "/mesh.msh"), "nodes");
-  const std::string missing = scratch.path() + "/none.csv";
+  write_file_atomically(folder + "/mesh.msh", "nodes");
+  prepare_run_folder(folder, true, {{folder + "/mesh.msh", "mesh.msh"}});
+  EXPECT_EQ(read_file(folder + "/mesh.msh"), "nodes");
+  const std::string missing = folder + "/none.csv";
   EXPECT_THAT(file_error_of([&] {
-    prepare_run_folder(scratch.path(), true, {{missing, "points_1.csv"}});
+    prepare_run_folder(folder, true, {{missing, "points_1.csv"}});
   }),
       HasSubstr("cannot read " + missing));
-  EXPECT_EQ(read_file(scratch.path() + "/mesh.msh"), "nodes");
+  EXPECT_EQ(read_file(folder + "/mesh.msh"), "nodes");
 }
 
-TEST(RunFolder, ForceFollowsNoLinkAndEntersNoFolder)
+TEST_F(RunFolder, ForceFollowsNoLinkAndEntersNoFolder)
 {
-  const ScratchFolder scratch, elsewhere;
+  const ScratchFolder elsewhere;
   write_file_atomically(elsewhere.path() + "/precious.csv", "mine");
-  std::filesystem::create_symlink(elsewhere.path() + "/precious.csv", scratch.path() + "/history.csv");
-  std::filesystem::create_directory(scratch.path() + "/summary.json");
-  write_file_atomically(scratch.path() + "/summary.json/case.toml", "mine");
-  prepare_run_folder(scratch.path(), true);
+  std::filesystem::create_symlink(elsewhere.path() + "/precious.csv", folder + "/history.csv");
+  std::filesystem::create_directory(folder + "/summary.json");
+  write_file_atomically(folder + "/summary.json/case.toml", "mine");
+  prepare_run_folder(folder, true);
   EXPECT_TRUE(std::filesystem::exists(elsewhere.path() + "/precious.csv"));
-  EXPECT_TRUE(std::filesystem::exists(scratch.path() + "/summary.json/case.toml"));
+  EXPECT_TRUE(std::filesystem::exists(folder + "/summary.json/case.toml"));
 }
 
-TEST(RunFolder, BelowAFileIsRefusedWithTheReason)
+TEST_F(RunFolder, BelowAFileIsRefusedWithTheReason)
 {
-  const ScratchFolder scratch;
-  write_file_atomically(scratch.path() + "/file", "");
-  const std::string folder = scratch.path() + "/file/sub";
-  EXPECT_EQ(file_error_of([&] { prepare_run_folder(folder, true); }),
-      "cannot make the run folder " + folder + ": Not a directory");
+  write_file_atomically(folder + "/file", "");
+  EXPECT_EQ(file_error_of([&] { prepare_run_folder(folder + "/file/sub", true); }),
+      "cannot make the run folder " + folder + "/file/sub: Not a directory");
 }
 
-TEST(RunFolder, InUseByAnotherTerpIsNotTouched)
+TEST_F(RunFolder, InUseByAnotherTerpIsNotTouched)
 {
-  const ScratchFolder scratch;
-  write_file_atomically(scratch.path() + "/ledger.csv", "rows");
-  const FolderLock other(scratch.path());
-  EXPECT_EQ(file_error_of([&] { prepare_run_folder(scratch.path(), true); }),
-      "another terp is writing to the run folder " + scratch.path());
-  EXPECT_TRUE(std::filesystem::exists(scratch.path() + "/ledger.csv"));
+  write_file_atomically(folder + "/ledger.csv", "rows");
+  const FolderLock other(folder);
+  EXPECT_EQ(
+      file_error_of([&] { prepare_run_folder(folder, true); }), "another terp is writing to the run folder " + folder);
+  EXPECT_TRUE(std::filesystem::exists(folder + "/ledger.csv"));
 }
 
-TEST(RunFolder, KnowsTheStepInACheckpointsName)
+TEST_F(RunFolder, KnowsTheStepInACheckpointsName)
 {
   EXPECT_EQ(checkpoint_file(123), "checkpoint_000000123.h5");
   EXPECT_EQ(step_of_checkpoint(checkpoint_file(12345678901)), 12345678901);

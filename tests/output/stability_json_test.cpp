@@ -144,13 +144,4 @@ TEST(StabilityText, SaysWhatTheBracketDoesNot)
       stability_text(r, "mpm_gp"), HasSubstr("The search was stopped before the bracket was as narrow as asked for"));
 }
 
-TEST(StabilityJson, IsWrittenIntoAFolderThatIsMade)
-{
-  const std::string folder = testing::TempDir() + "stability_json_test/deep";
-  write_stability(folder, result(), "mpm_gp", {"cut", ""});
-  EXPECT_THAT(read_file(folder + "/stability.txt"), HasSubstr("factor of safety 1.050"));
-  EXPECT_THAT(read_file(folder + "/stability.json"), HasSubstr("\"factor_of_safety\": 1.05"));
-  std::filesystem::remove_all(testing::TempDir() + "stability_json_test");
-}
-
 }  // namespace stability_json_test

@@ -6,28 +6,33 @@
 
 namespace table_csv_test {
 
-TEST(TableCsv, AHistoryRowIsWrittenWithShortestNumbersAndNan)
+struct TableCsv : testing::Test {
+  const ScratchFolder scratch;
+  const std::string path = scratch.path() + "/ledger.csv";
+};
+
+TEST_F(TableCsv, AHistoryRowIsWrittenWithShortestNumbersAndNan)
 {
   EXPECT_EQ(csv_lines(sample_history(0.1)),
       "0.1,A,7,1.5,0.25,0.01,0.002,8000,-125.5,nan\n"
       "0.1,B,9,2.5,0.75,0.03,0,nan,0.3333333333333333,nan\n");
 }
 
-TEST(TableCsv, ANegativeNanIsNanToo)
+TEST_F(TableCsv, ANegativeNanIsNanToo)
 {
   auto rows = sample_history(0.1);
   rows[0]["su"] = -std::nan("");
   EXPECT_THAT(csv_lines(rows), HasSubstr(",nan,-125.5,nan\n"));
 }
 
-TEST(TableCsv, ANameWithACommaOrAQuotationMarkIsQuoted)
+TEST_F(TableCsv, ANameWithACommaOrAQuotationMarkIsQuoted)
 {
   auto rows = sample_history(0.0);
   rows[0].text = "toe, \"left\"";
   EXPECT_THAT(csv_lines(rows), StartsWith("0,\"toe, \"\"left\"\"\",7,"));
 }
 
-TEST(TableCsv, ALedgerRowFollowsItsHeader)
+TEST_F(TableCsv, ALedgerRowFollowsItsHeader)
 {
   EXPECT_EQ(csv_lines(sample_ledger(0.5)),
       "0.5,100,2,1.25,0.75,2.5,3.75,4.5,-5.5,-6.5,0.375,0.875,-0.5,-0.25,0.125,1e-12,31840,640,320,7.5,-8.5,3,0,"
@@ -37,20 +42,16 @@ TEST(TableCsv, ALedgerRowFollowsItsHeader)
   EXPECT_EQ(std::count(header.begin(), header.end(), ','), 34);
 }
 
-TEST(TableCsv, OpeningWritesTheHeaderOnce)
+TEST_F(TableCsv, OpeningWritesTheHeaderOnce)
 {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/history.csv";
   TableFile(path, header_of(*history_table())).append(csv_lines(sample_history(0.1)));
   TableFile(path, header_of(*history_table())).append(csv_lines(sample_history(0.2)));
   EXPECT_EQ(read_file(path),
       header_of(*history_table()) + "\n" + csv_lines(sample_history(0.1)) + csv_lines(sample_history(0.2)));
 }
 
-TEST(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
+TEST_F(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
 {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/ledger.csv";
   const Real exact = 0.1 + 0.2;  // not 0.3: only the exact bits keep the row
   TableFile table(path, header_of(*sample_ledger_table()));
   for (const Real time : {0.1, exact, std::nextafter(exact, 1.0)}) table.append(csv_lines(sample_ledger(time)));
@@ -59,17 +60,15 @@ TEST(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
       header_of(*sample_ledger_table()) + "\n" + csv_lines(sample_ledger(0.1)) + csv_lines(sample_ledger(exact)));
 }
 
-TEST(TableCsv, ALastRowThatWasCutShortIsDropped)
+TEST_F(TableCsv, ALastRowThatWasCutShortIsDropped)
 {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/ledger.csv";
   TableFile(path, header_of(*sample_ledger_table())).append(csv_lines(sample_ledger(0.1)) + "0.2,100,1.2");
   drop_rows_after(path, header_of(*sample_ledger_table()), 5.0);
   EXPECT_EQ(read_file(path), header_of(*sample_ledger_table()) + "\n" + csv_lines(sample_ledger(0.1)));
 }
 
 /// A table is begun when its first row comes, which may be after the checkpoint that a run goes on from.
-TEST(TableCsv, OneThatWasCutWithinItsHeaderIsBegunAgain)
+TEST_F(TableCsv, OneThatWasCutWithinItsHeaderIsBegunAgain)
 {
   const std::string header = header_of(*table_named("left_the_mesh")) + '\n';
   for (const std::size_t length : {std::size_t{0}, std::size_t{12}, header.size() - 1}) {
@@ -83,10 +82,8 @@ TEST(TableCsv, OneThatWasCutWithinItsHeaderIsBegunAgain)
   }
 }
 
-TEST(TableCsv, CountsTheWholeRowsUpToATime)
+TEST_F(TableCsv, CountsTheWholeRowsUpToATime)
 {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/ledger.csv";
   EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 1.0).n_rows, 0);
   EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 1.0).checksum, "");
   TableFile table(path, header_of(*sample_ledger_table()));
@@ -96,10 +93,8 @@ TEST(TableCsv, CountsTheWholeRowsUpToATime)
   EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 0.4).n_rows, 3);
 }
 
-TEST(TableCsv, TheChecksumOfAGrowingTableIsThatOfItsPartUpToThere)
+TEST_F(TableCsv, TheChecksumOfAGrowingTableIsThatOfItsPartUpToThere)
 {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/ledger.csv";
   std::string first, second;
   {
     TableFile table(path, header_of(*sample_ledger_table()));
@@ -116,22 +111,19 @@ TEST(TableCsv, TheChecksumOfAGrowingTableIsThatOfItsPartUpToThere)
   EXPECT_NE(first, second);
 }
 
-TEST(TableCsv, ATableOfOtherColumnsIsRefused)
+TEST_F(TableCsv, ATableOfOtherColumnsIsRefused)
 {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/history.csv";
   write_file_atomically(path, "time,x\n0.1,2\n");
   EXPECT_EQ(file_error_of([&] { drop_rows_after(path, header_of(*history_table()), 1.0); }),
       "cannot continue " + path + ": its columns are not those of terp " TERP_VERSION);
 }
 
-TEST(TableCsv, WithoutATableThereIsNothingToDrop)
+TEST_F(TableCsv, WithoutATableThereIsNothingToDrop)
 {
-  const ScratchFolder folder;
-  EXPECT_NO_THROW(drop_rows_after(folder.path() + "/history.csv", header_of(*history_table()), 1.0));
+  EXPECT_NO_THROW(drop_rows_after(path, header_of(*history_table()), 1.0));
 }
 
-TEST(TableCsv, OneLinePerFooting)
+TEST_F(TableCsv, OneLinePerFooting)
 {
   TableRow row(table_named("footings"), "plate, left");
   row.values = {0.25, 0.0, -0.125, 1.5, 20000.5, 64.0};

@@ -5,7 +5,6 @@ import pathlib
 import tempfile
 import unittest
 import unittest.mock
-import unittest.mock
 
 import support
 import synthetic
@@ -128,11 +127,6 @@ class RunFolder(unittest.TestCase):
         self.assertEqual(self.run_.components["stress"], ("xx", "yy", "zz", "xy"))
         with self.assertRaisesRegex(terp.RunError, "no field or column `pressur`. Did you mean `pressure`"):
             self.run_.unit("pressur")
-
-    def test_every_column_of_the_tables_has_a_unit(self):
-        for table in (self.run_.history, self.run_.ledger):
-            for column in table.dtype.names:
-                self.run_.unit(column)
 
     def test_the_mesh_is_nodes_and_cells(self):
         mesh = self.run_.mesh

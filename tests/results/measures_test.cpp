@@ -2,6 +2,7 @@
 #include "results/measures.hpp"
 #include "results/mesh_study.hpp"
 #include "results/runs.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 namespace measures_test {
@@ -13,9 +14,10 @@ const RunMeasure& measure(const std::vector<RunMeasure>& all, const std::string&
   throw std::out_of_range(name);
 }
 
-TEST(Measures, HaveNamesOfTheirOwnAndWordsWhereTheyAreWords)
+using Measures = ScratchTest;
+
+TEST_F(Measures, HaveNamesOfTheirOwnAndWordsWhereTheyAreWords)
 {
-  const ScratchFolder scratch;
   const std::vector<RunResults> runs{read_run(write_run(scratch.path() + "/run"))};
   std::set<std::string> names;
   for (const RunMeasure& m : measures_of(runs)) {
@@ -26,7 +28,7 @@ TEST(Measures, HaveNamesOfTheirOwnAndWordsWhereTheyAreWords)
   }
 }
 
-TEST(Measures, TakeNoInputForAResult)
+TEST_F(Measures, TakeNoInputForAResult)
 {
   std::string named;
   for (const RunMeasure& measure : measures_of({})) {
@@ -36,7 +38,7 @@ TEST(Measures, TakeNoInputForAResult)
   EXPECT_THAT(named, HasSubstr(" halo_fraction "));
 }
 
-TEST(Measures, OfFollowersAreNotDefinedWhileTheSummaryIsBehind)
+TEST_F(Measures, OfFollowersAreNotDefinedWhileTheSummaryIsBehind)
 {
   RunResults run;
   run.summary.values.numbers["halo_fraction"] = 0.25;
@@ -47,9 +49,8 @@ TEST(Measures, OfFollowersAreNotDefinedWhileTheSummaryIsBehind)
   EXPECT_EQ(measure(all, "halo_fraction").value(run), std::nullopt);
 }
 
-TEST(Measures, OfEverySlideThatSomeRunHas)
+TEST_F(Measures, OfEverySlideThatSomeRunHas)
 {
-  const ScratchFolder scratch;
   const std::vector<RunResults> runs{
       read_run(write_run(scratch.path() + "/one")), read_run(write_run(scratch.path() + "/three", [](Summary& s) {
         s.slides.resize(3);
@@ -62,7 +63,7 @@ TEST(Measures, OfEverySlideThatSomeRunHas)
   EXPECT_THAT(measure(all, "slides").value(runs[1]), Optional(3.0));
 }
 
-TEST(Measures, SetDampingAgainstTheWorkOfGravityAndForcesOfFootings)
+TEST_F(Measures, SetDampingAgainstTheWorkOfGravityAndForcesOfFootings)
 {
   RunResults run;
   run.ledger = {{"time", "gravity_work", "damping_work"}, {{0.0, 1.0}, {0.0, 200e3}, {0.0, -30e3}}};
@@ -78,7 +79,7 @@ TEST(Measures, SetDampingAgainstTheWorkOfGravityAndForcesOfFootings)
   EXPECT_EQ(measure(all, "damping_share").value(run), std::nullopt);
 }
 
-TEST(Measures, MeasureTheCrestFromItsFirstPlaceOnTheSlopeThatSlides)
+TEST_F(Measures, MeasureTheCrestFromItsFirstPlaceOnTheSlopeThatSlides)
 {
   RunResults run;
   run.ledger = {{"crest_x", "crest_left_x"}, {{8.0, 7.0}, {2.0, 3.5}}};
@@ -100,9 +101,8 @@ RunResults flooding(const std::string& folder, FloodVerdict verdict, Real height
   return run;
 }
 
-TEST(Measures, TheVerdictOnTheWaterIsAWord)
+TEST_F(Measures, TheVerdictOnTheWaterIsAWord)
 {
-  const ScratchFolder scratch;
   const std::vector<RunResults> runs{flooding(scratch.path() + "/run", FloodVerdict::damaged, 4.5)};
   const auto all = measures_of(runs);
   const RunMeasure& verdict = measure(all, "flood_verdict");
@@ -115,9 +115,8 @@ TEST(Measures, TheVerdictOnTheWaterIsAWord)
   EXPECT_FALSE(verdict.value(stopped));
 }
 
-TEST(Measures, TheStageOfTheVerdictIsAWord)
+TEST_F(Measures, TheStageOfTheVerdictIsAWord)
 {
-  const ScratchFolder scratch;
   std::vector<RunResults> runs;
   for (const char* name : {"/a", "/b", "/c"})
     runs.push_back(flooding(scratch.path() + name, FloodVerdict::floods, 3.5));
@@ -131,9 +130,8 @@ TEST(Measures, TheStageOfTheVerdictIsAWord)
   EXPECT_FALSE(stage.value(runs[2]));
 }
 
-TEST(Measures, OfSizesWhoseVerdictDiffersSayItLoudly)
+TEST_F(Measures, OfSizesWhoseVerdictDiffersSayItLoudly)
 {
-  const ScratchFolder scratch;
   const auto study = [&](FloodVerdict fine) {
     StudySequence sequence;
     sequence.name = "mpm_gp";

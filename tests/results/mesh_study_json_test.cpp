@@ -1,5 +1,4 @@
 // convergence.json, and what docs/formats.md says of it.
-#include "output/files.hpp"
 #include "results/mesh_study.hpp"
 #include "results/runs.hpp"
 #include "support/test.hpp"

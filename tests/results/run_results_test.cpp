@@ -1,17 +1,19 @@
 // A run folder as a whole.
 #include "results/run_results.hpp"
 #include "output/checkpoint.hpp"
-#include "output/run_folder.hpp"
-#include "output/table_csv.hpp"
 #include "results/runs.hpp"
 #include "simulation/history.hpp"
 #include "support/test.hpp"
 
 namespace run_results_test {
 
-TEST(RunResults, HoldsWhatTheWritersWrote)
-{
+struct RunResultsTest : testing::Test {
   const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+};
+
+TEST_F(RunResultsTest, HoldsWhatTheWritersWrote)
+{
   const RunResults run = read_run(write_run(scratch.path() + "/model_2_gp"));
   EXPECT_EQ(run.name, "model_2_gp");
   EXPECT_THAT(run.case_toml, HasSubstr("su_peak"));
@@ -21,32 +23,29 @@ TEST(RunResults, HoldsWhatTheWritersWrote)
   EXPECT_EQ(run.frames().times().size(), 3);
 }
 
-TEST(RunResults, SaysWhichFileIsMissingAndWhatToDo)
+TEST_F(RunResultsTest, SaysWhichFileIsMissingAndWhatToDo)
 {
-  const ScratchFolder scratch;
-  EXPECT_EQ(file_error_of([&] { read_run(scratch.path() + "/none"); }), scratch.path() + "/none: no such run folder");
+  EXPECT_EQ(file_error_of([&] { read_run(folder); }), folder + ": no such run folder");
   EXPECT_THAT(file_error_of([&] { read_run(scratch.path()); }),
       AllOf(HasSubstr("it has no case.toml"), HasSubstr("Give the folder that `terp run` wrote")));
-  const std::string folder = write_run(scratch.path() + "/run");
+  write_run(folder);
   std::filesystem::remove_all(folder + "/frames");
   EXPECT_THAT(file_error_of([&] { read_run(folder); }), HasSubstr("it has no frames"));
 }
 
-TEST(RunResults, OfAnEarlierTerpAreRefusedWithTheVersionOfTheirFormat)
+TEST_F(RunResultsTest, OfAnEarlierTerpAreRefusedWithTheVersionOfTheirFormat)
 {
-  const ScratchFolder scratch;
-  const std::string folder = write_run(scratch.path() + "/run");
+  write_run(folder);
   write_file_atomically(folder + "/results.vtkhdf", "");
   EXPECT_THAT(file_error_of([&] { read_run(folder); }),
       AllOf(HasSubstr("an earlier terp wrote this run, with all frames in one file, results.vtkhdf (VTKHDF 2.0)"),
           HasSubstr("one file per frame (VTKHDF 1.0)")));
 }
 
-TEST(RunResults, AHistoryThatWasDoubledCutOrHasAGapIsRefused)
+TEST_F(RunResultsTest, AHistoryThatWasDoubledCutOrHasAGapIsRefused)
 {
-  const ScratchFolder scratch;
-  const std::string folder = write_run(scratch.path() + "/run", [](Summary&s) { s.dt = 0.001; }),
-                    path = folder + "/history.csv", head = header_of(*history_table()) + '\n';
+  write_run(folder, [](Summary& s) { s.dt = 0.001; });
+  const std::string path = folder + "/history.csv", head = header_of(*history_table()) + '\n';
   std::string rows;
   for (int k = 0; k <= 25; ++k) rows += csv_lines(sample_history(0.01 * k));
   const auto error_with = [&](const std::string& text) {
@@ -63,11 +62,10 @@ TEST(RunResults, AHistoryThatWasDoubledCutOrHasAGapIsRefused)
   EXPECT_THAT(error_with(rows.substr(0, rows.rfind("0.25,B"))), HasSubstr("point B: it ends at t = 0.24 s"));
 }
 
-TEST(RunResults, WhoseTableWasAlteredBeforeItsNewestCheckpointIsRefused)
+TEST_F(RunResultsTest, WhoseTableWasAlteredBeforeItsNewestCheckpointIsRefused)
 {
-  const ScratchFolder scratch;
-  const std::string folder = write_run(scratch.path() + "/run", [](Summary&s) { s.dt = 0.001; }),
-                    path = folder + "/history.csv", head = header_of(*history_table());
+  write_run(folder, [](Summary& s) { s.dt = 0.001; });
+  const std::string path = folder + "/history.csv", head = header_of(*history_table());
   std::string table = head + '\n';
   for (int k = 0; k <= 25; ++k) table += csv_lines(sample_history(0.01 * k));
   write_file_atomically(path, table);
@@ -90,19 +88,17 @@ TEST(RunResults, WhoseTableWasAlteredBeforeItsNewestCheckpointIsRefused)
       path + ": it is missing, and the run wrote it\n  Copy the folder again, or solve the case again.");
 }
 
-TEST(RunResults, DoesWithoutTables)
+TEST_F(RunResultsTest, DoesWithoutTables)
 {
-  const ScratchFolder scratch;
-  const std::string folder = write_run(scratch.path() + "/run");
+  write_run(folder);
   std::filesystem::remove(folder + "/history.csv");
   std::filesystem::remove(folder + "/ledger.csv");
   EXPECT_EQ(read_run(folder).ledger.n_rows(), 0);
 }
 
-TEST(RunResults, ALedgerThatEndsBeforeTheRunIsRefused)
+TEST_F(RunResultsTest, ALedgerThatEndsBeforeTheRunIsRefused)
 {
-  const ScratchFolder scratch;
-  const std::string folder = write_run(scratch.path() + "/run", [](Summary& s) { s.n_steps += 1; });
+  write_run(folder, [](Summary& s) { s.n_steps += 1; });
   EXPECT_THROW(read_run(folder), FileError);
 }
 

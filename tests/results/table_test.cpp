@@ -2,13 +2,15 @@
 #include "results/table.hpp"
 #include "results/runs.hpp"
 #include "followers/followers.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 namespace table_test {
 
-TEST(Table, OfTheLedgerHasItsColumnsByName)
+using TableTest = ScratchTest;
+
+TEST_F(TableTest, OfTheLedgerHasItsColumnsByName)
 {
-  const ScratchFolder scratch;
   const Table table = read_number_table(path_in(write_run(scratch.path() + "/run"), ledger_file));
   EXPECT_EQ(table.n_rows(), 2);
   EXPECT_THAT(*table.find("time"), ElementsAre(0.0, 0.25));
@@ -17,9 +19,8 @@ TEST(Table, OfTheLedgerHasItsColumnsByName)
   EXPECT_EQ(table.find("warmth"), nullptr);
 }
 
-TEST(Table, OfTheHistoryIsOnePerPoint)
+TEST_F(TableTest, OfTheHistoryIsOnePerPoint)
 {
-  const ScratchFolder scratch;
   const auto points = read_history(path_in(write_run(scratch.path() + "/run"), history_file));
   ASSERT_EQ(points.size(), 2);
   EXPECT_EQ(points[0].point, "A");
@@ -29,9 +30,8 @@ TEST(Table, OfTheHistoryIsOnePerPoint)
   EXPECT_TRUE(std::isnan((*points[1].table.find("su"))[1]));
 }
 
-TEST(Table, ReadsQuotedNamesAndLeavesOutALineThatIsBeingWritten)
+TEST_F(TableTest, ReadsQuotedNamesAndLeavesOutALineThatIsBeingWritten)
 {
-  const ScratchFolder scratch;
   const std::string path = scratch.path() + "/history.csv";
   write_file_atomically(path, "time,point,x\n0,\"toe, \"\"left\"\"\",1.5\n0.1,\"toe, \"\"left\"\"\",2.5\n0.2,\"to");
   const auto points = read_history(path);
@@ -40,9 +40,8 @@ TEST(Table, ReadsQuotedNamesAndLeavesOutALineThatIsBeingWritten)
   EXPECT_THAT(*points[0].table.find("x"), ElementsAre(1.5, 2.5));
 }
 
-TEST(Table, WithALineOfAnotherLengthIsRefusedWithItsNumber)
+TEST_F(TableTest, WithALineOfAnotherLengthIsRefusedWithItsNumber)
 {
-  const ScratchFolder scratch;
   const std::string path = scratch.path() + "/ledger.csv";
   write_file_atomically(path, "time,step\n0,0\n1\n");
   EXPECT_EQ(

@@ -1,7 +1,6 @@
 // Where the trials of a search begin: at rest, elastic, with scales that a hand calculation gives.
 #include "stability/elastic_start.hpp"
 #include "base/errors.hpp"
-#include "simulation/setup.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/simulation.hpp"
@@ -21,10 +20,10 @@ Case filled_box()
   return c;
 }
 
-ElasticStart settle(const Case& c)
+ElasticStart settle(const Case& c, Real stiffening = 1.0)
 {
   const std::atomic<bool> stop{false};
-  return settle_elastically(c, std::make_shared<const Mesh<2>>(build_mesh(c)), 1.0, 1, stop);
+  return settle_elastically(c, std::make_shared<const Mesh<2>>(build_mesh(c)), stiffening, 1, stop);
 }
 
 TEST(ElasticStart, ScalesAreThoseOfTheHandCalculation)
@@ -35,7 +34,10 @@ TEST(ElasticStart, ScalesAreThoseOfTheHandCalculation)
   EXPECT_NEAR(start.height, height, 1e-12);
   EXPECT_NEAR(start.traversal, height / std::sqrt(shear / 1990.0), 1e-12);
   EXPECT_NEAR(start.displacement, 1990.0 * 10.0 * height * height / young, 1e-9);
-  EXPECT_GT(start.steps, 0);
+  EXPECT_NEAR(start.free_motion, 10.0 * std::pow(2.0 * start.traversal, 2), 1e-9);
+  EXPECT_GT(start.steps, 10);
+  EXPECT_EQ(start.rest.step, 0);
+  EXPECT_NEAR(settle(filled_box(), 1e3).displacement, start.displacement, 1e-9) << "of the soil as it is";
 }
 
 TEST(ElasticStart, StrengthDoesNotLimitItsStresses)

@@ -1,6 +1,5 @@
 // When a trial counts as standing or failing, from its windows and on a small column.
 #include "stability/trial.hpp"
-#include "base/errors.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "support/cases.hpp"
 #include "support/test.hpp"
@@ -60,21 +59,8 @@ struct Column {
   Case quiet;
   SharedMesh mesh;
   ElasticStart start;
-  Column()
-      : quiet(quiet_case(make())),
-        mesh(std::make_shared<const Mesh<2>>(build_mesh(quiet))),
-        start(settle_elastically(quiet, mesh, rules.stiffening, 1, go))
-  {
-  }
-  static Case make()
-  {
-    Case c = column_without_softening("mpm_mixed");
-    c.footings.emplace_back();
-    c.bodies[0].velocity = {1.0, 0.0};
-    return c;
-  }
-  explicit Column(Real stiffening)
-      : quiet(quiet_case(make())),
+  explicit Column(Real stiffening = rules.stiffening)
+      : quiet(quiet_case(column_without_softening("mpm_mixed"))),
         mesh(std::make_shared<const Mesh<2>>(build_mesh(quiet))),
         start(settle_elastically(quiet, mesh, stiffening, 1, go))
   {
@@ -84,29 +70,6 @@ struct Column {
     return run_trial(quiet, mesh, start, factor, r, 1, go, [](const Trial&) {});
   }
 };
-
-TEST(ElasticStart, IsAtRestWithScalesOfTheSoil)
-{
-  const Column column;
-  EXPECT_TRUE(column.quiet.footings.empty());
-  EXPECT_EQ(column.quiet.bodies[0].velocity, (Vec<2>{0.0, 0.0}));
-  EXPECT_EQ(column.start.rest.step, 0);
-  EXPECT_GT(column.start.steps, 10);
-  const Real height = 1.9;  // between the outer rows of points, 5 per cell of 0.5 m
-  EXPECT_NEAR(column.start.height, height, 1e-9);
-  EXPECT_NEAR(column.start.traversal, height / std::sqrt(2.0e6 / 1990.0), 1e-12);
-  EXPECT_NEAR(
-      column.start.displacement, 1990.0 * 9.81 * height * height / (2.0 * 2.0e6 * 1.48), 1e-9);  // of the soil as it is
-  EXPECT_NEAR(column.start.free_motion, 9.81 * 4.0 * height * height / (2.0e6 / 1990.0), 1e-9);
-}
-
-TEST(ElasticStart, NeedsGravity)
-{
-  Case c = Column::make();
-  c.forces.gravity = {0.0, 0.0};
-  EXPECT_THROW(
-      settle_elastically(quiet_case(c), std::make_shared<const Mesh<2>>(build_mesh(c)), 1.0, 1, go), InputError);
-}
 
 TEST(Trial, StandsWithMoreStrengthAndRunsAwayWithLess)
 {

@@ -51,11 +51,27 @@ inline MaterialCase of_library(LibraryCase library, const LawTerms& terms = {})
   return material;
 }
 
+/// A law whose parameters have no names.
+inline LibraryCase library_case(const std::string& file, LawInterface interface, std::initializer_list<Real> parameters,
+    std::vector<NamedNumber> state = {})
+{
+  LibraryCase library{.file = file, .interface = interface, .state = std::move(state)};
+  for (const Real value : parameters) library.parameters.push_back({"", value});
+  return library;
+}
+
+/// A law of wrong_native.c.
+inline LibraryCase native(const std::string& symbol, Real modulus = 1.0, Real limit = 1.0)
+{
+  LibraryCase library = library_case("wrong_native.so", LawInterface::native, {modulus, limit});
+  library.symbol = symbol;
+  return library;
+}
+
 /// A law of wrong_umat.c that goes wrong from a time [s] on, right of x [m].
 inline MaterialCase wrong_umat(Kind kind, Real time = 0.0, Real x = -100.0, std::size_t n_state = 1, Real limit = 0.0)
 {
-  LibraryCase library{.file = "wrong_umat.so", .interface = LawInterface::umat};
-  for (const Real value : {shear, poisson, Real(kind), time, x, limit}) library.parameters.push_back({"", value});
+  LibraryCase library = library_case("wrong_umat.so", LawInterface::umat, {shear, poisson, Real(kind), time, x, limit});
   for (std::size_t k = 0; k < n_state; ++k) library.state.push_back({"state_" + std::to_string(k + 1), 0.0});
   return of_library(library);
 }
@@ -74,6 +90,18 @@ inline std::string fault_of(const std::string& scheme, const MaterialCase& mater
 {
   Simulation s(moving_box(scheme, material), 2);
   return refusal<RunError>([&] { s.step(20); });
+}
+
+/// The stresses of two runs are the same but for this part of the largest.
+inline void expect_same_stresses(const Simulation& mine, const Simulation& own, Real part = 1e-12)
+{
+  const std::vector<Point> a = points_by_id(mine.state), b = points_by_id(own.state);
+  ASSERT_EQ(a.size(), b.size());
+  Real scale = 0.0;
+  for (const Point& p : b) scale = std::max(scale, std::abs(p.sigma[1]));
+  EXPECT_GT(scale, 1e4);
+  for (std::size_t k = 0; k < a.size(); ++k)
+    for (int c = 0; c < 4; ++c) EXPECT_NEAR(a[k].sigma[c], b[k].sigma[c], part * scale);
 }
 
 /// A box that turns by 0.4 rad/s about (2, 1), with or without a rate that turns its stress.

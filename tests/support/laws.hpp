@@ -6,7 +6,6 @@
 #include "user_laws/library_case.hpp"
 
 #include <filesystem>
-#include <memory>
 #include <string>
 
 namespace terp::test {

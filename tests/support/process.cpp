@@ -1,13 +1,13 @@
 #include "support/process.hpp"
 
-#include "support/paths.hpp"
-
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -27,8 +27,7 @@ void redirect(int descriptor, const std::string& path)
 
 Process::Process(const std::vector<std::string>& arguments, const std::string& working_folder)
 {
-  std::vector<std::string> words{program()};
-  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> words = with({program()}, arguments);
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -64,6 +63,25 @@ Finished Process::wait()
 Finished terp(const std::vector<std::string>& arguments, const std::string& working_folder)
 {
   return Process(arguments, working_folder).wait();
+}
+
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more)
+{
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+Finished succeeded(const Finished& f, std::source_location where)
+{
+  error_with(0, f, where);
+  return f;
+}
+
+std::string error_with(int status, const Finished& f, std::source_location where)
+{
+  const testing::ScopedTrace caller(where.file_name(), static_cast<int>(where.line()), "");
+  EXPECT_EQ(f.status, status) << f.err << f.out;
+  return f.err;
 }
 
 std::string text_of(const std::string& path)

@@ -3,6 +3,7 @@
 
 #include "support/paths.hpp"
 
+#include <source_location>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,15 @@ class Process {
 
 /// Runs `terp` with these arguments to its end. working_folder: "" is the caller's.
 Finished terp(const std::vector<std::string>& arguments, const std::string& working_folder = "");
+
+/// Arguments with others behind them.
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more);
+
+/// The program, which is to end well: the test fails where it did not.
+Finished succeeded(const Finished& f, std::source_location where = std::source_location::current());
+
+/// What the program says on standard error, which is to end with this status.
+std::string error_with(int status, const Finished& f, std::source_location where = std::source_location::current());
 
 /// The whole content of a file; "" if there is none.
 std::string text_of(const std::string& path);

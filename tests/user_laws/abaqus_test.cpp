@@ -119,18 +119,12 @@ TEST(Umat, ThatCountsToSixIsElasticToo)
   Simulation mine(moving_box("mpm_gp", wrong_umat(counts_to_six)), 1);
   Simulation own(moving_box("mpm_gp", elastic(shear, poisson, 1900.0)), 1);
   Simulation parts(moving_box("mpm_gp", wrong_umat(counts_to_six, 0.0, -100.0, 1, 0.15 * own.model.dt)), 1);
-  LibraryCase library{
-      .file = "wrong_umat.so", .interface = LawInterface::esm, .parameters = {{"", shear}, {"", poisson}}};
-  Simulation esm(moving_box("mpm_gp", of_library(library)), 1);
+  Simulation esm(
+      moving_box("mpm_gp", of_library(library_case("wrong_umat.so", LawInterface::esm, {shear, poisson}))), 1);
   own.step(30);
-  const std::vector<Point> b = points_by_id(own.state);
-  Real scale = 0.0;
-  for (const Point& p : b) scale = std::max(scale, std::abs(p.sigma[1]));
   for (Simulation* s : {&mine, &parts, &esm}) {
     s->step(30);
-    const std::vector<Point> a = points_by_id(s->state);
-    for (std::size_t k = 0; k < a.size(); ++k)
-      for (int c = 0; c < 4; ++c) EXPECT_NEAR(a[k].sigma[c], b[k].sigma[c], 1e-12 * scale);
+    expect_same_stresses(*s, own);
   }
 }
 
@@ -138,9 +132,9 @@ TEST(Umat, ThatCountsToSixIsElasticToo)
 /// the strain 12.
 MaterialCase of_components(LawInterface interface, Index n_components, Real only, Real oblique = 0.0)
 {
-  LibraryCase library{.file = "six_components.so", .interface = interface, .state = {{"eps_eq_p", 0.0}, {"k", 4e3}}};
-  for (const Real value : {shear, poisson, 4e3, 1e5, only, oblique}) library.parameters.push_back({"", value});
-  return of_library(library, {.n_components = n_components});
+  return of_library(library_case("six_components.so", interface, {shear, poisson, 4e3, 1e5, only, oblique},
+                        {{"eps_eq_p", 0.0}, {"k", 4e3}}),
+      {.n_components = n_components});
 }
 
 /// Stress of all points after 200 steps; stops if no point has yielded.
@@ -192,8 +186,7 @@ TEST(SixComponents, WhoseShearLeavesThePlaneStopTheRun)
 TEST(Umat, TurnsItsStateByTheUtilityRoutinesOfAbaqus)
 {
   if (!is_built("calls_abaqus.so")) GTEST_SKIP() << "there is no gfortran";
-  LibraryCase library{.file = "calls_abaqus.so", .interface = LawInterface::umat};
-  for (const Real value : {1.0, poisson, 1e9}) library.parameters.push_back({"", value});
+  LibraryCase library = library_case("calls_abaqus.so", LawInterface::umat, {1.0, poisson, 1e9});
   for (int k = 0; k < 6; ++k) library.state.push_back({"s" + std::to_string(k), k == 0 ? 0.01 : 0.0});
   Simulation s(turning_box(of_library(library), true));
   s.step(20);
@@ -211,8 +204,7 @@ TEST(UmatDeathTest, ThatCallsStdbAbqerrToEndTheRunIsNamedAfterItsMessage)
 {
   if (!is_built("calls_abaqus.so")) GTEST_SKIP() << "there is no gfortran";
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  LibraryCase library{.file = "calls_abaqus.so", .interface = LawInterface::umat};
-  for (const Real value : {shear, poisson, 0.0}) library.parameters.push_back({"", value});
+  LibraryCase library = library_case("calls_abaqus.so", LawInterface::umat, {shear, poisson, 0.0});
   for (int k = 0; k < 6; ++k) library.state.push_back({"s" + std::to_string(k), 0.0});
   EXPECT_EXIT(fault_of("mpm_gp", of_library(library)), testing::ExitedWithCode(3),
       "the law looks at its stress\n"

@@ -1,7 +1,5 @@
 // What is said of a library that does not go with its case.
 #include "user_laws/describe_library.hpp"
-#include "base/errors.hpp"
-#include "materials/material.hpp"
 #include "support/laws.hpp"
 #include "support/problems.hpp"
 #include "support/test.hpp"

@@ -2,10 +2,8 @@
 #include "user_laws/library_material.hpp"
 #include "support/law_cases.hpp"
 #include "support/process.hpp"
-#include "support/simulations.hpp"
 #include "support/stages.hpp"
 #include "user_laws/law_cost.hpp"
-#include "user_laws/user_law.hpp"
 
 #include <cfenv>
 
@@ -88,14 +86,10 @@ TEST(LibraryMaterial, ThatWantsSmallerStepsIsGivenThem)
   Simulation parts(moving_box("mpm_gp", wrong_umat(small_parts, 0.0, -100.0, 1, 1e-4)), 1);
   Simulation whole(moving_box("mpm_gp", wrong_umat(elastic_law)), 1);
   parts.step(10), whole.step(10);
-  const std::vector<Point> a = points_by_id(parts.state), b = points_by_id(whole.state);
-  Real most_calls = 0.0, scale = 0.0;
-  for (const Point& p : b) scale = std::max(scale, std::abs(p.sigma[1]));
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    for (int c = 0; c < 4; ++c) EXPECT_NEAR(a[k].sigma[c], b[k].sigma[c], 1e-12 * scale);
-    most_calls = std::max(most_calls, a[k].values[0]);
-    EXPECT_EQ(b[k].values[0], 10.0);
-  }
+  expect_same_stresses(parts, whole);
+  Real most_calls = 0.0;
+  for (const Point& p : points_by_id(parts.state)) most_calls = std::max(most_calls, p.values[0]);
+  for (const Point& p : points_by_id(whole.state)) EXPECT_EQ(p.values[0], 10.0);
   EXPECT_GT(most_calls, 20.0);  // its state counts the calls that were taken
 }
 
@@ -127,11 +121,9 @@ TEST(LibraryMaterial, ThatTakesItsArraysForLongerThanTheyAreStopsTheRun)
 
 TEST(LibraryMaterial, InCThatWritesBeyondItsStateStopsTheRun)
 {
-  const LibraryCase library{
-      .file = "wrong_native.so", .symbol = "writing_state_law", .parameters = {{"", 3e6}, {"", 1.0}}};
-  EXPECT_THAT(
-      fault_of("mpm_gp", of_library(library)), AllOf(HasSubstr("the law writes beyond its state, of 2 numbers\n"),
-                                                   HasSubstr("try      a larger n_state in the description")));
+  EXPECT_THAT(fault_of("mpm_gp", of_library(native("writing_state_law", 3e6))),
+      AllOf(HasSubstr("the law writes beyond its state, of 2 numbers\n"),
+          HasSubstr("try      a larger n_state in the description")));
 }
 
 TEST(LibraryMaterial, ThatChangesRoundingChangesThatOfItsOwnCallsAlone)
@@ -170,12 +162,7 @@ TEST(LibraryMaterial, IsElasticWhereItsLawIs)
     Simulation mine(moving_box(scheme, wrong_umat(elastic_law)), 1);
     Simulation own(moving_box(scheme, elastic(shear, poisson, 1900.0)), 1);
     mine.step(30), own.step(30);
-    const std::vector<Point> a = points_by_id(mine.state), b = points_by_id(own.state);
-    Real scale = 0.0;
-    for (const Point& p : b) scale = std::max(scale, std::abs(p.sigma[1]));
-    EXPECT_GT(scale, 1e4);
-    for (std::size_t k = 0; k < a.size(); ++k)
-      for (int c = 0; c < 4; ++c) EXPECT_NEAR(a[k].sigma[c], b[k].sigma[c], 1e-12 * scale);
+    expect_same_stresses(mine, own);
     EXPECT_NEAR(mine.state.work.plastic, 0.0, 1e-12 * 2850.0);  // of the energy of its motion [J]
   }
 }
@@ -192,10 +179,8 @@ TEST(LibraryMaterial, ThatIsNotThreadSafeIsCalledByOneThreadAtATime)
 
 TEST(LibraryMaterial, KeepsStrainAndDeformationGradientForALawThatAsks)
 {
-  LibraryCase library{.file = "wrong_umat.so", .interface = LawInterface::umat};
-  for (const Real value : {shear, poisson, 0.0, 0.0, -100.0, 0.0}) library.parameters.push_back({"", value});
-  for (const char* name : {"calls", "seen_dt", "seen_f11", "seen_f12", "seen_strain"})
-    library.state.push_back({name, 0.0});
+  LibraryCase library = library_case("wrong_umat.so", LawInterface::umat, {shear, poisson, 0.0, 0.0, -100.0, 0.0},
+      {{"calls"}, {"seen_dt"}, {"seen_f11"}, {"seen_f12"}, {"seen_strain"}});
   library.kinematics = {"strain", "deformation_gradient"};
   Case c = free_box("mpm_gp", {0.5, 0.5}, {3.5, 1.5}, of_library(library));
   c.bodies[0].velocity_at = [](Vec<2> x) -> Vec<2> { return {0.5 * (x[0] - 2.0), 0.0}; };  // extension along x
@@ -236,8 +221,7 @@ TEST(LibraryMaterial, IsToldOfTheRotationThatItsStressHasMade)
 // Stretched in the first step, turned in the second, by velocities that are linear in the place. Almost no stress.
 TEST(LibraryMaterial, IsToldTheStrainAndTheDeformationGradientOfSoilThatStretchesAndTurns)
 {
-  LibraryCase library{.file = "wrong_umat.so", .interface = LawInterface::umat};
-  for (const Real value : {1.0, poisson, 0.0, 0.0, -100.0, 0.0}) library.parameters.push_back({"", value});
+  LibraryCase library = library_case("wrong_umat.so", LawInterface::umat, {1.0, poisson, 0.0, 0.0, -100.0, 0.0});
   for (int k = 0; k < 8; ++k) library.state.push_back({"seen_" + std::to_string(k), 0.0});
   library.kinematics = {"strain", "deformation_gradient"};
   Case c = free_box("mpm_gp", {0.5, 0.25}, {3.5, 1.75}, of_library(library));
@@ -274,32 +258,28 @@ Case resting_box(MaterialCase material)
 TEST(LibraryMaterial, FindsTheEquilibriumOfTerpsOwnElasticSoilWithTheStateOfTheStart)
 {
   const std::vector<Real> moduli = confined_box(InitialStress::equilibrium).materials[0].parameters;
-  LibraryCase native{
-      .file = "elastic.so", .parameters = {{"", moduli[0]}, {"", moduli[1]}}, .state = {{"shear_path", 0.5}}};
-  LibraryCase umat{.file = "wrong_umat.so", .interface = LawInterface::umat, .state = {{"calls", 7.0}}};
-  for (const Real value : {moduli[0], moduli[1], 0.0, 0.0, 0.0, 0.0}) umat.parameters.push_back({"", value});
+  const LibraryCase native =
+      library_case("elastic.so", LawInterface::native, {moduli[0], moduli[1]}, {{"shear_path", 0.5}});
+  const LibraryCase umat =
+      library_case("wrong_umat.so", LawInterface::umat, {moduli[0], moduli[1], 0.0, 0.0, 0.0, 0.0}, {{"calls", 7.0}});
   Simulation own(confined_box(InitialStress::equilibrium));
   own.start();
-  const std::vector<Point> b = points_by_id(own.state);
-  for (LibraryCase& library : std::vector<LibraryCase>{native, umat}) {
+  for (const LibraryCase& library : {native, umat}) {
     MaterialCase material = confined_box(InitialStress::equilibrium).materials[0];
     material.model = "library";
     material.library = library;
     material.from_library = load_user_law("clay", law_folder(), material.parameters, material.library);
     Simulation mine(resting_box(material));
     mine.start();
-    const std::vector<Point> a = points_by_id(mine.state);
-    for (std::size_t k = 0; k < a.size(); ++k) {
-      for (int d = 0; d < 4; ++d) EXPECT_NEAR(a[k].sigma[d], b[k].sigma[d], 1e-6 * 2000.0 * 9.81 * 1.5);
-      EXPECT_EQ(a[k].values[0], library.state[0].value);
-    }
+    expect_same_stresses(mine, own, 1e-6);
+    for (const Point& p : points_by_id(mine.state)) EXPECT_EQ(p.values[0], library.state[0].value);
   }
 }
 
 TEST(LibraryMaterial, ThatAStageGivesToSoilOfAnotherKeepsItsPlasticStrainAlone)
 {
-  LibraryCase first{.file = "wrong_umat.so", .interface = LawInterface::umat, .state = {{"eps_eq_p", 0.0}, {"n", 3.0}}};
-  for (const Real value : {shear, poisson, 0.0, 0.0, 0.0, 0.0}) first.parameters.push_back({"", value});
+  const LibraryCase first = library_case(
+      "wrong_umat.so", LawInterface::umat, {shear, poisson, 0.0, 0.0, 0.0, 0.0}, {{"eps_eq_p", 0.0}, {"n", 3.0}});
   for (const bool same : {true, false}) {
     LibraryCase second = first;
     if (!same) second.file = "./wrong_umat.so", second.state[1].value = 5.0;
@@ -335,8 +315,7 @@ TEST(LawCost, IsThatOfAStepFromTheStateOfTheCase)
 
 TEST(NativeLaw, ThatCrashesIsToldOfWithAllThePointsThatItHad)
 {
-  const std::string said = fault_of("mpm_gp",
-      of_library({.file = "wrong_native.so", .symbol = "crashing_update_law", .parameters = {{"", 1.0}, {"", 1.0}}}));
+  const std::string said = fault_of("mpm_gp", of_library(native("crashing_update_law")));
   EXPECT_THAT(said, HasSubstr("material points that it had at once, from "));
   EXPECT_THAT(said, Not(HasSubstr("before   stress")));
 }
@@ -344,9 +323,7 @@ TEST(NativeLaw, ThatCrashesIsToldOfWithAllThePointsThatItHad)
 TEST(NativeLaw, IsToldOfTheSpinAndWhetherItsStressWasTurned)
 {
   for (const bool turned : {true, false}) {
-    Simulation s(turning_box(
-        of_library({.file = "wrong_native.so", .symbol = "spinning_law", .parameters = {{"", 1.0}, {"", 1.0}}}),
-        turned));
+    Simulation s(turning_box(of_library(native("spinning_law")), turned));
     s.step(1);
     for (const Point& p : points_by_id(s.state))
       if (std::abs(p.x[0] - 2.0) < 0.5 && std::abs(p.x[1] - 1.0) < 0.25) {
@@ -365,20 +342,15 @@ TEST(NativeLaw, GivesTheNumbersOfTerpsOwnElasticSoil)
   for (const char* scheme : {"mpm_gp", "mpm_mixed"}) {
     Simulation mine(moving_box(scheme, material), 2), own(moving_box(scheme, elastic(shear, poisson, 1900.0)), 1);
     mine.step(30), own.step(30);
-    const std::vector<Point> a = points_by_id(mine.state), b = points_by_id(own.state);
-    Real scale = 0.0;
-    for (const Point& p : b) scale = std::max(scale, std::abs(p.sigma[1]));
-    for (std::size_t k = 0; k < a.size(); ++k) {
-      for (int c = 0; c < 4; ++c) EXPECT_NEAR(a[k].sigma[c], b[k].sigma[c], 1e-12 * scale);
-      EXPECT_GT(a[k].values[0], 0.0);
-    }
+    expect_same_stresses(mine, own);
+    for (const Point& p : points_by_id(mine.state)) EXPECT_GT(p.values[0], 0.0);
   }
 }
 
 TEST(NativeLaw, IsGivenHalvesOfAStepUntilItTakesThem)
 {
-  LibraryCase library{.file = "wrong_native.so", .parameters = {{"", 2.0 * shear}, {"", 1e-4}}};
-  Simulation s(moving_box("standard_mpm", of_library(library)), 1);  // whose points keep their own pressure
+  // Points of this scheme keep their own pressure.
+  Simulation s(moving_box("standard_mpm", of_library(native("", 2.0 * shear, 1e-4))), 1);
   s.step(10);
   Real most_calls = 0.0;
   for (const Point& p : points_by_id(s.state)) {
@@ -391,8 +363,7 @@ TEST(NativeLaw, IsGivenHalvesOfAStepUntilItTakesThem)
 
 TEST(NativeLaw, SaysWhyItFails)
 {
-  LibraryCase library{.file = "wrong_native.so", .symbol = "failing_law", .parameters = {{"", shear}, {"", 1.0}}};
-  EXPECT_THAT(fault_of("mpm_gp", of_library(library)),
+  EXPECT_THAT(fault_of("mpm_gp", of_library(native("failing_law", shear))),
       AllOf(HasSubstr("the law says: the void ratio is negative"), HasSubstr("(native, failing_law)")));
 }
 

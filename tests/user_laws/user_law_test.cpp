@@ -2,6 +2,7 @@
 #include "input/case_file.hpp"
 #include "simulation/follower.hpp"
 #include "support/laws.hpp"
+#include "support/process.hpp"
 #include "support/simulations.hpp"
 #include "user_laws/user_law.hpp"
 
@@ -9,18 +10,10 @@ namespace user_law_test {
 
 const std::string example = source_path("cases/user_law/column.toml");
 
-std::string read_text(const std::string& path)
-{
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// The example as a case whose libraries lie in the folder of the tests.
 Case case_with(const std::vector<std::string>& changes)
 {
-  return read_case_text(read_text(example), law_folder() + "/column.toml", changes).values;
+  return read_case_text(text_of(example), law_folder() + "/column.toml", changes).values;
 }
 
 const std::vector<std::string> own_law{"material.clay.model=\"tresca_softening\"", "material.clay.su_peak=8e3",
@@ -30,7 +23,7 @@ const std::vector<std::string> own_law{"material.clay.model=\"tresca_softening\"
 Case case_of_own_law(const std::vector<std::string>& changes)
 {
   std::string text;
-  std::istringstream lines(read_text(example));
+  std::istringstream lines(text_of(example));
   for (std::string line; std::getline(lines, line);) {
     const auto begins = [&](const char* key) { return line.starts_with(key); };
     if (!begins("library") && !begins("interface") && !begins("parameters") && !begins("state") &&
