@@ -20,7 +20,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the checksum is over little-endian bytes");
 
-constexpr std::int64_t format_version = 6;
+constexpr std::int64_t format_version = 7;
 const std::string format_name = "terp checkpoint";
 const std::string arrays = "/arrays", case_place = "/case", tables_place = "/tables";
 

@@ -137,7 +137,9 @@ TEST(Check, PointsAtTheChangeThatSetUpCannotUse)
 {
   const std::string unstructured = source_path("cases/column_collapse/model_2_unstructured.toml");
   const auto error_after = [](const std::string& file, const std::string& change) {
-    return error_with(2, test::terp({"check", file, "--set", change}));
+    const Finished f = test::terp({"check", file, "--set", change});
+    EXPECT_EQ(f.out, "");
+    return error_with(2, f);
   };
   EXPECT_THAT(error_after(column_file, "mesh.size=[6.0, 3.0]"),
       AllOf(StartsWith("error: --set mesh.size=[6.0, 3.0]: the body lies outside the mesh\n"),

@@ -118,13 +118,13 @@ TEST_F(Checkpoint, WithAnyByteFlippedIsRefusedOrComesBackToTheBit)
 TEST_F(Checkpoint, OfAnotherFormatNamesBothVersions)
 {
   const std::string path = write_sample(folder, 1);
-  for (const int version : {5, 99}) {
+  for (const int version : {6, 99}) {
     Hdf5File file(path, Hdf5File::Mode::change);
     file.set_integers("/", "format_version", {version});
     file.close();
     EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
         AllOf(HasSubstr(fmt::format("checkpoint format {}", version)),
-            HasSubstr("reads format 6\n  Go on with the terp that wrote it")));
+            HasSubstr("reads format 7\n  Go on with the terp that wrote it")));
   }
 }
 

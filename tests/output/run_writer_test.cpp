@@ -102,22 +102,58 @@ TEST_F(RunWriterTest, ResumingDropsTheCheckpointsOfTheAbandonedSteps)
   EXPECT_EQ(newest_good_checkpoint(folder).image->step, 200);
 }
 
-/// Other tables and frames: tests/app/resume_test.cpp.
-TEST_F(RunWriterTest, DoesNotResumeWithoutTheRowsOfPointsThatLeftOrWithOthers)
+TEST_F(RunWriterTest, DoesNotResumeWhereAFileIsMissingOrTooShortAndNothingChanges)
 {
   write_outputs(*RunWriter::start(settings_for(folder), false), 0, 3);
-  ResumePoint from = point_200(folder);
-  from.n_rows["left_the_mesh"] = 1;
-  EXPECT_EQ(file_error_of([&] { resume_in(folder, from); }),
-      "cannot resume from step 200, t = 0.2 s, without all of " + folder +
-          "/left_the_mesh.csv: it is missing\n  Put the file back, resume from an earlier checkpoint, or start the "
-          "case anew: terp run " +
-          folder + "/case.toml -o NEW_FOLDER");
-  write_file_atomically(
-      folder + "/left_the_mesh.csv", header_of(*table_named("left_the_mesh")) + "\n0.05,3,1,2,3,4,5\n");
-  EXPECT_THAT(file_error_of([&] { resume_in(folder, point_200(folder)); }),
-      HasSubstr("left_the_mesh.csv is not what this run wrote"));
-  EXPECT_EQ(newest_good_checkpoint(folder).image->step, 300);
+  const ResumePoint from = point_200(folder);
+  const std::string head = "cannot resume from step 200, t = 0.2 s, without all of " + folder;
+  const std::string advice =
+      "\n  Put the file back, resume from an earlier checkpoint, or start the case anew: terp run " + folder +
+      "/case.toml -o NEW_FOLDER";
+  auto before = all_files_in(folder);
+  ResumePoint more = from;
+  more.n_rows["history"] = 7;
+  EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }),
+      head + "/history.csv: it holds 6 rows up to there, 7 are due" + advice);
+  more = from;
+  more.n_rows["left_the_mesh"] = 1;
+  EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }), head + "/left_the_mesh.csv: it is missing" + advice);
+  EXPECT_EQ(all_files_in(folder), before);
+  std::filesystem::remove(folder + "/history.csv");
+  before.erase("history.csv");
+  EXPECT_EQ(file_error_of([&] { resume_in(folder, from); }), head + "/history.csv: it is missing" + advice);
+  EXPECT_EQ(all_files_in(folder), before);
+}
+
+TEST_F(RunWriterTest, FilesOfAnotherRunAreRefusedAndNothingChanges)
+{
+  const std::string ours = folder + "/ours", theirs = folder + "/theirs";
+  RunWriterSettings other = settings_for(theirs);
+  other.case_record = "material.clay.eta = 60\n";
+  write_outputs(*RunWriter::start(settings_for(ours), false), 0, 3);
+  write_outputs(*RunWriter::start(std::move(other), false), 0, 3);
+  write_file_atomically(theirs + "/ledger.csv", header_of(*sample_ledger_table()) + '\n' +
+                                                    csv_lines(sample_ledger(0.0)) + csv_lines(sample_ledger(0.05)) +
+                                                    csv_lines(sample_ledger(0.2)));
+  write_file_atomically(theirs + "/history.csv", header_of(*history_table()) + '\n' + csv_lines(sample_history(0.0)) +
+                                                     csv_lines(sample_history(0.05)) + csv_lines(sample_history(0.2)));
+  const ResumePoint from = point_200(ours);
+  for (const std::string name : {"frames/points_00001.vtkhdf", "ledger.csv", "history.csv"}) {
+    const std::string aside = folder + "/aside", path = path_in(ours, name);
+    std::filesystem::copy_file(path, aside);
+    std::filesystem::copy_file(path_in(theirs, name), path, std::filesystem::copy_options::overwrite_existing);
+    const auto before = all_files_in(ours);
+    EXPECT_THAT(file_error_of([&] { resume_in(ours, from); }),
+        AllOf(StartsWith("cannot resume from step 200, t = 0.2 s: " + path + " is "), HasSubstr("of another "),
+            HasSubstr("\n  Put a copy of it back, or start the case anew: terp run " + ours +
+                      "/case.toml -o NEW_FOLDER\n  Nothing was changed")));
+    EXPECT_EQ(all_files_in(ours), before) << name;
+    std::filesystem::rename(aside, path);
+  }
+  write_file_atomically(ours + "/left_the_mesh.csv", header_of(*table_named("left_the_mesh")) + "\n0.05,3,1,2,3,4,5\n");
+  EXPECT_THAT(file_error_of([&] { resume_in(ours, from); }), HasSubstr("left_the_mesh.csv is not what this run wrote"));
+  std::filesystem::remove(ours + "/left_the_mesh.csv");
+  EXPECT_TRUE(resume_in(ours, from)->warnings().empty());
 }
 
 TEST_F(RunWriterTest, ForceReplacesTheEarlierRun)

@@ -8,11 +8,17 @@ namespace mpm_mixed_test {
 /// component.
 constexpr std::array<Real, 4> factor{-3.0, -1.0, -2.0, 0.5};
 
-std::vector<Point> points_after_one_step()
+/// averaging: of the state variables, in place of what their law declares.
+std::vector<Point> points_after_one_step(std::optional<Averaging> averaging = {})
 {
   Case c = clamped_cell("mpm_mixed");
   c.bodies[0].points_per_cell = {4, 2};
   Simulation s(c);
+  MaterialType law = *s.model.materials[0].type;
+  std::vector<StateInfo> variables(law.state.begin(), law.state.end());
+  for (StateInfo& variable : variables) variable.averaging = averaging.value_or(variable.averaging);
+  law.state = variables;
+  s.model.materials[0].type = &law;
   edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     const bool second = static_cast<int>(block.row(Rows::id)[lane]) % 2 == 1;
     const int g = (block.row(Rows::xi)[lane] > 0.0) + 2 * (block.row(Rows::xi + 1)[lane] > 0.0);
@@ -44,6 +50,12 @@ TEST(MpmMixed, PointsOfASubCellTakeItsMeanDeviatorAndThePressureOfTheCell)
 TEST(MpmMixed, ThePlasticStrainIsAveragedOverTheCellAsItsLawDeclares)
 {
   for (const Point& p : points_after_one_step()) EXPECT_NEAR(p.eps_eq_p(), 1e-5 * 1000.0, 1e-16);
+}
+
+TEST(MpmMixed, AStateThatItsLawKeepsBySubCellTakesTheMeanThere)
+{
+  for (const Point& p : points_after_one_step(Averaging::sub_cell))
+    EXPECT_NEAR(p.eps_eq_p(), 1e-5 * mean_of(sub_cell_of(p)), 1e-16);
 }
 
 /// Variance of the plastic strain along x about its centre [m^2].

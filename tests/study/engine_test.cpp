@@ -65,7 +65,7 @@ TEST(Engine, AStoreOfAnotherStudyIsRefused)
   const std::string row = digits_of("terp study\t1\t0.1.0\ta\tb") + "\tterp study\t1\t0.1.0\ta\tb\n";
   write_file_atomically(place.of("old") + "/part_1_of_1.rows", row);
   EXPECT_THAT(refusal<FileError>([&] { read_store(place.study, place.of("old")); }),
-      HasSubstr("this store has format 1, and this terp reads format 6\n  Solve it anew: terp study run"));
+      HasSubstr("this store has format 1, and this terp reads format 7\n  Solve it anew: terp study run"));
   write_file_atomically(place.of("bad") + "/part_1_of_1.rows", "0123456789abcdef\tother\n");
   EXPECT_EQ(read_store(place.study, place.of("bad")).n_broken, 1);
 }

@@ -151,8 +151,10 @@ inline std::string message_on(const std::string& good, const Mistake& mistake)
 
 inline void expect_messages(const std::string& good, const std::vector<Mistake>& mistakes)
 {
-  for (const Mistake& mistake : mistakes)
+  for (const Mistake& mistake : mistakes) {
+    EXPECT_FALSE(mistake.expected.empty()) << mistake.to;
     EXPECT_THAT(message_on(good, mistake), HasSubstr(mistake.expected)) << mistake.to;
+  }
 }
 
 }  // namespace terp::test

@@ -21,7 +21,7 @@ TEST(StoreHead, ComesBackAsItWasWritten)
   EXPECT_EQ(refusal([] { read_head("17\t0.5", "x.rows"); }),
       "x.rows: this is no store of a study\n  Choose another folder: -o DIR");
   EXPECT_THAT(refusal([] { read_head("terp study\t4\t0.1.0\ta\tb", "x.rows"); }),
-      HasSubstr("x.rows: this store has format 4, and this terp reads format 6\n  Solve it anew"));
+      HasSubstr("x.rows: this store has format 4, and this terp reads format 7\n  Solve it anew"));
 }
 
 TEST(StoreHead, SaysWhatIsAnotherStudy)

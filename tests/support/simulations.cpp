@@ -156,9 +156,13 @@ std::vector<std::string> different_arrays(const StateImage& a, const StateImage&
 
 void set_value(State& state, std::int64_t id, int row, Real value)
 {
+  int n_points = 0;
   edit_points(state, [&](const PointBlock<2>& block, Index lane) {
-    if (static_cast<std::int64_t>(block.row(Rows::id)[lane]) == id) block.row(row)[lane] = value;
+    if (static_cast<std::int64_t>(block.row(Rows::id)[lane]) != id) return;
+    block.row(row)[lane] = value;
+    ++n_points;
   });
+  EXPECT_EQ(n_points, 1) << "points with the id " << id;
 }
 
 std::vector<Real> row_by_id(const State& state, int row)
