@@ -1,8 +1,7 @@
 // Which outlines lie around a face follows from parity: to cross an edge is to enter or leave the outlines along it.
-// The walk begins at face 0, outside of all. Of the outlines around a face the one with the smallest area gets it.
-// Joining moves lines, so the areas that regions shall have are corrected by those of the outlines as drawn. Simplified
-// boundaries are accepted only if their faces give the regions back. Otherwise the boundaries are taken as they were
-// joined, with balanced areas, and if that fails too, without.
+// The walk begins at face 0, outside of all. Joining moves lines, so the areas that regions shall have are corrected by
+// those of the outlines as drawn. Simplified boundaries are accepted only if their faces give the regions back.
+// Otherwise the joined ones are taken, with balanced areas, and if that fails too, without.
 
 #include "drawing/clean_regions.hpp"
 
@@ -71,7 +70,6 @@ std::vector<DrawnLine> lines_of(const std::vector<DrawnRegion>& drawn, const std
   return lines;
 }
 
-/// Which drawn region each face belongs to.
 class Assignment {
  public:
   Assignment(const std::vector<DrawnRegion>& drawn, const PlanarGraph& graph, const PlanarFaces& faces)

@@ -8,7 +8,6 @@
 
 namespace terp {
 
-/// A layer as it is drawn.
 struct DrawnRegion {
   std::string name;  ///< of the soil or layer; several regions may have one name
   Polygon polygon;   ///< [m]
@@ -33,7 +32,6 @@ struct CleanRegion {
   std::vector<Polygon> holes;  ///< clockwise: filled by other regions, or empty [m]
 };
 
-/// What became of a drawn region.
 struct RegionChange {
   Real drawn_area;  ///< what its outline gives it, less the regions in it and what is dug away [m^2]
   Real area;        ///< of its clean pieces [m^2]

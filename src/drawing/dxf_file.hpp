@@ -10,7 +10,6 @@
 
 namespace terp {
 
-/// A LINE, LWPOLYLINE or POLYLINE.
 struct DxfLine {
   std::string layer;
   std::vector<Vec<2>> places;  ///< x to the right, y up [m]

@@ -1,6 +1,5 @@
-// One open line is enough to take all lines together as a planar graph: then closed polylines no longer are regions,
-// they only give names. Face 0 is the outside of all lines. Regions are ordered by their tops before those without a
-// name are numbered, so that numbers run downwards.
+// With one open line closed polylines no longer are regions, they only give names. Face 0 is the outside of all lines.
+// Regions are ordered by their tops before those without a name are numbered, so that numbers run downwards.
 
 #include "drawing/dxf_regions.hpp"
 

@@ -14,7 +14,6 @@ namespace terp {
 /// An edge takes up places beside it that are nearer than this share of the snap distance: 1/sqrt(2), rounded down.
 inline constexpr Real edge_reach = 0.7;
 
-/// A line of a drawing, with the number of what it belongs to.
 struct DrawnLine {
   std::vector<Vec<2>> places;  ///< [m]
   bool closed;                 ///< an outline: an owner that passes an edge twice cancels

@@ -1,5 +1,5 @@
-// Points are summed up in boxes of about a cell, and each box gets a material or none. Sides between boxes of two kinds
-// make a planar graph, whose chains are simplified as those of a drawing: neighbours share their outline.
+// Sides between boxes of two kinds make a planar graph, whose chains are simplified as those of a drawing: neighbours
+// share their outline.
 
 #include "drawing/point_section.hpp"
 

@@ -14,8 +14,7 @@ struct PointSection {
 
 /// places [m], volumes [m^2] and materials of the points, shape [n_points]. In a box of the top the ground is as high
 /// as the points fill it; boxes filled by less than a twentieth do not count. A box has the material with most volume
-/// in it, if points fill half of it. Outlines are straightened within three quarters of
-/// a box.
+/// in it, if points fill half of it. Outlines are straightened within three quarters of a box.
 PointSection section_of_points(
     std::span<const Vec<2>> places, std::span<const Real> volumes, std::span<const int> materials);
 

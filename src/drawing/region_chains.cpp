@@ -1,9 +1,7 @@
 // A corner leaves by collapse of a segment: one corner x replaces b and c of a-b-c-d, where the area beside the chain
-// stays the same. x is rounded to the grid. The area that this loses is a debt, which the next collapse of the chain
-// pays. The debt makes waiting candidates out of date, so each is computed again before it is used. A small distance
-// from the drawn line does not keep chains apart: stays_apart looks at all chains before each collapse. Places are
-// added, never renumbered, as several chains refer to them. Areas are balanced last, by linear equations between the
-// regions, since joining and rounding have changed them.
+// stays the same. x is rounded to the grid; the area that this loses is a debt, which the next collapse of the chain
+// pays. It makes waiting candidates out of date, so each is computed again before it is used. stays_apart looks at all
+// chains before each collapse. Places are added, never renumbered, as several chains refer to them.
 
 #include "drawing/region_chains.hpp"
 

@@ -1,8 +1,6 @@
 // What is taken over is decided before anything is written: river, part of the section, size of cells, clean regions.
-// Then the order counts. Water comes first, as the phreatic line cuts layers into pieces; pieces give bodies and soils.
-// A trigger names another water for soils that are there, and the level of [flood]. Doubts look at all of it, last. A
-// sentence goes to one of four lists: doubts, which every command repeats; notes for the terminal; what was assumed;
-// what was left out.
+// Then water comes first, as the phreatic line cuts layers into pieces; pieces give bodies and soils. A trigger names
+// another water for soils that are there. Doubts look at all of it, last.
 
 #include "dstability/case_folder.hpp"
 
@@ -36,7 +34,6 @@ namespace {
 
 constexpr const char *raised_water = "raised_water", *record = "imported.toml";
 
-/// One body before it is text.
 struct Piece {
   CleanRegion region;
   std::size_t soil;
@@ -259,7 +256,6 @@ class FolderMaker {
     if (!problems.empty()) throw InputError(problems);
   }
 
-  /// Its outline is still to be set.
   CaseBodyText body_of(const Piece& piece)
   {
     const StixLayer& layer = layer_of(piece.region.drawn);

@@ -68,7 +68,6 @@ std::string places_text(const std::vector<Vec<2>>& places, std::size_t indent, s
 /// minus and plus; `otherwise` if nothing is left. Two names may have one key.
 std::string key_of_name(const std::string& name, const std::string& otherwise = "soil");
 
-/// A folder that is to be written.
 struct CaseFolder {
   std::vector<std::pair<std::string, std::string>> files;  ///< name, contents; case.toml first
   std::vector<Sentence> notes;                             ///< what is worth a line on the terminal

@@ -1,5 +1,5 @@
-// The ground of two stages is compared strip by strip. What rises and what falls is summed apart: together they would
-// cancel. Neighbouring stages with the same change share one sentence; less than a hundredth of a square strip is none.
+// What rises and what falls is summed apart: together they would cancel. Neighbouring stages with the same change share
+// one sentence; less than a hundredth of a square strip is none.
 
 #include "dstability/earlier_ground.hpp"
 
@@ -19,7 +19,6 @@ namespace {
 
 constexpr Real least_height = 1e-3;  // [m]: files have places to the millimetre
 
-/// An area between two heights of the ground, and where it lies.
 struct Strip {
   Real area = 0.0, left = 1e30, right = -1e30;  ///< [m^2], x [m]
 

@@ -10,7 +10,6 @@
 
 namespace terp {
 
-/// A member of the file.
 struct StixContent {
   std::string name;  ///< "states/states_1.json"
   std::string kind;  ///< "states"

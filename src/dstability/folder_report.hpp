@@ -10,7 +10,6 @@
 
 namespace terp {
 
-/// What there is of a soil.
 struct SoilSum {
   Real area = 0.0, weight = 0.0;  ///< [m^2], [N/m]
   SoilSum& operator+=(const SoilSum& other)

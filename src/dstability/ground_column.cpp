@@ -1,7 +1,5 @@
-// The vertical line is cut at all crossings of all outlines; between two neighbouring ones the layers are constant, so
-// one look at the middle decides. Of the layers that contain it the one with the smallest area holds. Excavations only
-// lower the top of what is found. An edge belongs to its left end, so that a corner counts once and levels come in
-// pairs; the right end of the section is the one exception.
+// The vertical line is cut at all crossings of all outlines; between two neighbouring ones one look at the middle
+// decides. Excavations only lower the top of what is found.
 
 #include "dstability/ground_column.hpp"
 

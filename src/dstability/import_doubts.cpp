@@ -1,6 +1,5 @@
-// A doubt is about what can be read and is hardly meant; each function has its own limits of what is usual. Empty
-// places are found between the x of all corners, where no edge begins or ends: from below, each edge enters or leaves
-// its region, and where none is open there is no soil.
+// Each function has its own limits of what is usual. Empty places are found between the x of all corners, where no edge
+// begins or ends: from below, each edge enters or leaves its region, and where none is open there is no soil.
 
 #include "dstability/import_doubts.hpp"
 

@@ -16,7 +16,6 @@
 
 namespace terp {
 
-/// Faults and remarks of a whole file.
 class StixNotes {
  public:
   explicit StixNotes(std::string path) : path_(std::move(path)) {}

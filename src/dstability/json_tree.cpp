@@ -1,5 +1,5 @@
-// The tree is built from events, and values that are not wanted are never made. Pointers to open nodes stay valid as a
-// node gets no further member while one of its members is open.
+// Values that are not wanted are never made. Pointers to open nodes stay valid as a node gets no further member while
+// one of its members is open.
 
 #include "dstability/json_tree.hpp"
 
@@ -26,7 +26,6 @@ std::string line_of(std::string_view text, std::size_t byte)
   return fmt::format("line {}, column {}", line, before.size() - start + 1);
 }
 
-/// Builds the tree from the events of the library's reader.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
   TreeBuilder(std::string_view text, const std::string& where, const std::vector<std::string>& skipped)

@@ -64,7 +64,6 @@ std::string result_text(const StixCalculation& calculation)
   return "F = " + number(result.factor_of_safety, 4);
 }
 
-/// Letters of a UTF-8 text.
 std::size_t letters_in(const std::string& text)
 {
   return static_cast<std::size_t>(

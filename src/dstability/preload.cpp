@@ -1,7 +1,6 @@
-// The case computes a yield stress as sigma'_v of the first stage plus one POP. If the file's is not of that kind, it
-// is written on a grid, column by column. A case interpolates between the places of its grid, so values beyond a layer
-// continue those within it: another layer would have a share in them. Near its boundaries a layer is not asked for, as
-// cleaning may have moved these over soil of another one.
+// A yield stress that is not sigma'_v of the first stage plus one POP is written on a grid, column by column. A case
+// interpolates between the places of its grid, so values beyond a layer continue those within it. Near its boundaries a
+// layer is not asked for, as cleaning may have moved these over soil of another one.
 
 #include "dstability/preload.hpp"
 
@@ -100,7 +99,6 @@ Real nearest_in(const std::vector<LayerPiece>& pieces, Real x)
   return nearest;
 }
 
-/// Values on a grid of rectangles, bilinear between them.
 struct GridValues {
   Vec<2> low;
   Real dx, dz;

@@ -12,7 +12,6 @@
 
 namespace terp {
 
-/// A piece of a layer.
 struct LayerPiece {
   const CleanRegion* region;
   std::size_t layer;  ///< number in StixStage::layers of the analysed stage

@@ -1,5 +1,3 @@
-// The members that make a stage: geometry, soils of layers, water, states, decorations, loads, reinforcements.
-
 #include "dstability/stix_parts.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +9,6 @@
 namespace terp {
 namespace {
 
-/// What every member ends with.
 void end(JsonCursor& file)
 {
   file.pass_over({"Id", "ContentVersion"});

@@ -1,5 +1,3 @@
-// Settings of calculations, and stored results with their slices.
-
 #include "dstability/stix_parts.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 // A file is a graph: members name each other by ids. So all members are read first, into tables by id (StixParts), and
-// scenarios last, which take copies of what their ids name. Faults and remarks are collected on the way, and all faults
-// thrown together by notes.finish(), or at the tenth. Until then a part with a fault is there, with values that say
-// nothing.
+// scenarios last, which take copies of what their ids name. Until notes.finish() throws all faults together, or at the
+// tenth, a part with a fault is there, with values that say nothing.
 
 #include "dstability/read_stix.hpp"
 
@@ -21,7 +20,6 @@
 namespace terp {
 namespace {
 
-/// A member that is still to be read, and what it is.
 struct Member {
   std::string name;  ///< "geometries/geometry_3.json"
   std::string kind;  ///< "geometries": its folder; of one without, its name without ending: "soils"

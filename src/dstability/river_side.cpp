@@ -1,6 +1,4 @@
-// The points of the embankment in the file decide. Without them the higher phreatic line does, unless that end is dry
-// and high land; else the one end with water on its ground. What speaks against the choice becomes a doubt in words: it
-// does not stop an import, but forbids to move the level.
+// What speaks against the choice becomes a doubt in words: it does not stop an import, but forbids to move the level.
 
 #include "dstability/river_side.hpp"
 

@@ -1,5 +1,3 @@
-// Stresses by columns: the weight of the soil above, of free water, and loads that spread. Yield stresses by history.
-
 #include "dstability/section.hpp"
 
 #include "base/errors.hpp"

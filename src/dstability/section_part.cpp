@@ -1,6 +1,5 @@
-// From the crest the ground is followed outwards to the first place that is low enough; that is the toe, and room is
-// measured from there. Cuts are rounded outwards, to metres and half metres, so that a small change of the drawing
-// keeps the part. A cut that would save less than a metre is not made.
+// Cuts are rounded outwards, to metres and half metres, so that a small change of the drawing keeps the part. A cut
+// that would save less than a metre is not made.
 
 #include "dstability/section_part.hpp"
 

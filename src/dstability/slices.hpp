@@ -15,7 +15,6 @@ struct SliceRow {
   Real carried = not_given;  ///< the largest effective stress of all stages so far, computed
 };
 
-/// The slices of one stored result.
 struct ResultSlices {
   std::size_t scenario = 0, calculation = 0;  ///< numbers in the project
   std::string name;                           ///< of the result

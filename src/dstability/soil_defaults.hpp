@@ -9,7 +9,7 @@
 
 namespace terp {
 
-/// One row of the table. Numbers in the units of their columns.
+/// Numbers in the units of their columns.
 struct SoilKind {
   std::string kind;
   std::vector<std::string> words;  ///< in lower case; any of them in the name makes the soil this kind

@@ -7,7 +7,6 @@
 
 namespace terp {
 
-/// A stage that makes the section fail.
 struct TriggerStage {
   std::string name = {};               ///< of the stage; empty: none
   std::string comment = {};            ///< why, and what it does

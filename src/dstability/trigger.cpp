@@ -1,5 +1,5 @@
-// Heads rise first, each by its share. The phreatic line is then kept below ground that was dry, also at corners of the
-// ground between its places. Last it is level from the river to the shore, which is found on the ground.
+// Heads rise first; the phreatic line is then kept below ground that was dry, also at corners of the ground between its
+// places. Last it is level from the river to the shore.
 
 #include "dstability/trigger.hpp"
 

@@ -1,5 +1,5 @@
-// The method of the lines, from the top down. Between the phreatic line, or the ground where it is lower, and the
-// reference lines the pressure is linear, not hydrostatic. A reference line above the ground does not count at that x.
+// Between the phreatic line, or the ground where it is lower, and the reference lines the pressure is linear, not
+// hydrostatic.
 
 #include "dstability/water_column.hpp"
 

@@ -1,7 +1,7 @@
 // D-Stability lets the pressure run linearly from the phreatic line, or the ground where that is lower, to the first
-// reference line. Terp keeps the head of the phreatic line that far. A reference line with that head, along the ground
+// reference line; Terp keeps the head of the phreatic line that far. A reference line with that head, along the ground
 // or the phreatic line, makes both alike. Where reference lines cross the ground or each other, the lower one gives
-// way; if the pressures then differ from the file's by more than `near_enough`, the case takes them from a grid.
+// way.
 
 #include "dstability/water_text.hpp"
 

@@ -18,7 +18,6 @@ constexpr double bytes_per_mb = 1e6;
 
 std::string in_mb(std::uint64_t bytes) { return fmt::format("{:.1f} MB", static_cast<double>(bytes) / bytes_per_mb); }
 
-/// The words of libzip for what went wrong last.
 std::string words_of(zip_t* archive) { return zip_error_strerror(zip_get_error(archive)); }
 
 struct CloseMember {

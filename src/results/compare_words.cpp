@@ -1,6 +1,5 @@
-// Rows are found by the labels that measures.cpp gives them, and must be there. Sentences about the end are left out
-// where a summary is older than its ledger. Words go no farther than the thresholds below: a difference that is small
-// gets its numbers alone.
+// Rows are found by the labels that measures.cpp gives them, and must be there. Words go no farther than the thresholds
+// below: a difference that is small gets its numbers alone.
 
 #include "results/compare.hpp"
 
@@ -90,7 +89,6 @@ std::string slides_sentence(const Comparison& c, std::size_t other, const Pair& 
   return text;
 }
 
-/// What the two say of the water, where both are asked.
 std::string flood_sentence(const std::vector<RunResults>& runs, std::size_t other, const Pair& who)
 {
   const auto &a = runs[0].summary.values.flood, &b = runs[other].summary.values.flood;

@@ -1,5 +1,4 @@
-// The frames of a run: see frames.hpp. The first frame that can be read states points, fields and run; the others must
-// agree with it.
+// The first frame that can be read states points, fields and run; the others must agree with it.
 #include "results/frames.hpp"
 
 #include "base/errors.hpp"
@@ -24,7 +23,7 @@ constexpr std::int64_t known_version = 1;  // the first number of the version; t
 constexpr SentenceForm is_missing{"{} is missing", "{} ontbreekt"};
 constexpr SentenceForm frame_left_out{"{} is left out: {}", "{} is weggelaten: {}"};
 
-/// The fields of a frame. Throws FileError if one is no table of numbers per point.
+/// Throws FileError if one is no table of numbers per point.
 std::vector<ResultField> read_fields(const Hdf5File& file, std::int64_t n_points)
 {
   std::vector<ResultField> fields;

@@ -1,7 +1,6 @@
-// Both cases become lists of values with an owner and a key. Tables of a list go by their names, since a person may put
-// one in front of the others. What a person writes in another way is no change: numbers are compared in SI, lines by
-// their heights, outlines by corners. Only then words are sought: both values in the unit of the import, a table that
-// is new or gone as a whole.
+// Tables of a list go by their names, since a person may put one in front of the others. What a person writes in
+// another way is no change: numbers are compared in SI, lines by their heights, outlines by corners. Only then words
+// are sought: both values in the unit of the import, a table that is new or gone as a whole.
 
 #include "results/import_changes.hpp"
 
@@ -21,7 +20,6 @@
 namespace terp {
 namespace {
 
-// --------------------------------------------------------------------------------------------------------------- words
 
 namespace said {
 
@@ -87,7 +85,6 @@ Sentence word_of_owner(const std::string& owner)
   return filled<said::as_it_is>(owner);
 }
 
-// -------------------------------------------------------------------------------------------------------------- values
 
 struct ImportedValue {
   std::string owner, key;  ///< "body[Clay]", "material"
@@ -113,7 +110,6 @@ bool is_list_of_tables(const Node& node)
   return node.kind == NodeKind::list && !node.items.empty() && node.items[0].kind == NodeKind::table;
 }
 
-/// Tables of a list go by their `name`, as a person may add one in front of the others.
 void collect(const Node& table, const std::string& path, const std::string& owner, const std::string& key,
     std::vector<ImportedValue>& values)
 {

@@ -1,7 +1,5 @@
-// Each measure is a function of a run, so that a table of many runs is made without knowing what they have. The summary
-// of a run that goes on may be older than its ledger. Measures of the end are then not defined (summary_is_behind), or
-// two times would be compared. compare_words.cpp finds rows by their labels here: a label that changes must change
-// there too.
+// The summary of a run that goes on may be older than its ledger. Measures of the end are then not defined
+// (summary_is_behind). compare_words.cpp finds rows by their labels here: a label that changes must change there too.
 
 #include "results/measures.hpp"
 
@@ -29,7 +27,6 @@ Value finite(Real value) { return std::isfinite(value) ? Value(value) : std::nul
 
 Value times(Real factor, Value value) { return value ? Value(factor * *value) : std::nullopt; }
 
-/// Column of the ledger; nullptr if it is not there or has no row.
 const std::vector<Real>* column(Run run, std::string_view name)
 {
   const auto* values = run.ledger.find(name);
@@ -67,7 +64,6 @@ Real little_work(Run run, Real)
   return small_part_of_work * 1e-3 * std::abs(last_in(run, "gravity_work").value_or(0.0));
 }
 
-/// A number of the summary, with the name, label and unit of its table; none while the summary is behind.
 RunMeasure of_summary(std::string_view name, int digits, Real factor = 1.0, std::string unit = {})
 {
   const SummaryQuantity& quantity = *find_summary_quantity(name);
@@ -209,7 +205,6 @@ void add_stage_of(Measures& all, const std::vector<RunResults>& runs, const char
       .words = words});
 }
 
-/// Whether the ground holds the water.
 void add_flood(Measures& all, const std::vector<RunResults>& runs)
 {
   if (std::ranges::none_of(runs, [](Run run) { return run.summary.values.flood.has_value(); })) return;
@@ -331,7 +326,6 @@ void add_energies(Measures& all)
       .resolution = little_share});
 }
 
-/// Forces of footings, and whatever else followers put into the summary.
 void add_followers(Measures& all, const std::vector<RunResults>& runs)
 {
   std::vector<std::string> footings;

@@ -17,7 +17,6 @@ bool is_solved(const StudyRun& run) { return run.fault.empty(); }
 
 bool is_same(Real a, Real b) { return std::abs(a - b) <= round_off_of_values * std::max(std::abs(a), std::abs(b)); }
 
-/// A value with the cells on which it was found.
 struct Sized {
   Real size, value;
   const StudyRun* run;
@@ -92,7 +91,6 @@ StudyQuantity judge_sizes(const RunMeasure& measure, const std::vector<StudyRun>
 
 namespace {
 
-/// Number of the run of a size that is solved; none if there is none.
 std::optional<std::size_t> solved_at(const StudySequence& sequence, Real cell)
 {
   for (std::size_t k = 0; k < sequence.runs.size(); ++k)

@@ -41,14 +41,12 @@ enum class MeshAnswer {
   some_sizes,  ///< an event, or a measure, that some sizes have and others do not
 };
 
-/// How an answer is called.
 struct AnswerInfo {
   const char* key;    ///< in convergence.json
   const char* words;  ///< in a table
 };
 const AnswerInfo& info_of(MeshAnswer answer);
 
-/// One measure over the sizes of a sequence.
 struct StudyQuantity {
   RunMeasure measure;
   std::vector<std::optional<Real>> values;  ///< of each run, as StudySequence::runs
@@ -116,7 +114,6 @@ std::vector<std::string> remarks_on(const StudySequence& sequence);
 /// A value of a measure with its digits, or its word; "-" if there is none.
 std::string text_of(const RunMeasure& measure, std::optional<Real> value);
 
-/// A share as "0.3 %", "12 %".
 std::string percent_text(Real share);
 
 /// Plain text for a terminal: the answer, a table, sentences.

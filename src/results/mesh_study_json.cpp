@@ -1,5 +1,3 @@
-// convergence.json: what a study of cell sizes found, for a program (docs/formats.md).
-
 #include "results/mesh_study.hpp"
 
 #include <cmath>
@@ -34,7 +32,7 @@ struct JsonKey {
 
 using Q = const StudyQuantity&;
 
-/// Of each quantity. A new key is one entry here.
+/// A new key is one entry here.
 const JsonKey entries[] = {
     {{"name", "", "", "what it is: `front_x`, `slide_1_begins`, ..."}, [](Q q) { return Json(q.measure.name); }},
     {{"label", "", "", "in words"}, [](Q q) { return Json(q.measure.label); }},

@@ -1,5 +1,3 @@
-// A study of cell sizes in words: for a terminal, and for the page.
-
 #include "results/mesh_study.hpp"
 
 #include <algorithm>
@@ -251,7 +249,6 @@ std::string answer_on_variants(const MeshStudy& study)
 
 namespace {
 
-/// The variants beside each other on the smallest cells that all have, and their legend.
 std::string spread_text(const MeshStudy& study)
 {
   if (study.spreads.empty()) return "";

@@ -1,6 +1,5 @@
-// The record of a section is its memory over processes: each step writes it, and `each` lists its entries once for
-// writing and reading. A record that lacks an entry counts as none: a new entry makes older records so. A run is read
-// only if all steps are done. What is damaged in it is a fault of that section and not of the reach.
+// The record of a section is its memory over processes: each step writes it. A record that lacks an entry counts as
+// none: a new entry makes older records so. What is damaged in a run is a fault of that section and not of the reach.
 
 #include "results/reach.hpp"
 
@@ -123,7 +122,6 @@ Real least_stored(const SectionRecord& record)
   return least;
 }
 
-/// "design strengths".
 std::string strength_words(const std::string& strength, bool dutch)
 {
   if (!dutch) return strength + " strengths";
@@ -155,7 +153,6 @@ std::optional<Real> speed_at_end(const ReachSection& section)
   return summary.stages.back().record.fastest;
 }
 
-/// A column of reach.csv.
 struct Column {
   const char* name;
   std::string (*text)(const ReachSection&);

@@ -73,7 +73,6 @@ struct ReachSection {
   std::optional<Real> water_level = {};           ///< [m]
 };
 
-/// What there is in the folder of a section.
 ReachSection read_section(const std::string& folder);
 
 /// Whether its run, or the last stage of it, ended at rest; none: nothing looked for rest.
@@ -95,17 +94,14 @@ std::vector<Hint> hints_on(const ReachSection& section);
 /// A number as text, with a comma in Dutch.
 std::string decimal_sign(std::string number, bool dutch);
 
-/// In English, or in Dutch.
 std::string words_of(Hint hint, const ReachSection& section, bool dutch);
 
-/// "solved", "refused", "failed", "not finished".
 std::string state_of(const ReachSection& section);
 /// Its verdict, or why it has none.
 std::string sentence_on(const ReachSection& section);
 /// "Bishop 1.004, Spencer 1.085 (design strengths, stale)"; empty: none.
 std::string stored_text(const SectionRecord& record, bool dutch);
 
-/// One line per section.
 std::string reach_csv(const std::vector<ReachSection>& sections);
 std::string reach_json(const std::vector<ReachSection>& sections, const std::string& written);
 

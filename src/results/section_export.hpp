@@ -7,7 +7,6 @@
 
 namespace terp {
 
-/// Both as text.
 struct SectionExport {
   std::string dxf;      ///< layers ground_start, ground_end, and one for each material: its outlines at the end
   std::string profile;  ///< x,start,end: elevation of the ground [m]

@@ -21,7 +21,6 @@ struct Table {
   const std::vector<Real>* find(std::string_view name) const;
 };
 
-/// A table of a named point, or of a load.
 struct PointTable {
   std::string point;
   Table table;

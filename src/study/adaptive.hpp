@@ -19,7 +19,6 @@ Real limit_state_of(const StudySettings& settings, const Realisation& realisatio
 StudyEnd run_adaptive(const Study& study, const std::string& folder, const EngineOptions& options,
     const std::atomic<bool>& stop, Realisations& rows);
 
-/// What the method says of realisations that are kept.
 struct AdaptiveFound {
   std::optional<ReliabilityResult> result = {};  ///< none: it asks for a realisation that is missing, or has a fault
   std::string fault = {};                        ///< why it ended without a result; empty: none
@@ -31,7 +30,6 @@ AdaptiveFound replay_adaptive(const Study& study, const Realisations& rows);
 std::optional<Bounds> rough_bounds(const Study& study, const ReliabilityResult& result);
 
 std::string adaptive_text(const Study& study, const Realisations& rows, const ReliabilityResult& result);
-/// Realisations, bounds, convergence, failures.
 std::vector<std::string> remarks_on_adaptive(
     const Study& study, const Realisations& rows, const StudyEstimates& estimates, const AdaptiveFound& found);
 /// <section> of the page; empty without a result.

@@ -1,5 +1,3 @@
-// What a method found, in words. Not for: how it is replayed (adaptive.cpp).
-
 #include "input/keys.hpp"
 #include "report/plain_page.hpp"
 #include "simulation/gaussian_field.hpp"
@@ -29,7 +27,6 @@ std::string result_words(const Study& study, const ReliabilityResult& r)
   return text;
 }
 
-/// The number at a coordinate of the design point.
 std::string design_value(const Study& study, const std::vector<Real>& values, std::size_t k)
 {
   const std::string& key = study.settings.numbers[k].key;

@@ -1,7 +1,6 @@
-// How it thinks: workers take the next number, solve it, and give the result to one thread in the background, which
-// appends it to the store and looks whether the rule is met. Where workers are processes (ranks.hpp), that is the
-// thread which hands out. Which numbers are in the table follows from the numbers alone (count_in_table), so that
-// workers may finish in any order.
+// How it thinks: workers take the next number, solve it, and give the result to one thread (of processes, ranks.hpp:
+// the one that hands out), which appends it to the store and looks whether the rule is met. Which numbers are in the
+// table follows from the numbers alone (count_in_table): workers may finish in any order.
 
 #include "study/engine.hpp"
 

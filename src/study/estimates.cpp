@@ -1,7 +1,6 @@
-// A realisation without a result counts in both bounds of an event. Which it lacks depends on the event: soil that
-// slides as drawn has I and not F, and without a water level F is not known. EventCounts::unknown decides for each
-// event. An event is a pointer to its member, so that all estimators share one text. Results come in any order, but
-// only those before the first gap count, up to the one that meets the stop rule.
+// A realisation without a result counts in both bounds of an event. Which it lacks depends on the event
+// (EventCounts::unknown): soil that slides as drawn has I and not F, and without a water level F is not known. An event
+// is a pointer to its member, so that all estimators share one text.
 
 #include "study/estimates.hpp"
 
@@ -123,9 +122,8 @@ EventEstimate Sample::estimate(std::int64_t EventCounts::*event, Real confidence
   return estimate_event(all_.*event, all_.n() - all_.unknown(event), all_.unknown(event), confidence);
 }
 
-// The audit is a random part of what stands at the factor, so its share of events is that of all of these: the sum of
-// the two strata, each with the share of what is known there. It cannot exceed 1. Both numbers of events, below the
-// factor and in the audit, are binomial out of all n: each takes half of what the bounds may err.
+// The audit is a random part of what stands at the factor, so its share of events is that of all of these. Both numbers
+// of events, below the factor and in the audit, are binomial out of all n: each takes half of what the bounds may err.
 EventEstimate Sample::weigh(std::int64_t EventCounts::*event, Real confidence) const
 {
   const Real audit = settings_->two_stage.audit, of_each = 0.5 + 0.5 * confidence;

@@ -87,7 +87,6 @@ struct Sensitivity {
   std::optional<Real> with_slide, with_height;  ///< with_slide: or as EstimatorInfo::inputs_go_with says
 };
 
-/// One kind of realisation without a result.
 struct FaultCount {
   std::string what;
   Index first = 0;

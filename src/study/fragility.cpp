@@ -1,7 +1,6 @@
-// Realisations are counted in the order of their numbers, in which the levels of one sample follow each other: so it
-// shows where an event is gone at a higher level. The integral over the load is taken by parts, so that the
-// distribution function is enough, between its knots. Bounds of all levels hold at once (Bonferroni); only so may they
-// be added up.
+// Levels of one sample follow each other, which shows where an event is gone at a higher level. The integral over the
+// load is taken by parts, so that the distribution function is enough, between its knots. Bounds of all levels hold at
+// once (Bonferroni); only so may they be added up.
 
 #include "study/fragility.hpp"
 

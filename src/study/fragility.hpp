@@ -8,7 +8,6 @@
 
 namespace terp {
 
-/// What the table says of one level h.
 struct LevelEstimate {
   Real level = 0.0;
   EventEstimate slide, flood, flood_after_slide;  ///< P(I|h), P(F|h), P(F|I, h)

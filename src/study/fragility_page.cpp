@@ -1,5 +1,3 @@
-// The section of the page. Not for: what it says in text (fragility_text).
-
 #include "report/plain_page.hpp"
 #include "study/fragility_text.hpp"
 #include "study/study_text.hpp"

@@ -16,7 +16,6 @@ std::vector<std::string> remarks_on_fragility(const Study& study, const Fragilit
 /// fragility.csv: a line per level; numbers to the bit, nan or inf where there is no finite one.
 std::string fragility_csv(const Study& study, const FragilityCurve& curve);
 
-/// <section> with the curve as a picture and as a table.
 std::string fragility_section(const Study& study, const FragilityCurve& curve);
 
 /// The load is a water level in m, as D-Stability has it.

@@ -14,7 +14,6 @@ namespace terp {
 
 struct EventEstimate;
 
-/// I, F, and both in one realisation.
 enum class StudyEvent { slide, flood, slide_and_flood };
 
 /// Fine realisations of pairs that have the same to say on the coarse level.

@@ -1,5 +1,3 @@
-// What two levels found, in words. Not for: how it follows from the counts (multilevel.cpp).
-
 #include "study/study_text.hpp"
 
 #include <fmt/format.h>

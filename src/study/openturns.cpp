@@ -22,7 +22,6 @@
 namespace terp {
 namespace {
 
-/// The limit state as OpenTURNS asks for it.
 class Evaluation : public OT::EvaluationImplementation {
  public:
   Evaluation(const LimitState& limit, std::size_t n_numbers, Index& n_places)

@@ -1,5 +1,3 @@
-// A distribution as a study file writes it: `distribution` and what it needs.
-
 #include "study/study_keys.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,3 @@
-// The section [fragility] of a study file: a load, its levels, and how the case follows it.
-
 #include "input/expression.hpp"
 #include "study/study_keys.hpp"
 

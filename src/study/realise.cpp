@@ -1,4 +1,3 @@
-// A realisation goes through: the case with its draw, the first stage of two if there are two, the run, its outcomes.
 // An exception is a fault of the realisation only if the soil or the input is to blame; others end the study. A stop is
 // no fault: the realisation is drawn again later. Outcomes are kept by their place in the table, without names, in the
 // files of a study.

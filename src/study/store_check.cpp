@@ -1,5 +1,3 @@
-// Stores that another build, or another instruction set, began.
-
 #include "study/store.hpp"
 
 #include "base/errors.hpp"

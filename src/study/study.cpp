@@ -1,8 +1,6 @@
-// Checks come in the order in which they rely on each other, from those of the settings alone to those that build
-// models; after each step refuse_if_any ends it, so later ones may take for granted what came before. The case is asked
-// for each number alone, at its median and in its tails. Several together may still be refused: such a realisation is a
-// failed one. Whether a draw changes the mesh is told from the name of its key (changes_mesh). A key that it does not
-// know leaves all realisations on one mesh.
+// Checks come in the order in which they rely on each other; after each step refuse_if_any ends it. The case is asked
+// for each number alone, at its median and in its tails: several together that it refuses are a failed realisation. A
+// key that changes_mesh does not know leaves all realisations on one mesh.
 
 #include "study/study.hpp"
 
@@ -78,7 +76,6 @@ std::optional<std::array<Vec<2>, 2>> box_of_material(const Case& c, const std::s
   return box[0][0] < box[1][0] ? std::optional(box) : std::nullopt;
 }
 
-/// Paths of random fields in a table.
 void add_random(const std::string& path, const Node& node, std::vector<std::string>& found)
 {
   if (node.kind == NodeKind::table && find_item(node, "random") != nullptr) found.push_back(path);
@@ -168,7 +165,6 @@ void check_fields_of_study(Study& study, std::vector<Problem>& problems)
   }
 }
 
-/// Row by row, as they are taken.
 void check_table(const Study& study, std::vector<Problem>& problems)
 {
   for (Index row = 0; row < study.n_realisations; ++row) {

@@ -66,7 +66,6 @@ inline std::string digits_of_study(const Study& study)
 /// Reads the case, checks that it takes what is drawn, and builds the mesh. Throws CaseError, FileError.
 Study prepare_study(StudySettings settings);
 
-/// What a realisation is.
 struct Draw {
   std::vector<std::string> changes;  ///< KEY=VALUE, as of --set, `set` included
   std::vector<Real> inputs = {};  ///< as input_names(); of a sweep that is not of numbers alone, the place in `values`

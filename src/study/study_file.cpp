@@ -1,7 +1,6 @@
-// Each table is read by the keys of a list (read_section), which names the keys that have readers of their own. What
-// only a sound file can contradict, the estimator with its stop rule, is checked last. identity_text says whether kept
-// realisations are of this study: all of the file counts but what is taken out there. So a new key that does not decide
-// results must be taken out, or a study cannot go on with another value.
+// What only a sound file can contradict, the estimator with its stop rule, is checked last. identity_text says whether
+// kept realisations are of this study: all of the file counts but what is taken out there. So a new key that does not
+// decide results must be taken out, or a study cannot go on with another value.
 
 #include "study/study_file.hpp"
 

@@ -19,7 +19,6 @@ inline constexpr const char* fragility_of_floods = "fragility_flood.json";
 inline constexpr const char* kept_runs = "kept";          ///< folder of the run folders of --keep
 inline constexpr const char* kept_mark = "of_study.txt";  ///< in each that is whole: digits_of_study()
 
-/// runs/NAME.
 std::string default_study_folder(const StudySettings& settings);
 
 /// A study from its file, or from a folder that holds its copy. Throws CaseError, FileError.

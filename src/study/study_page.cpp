@@ -1,7 +1,6 @@
-// All follows from the table of realisations, whether or not the study has ended. Sentences come from study_text, so
-// that the terminal and the page say the same. Of two levels of cells only fine realisations are shown, as P is theirs.
-// The levels of a load are never counted together. Inputs have the order of Study::input_names; fields are the last of
-// them, and labels count on that.
+// Sentences come from study_text. Of two levels of cells only fine realisations are shown, as P is theirs; levels of a
+// load are never counted together. Inputs have the order of Study::input_names; fields are the last of them, and labels
+// count on that.
 
 #include "study/study_page.hpp"
 
@@ -124,7 +123,6 @@ struct Group {
   std::vector<Real> values;
 };
 
-/// Counts in equal classes as a line of steps.
 ChartLine steps_of(const Group& group, Real low, Real size, std::size_t n_classes)
 {
   std::vector<Real> counts(n_classes, 0.0);
@@ -139,7 +137,6 @@ ChartLine steps_of(const Group& group, Real low, Real size, std::size_t n_classe
   return line;
 }
 
-/// A line for each group, over the same classes.
 LineChart histogram(const std::string& title, const std::string& label, std::vector<Group> groups)
 {
   LineChart chart{.title = title, .x_label = label, .y_label = "realisations"};
@@ -259,7 +256,6 @@ std::vector<std::pair<std::string, KindMembers>> kinds_at(
   return sorted;
 }
 
-/// How often, medians, and the realisation in the middle.
 std::string kind_cells(const KindMembers& members, std::size_t n_counted)
 {
   const auto cell = [](Real value) {

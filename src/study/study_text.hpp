@@ -53,7 +53,6 @@ std::vector<std::string> remarks_on_realisations(const Study& study, const Study
 std::vector<std::string> remarks_on_study(
     const Study& study, const Realisations& rows, const StudyEstimates& estimates);
 
-/// The whole result.
 std::string study_text(const Study& study, const Realisations& rows);
 
 /// results.csv: a line per realisation of the table; numbers to the bit, nan where there is none.

@@ -1,5 +1,3 @@
-// The section of a sweep. Not for: its table, which is that of all studies (study_page.cpp).
-
 #include "study/study_page.hpp"
 
 #include "input/keys.hpp"
@@ -20,7 +18,6 @@ namespace {
 constexpr std::size_t most_lines = 6;  // of a chart
 constexpr Real same_share = 1e-4;      // of a value; results that differ by less are called the same
 
-/// What is drawn over a key.
 struct SweepResult {
   std::string name, unit;
   std::function<Real(const Realisation&)> value;  ///< nan: not known
@@ -124,7 +121,6 @@ Extent extent_of(const Realisations& rows, Index n, const SweepResult& result)
   return extent;
 }
 
-/// What a line is, where there are several.
 std::string words_of_lines(const Study& study, std::size_t key, const SweepLines& lines)
 {
   std::vector<std::string> others;
