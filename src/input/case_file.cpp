@@ -1,6 +1,6 @@
 // The tree with the changes of --set gives the values; libraries need the values, the checks need libraries, and
-// stages, which are read last, need a case without problems. All problems so far are shown together. The polygon of the
-// mesh is turned after that, since messages count its edges as the user does.
+// stages, which are read last, need a case without problems. The polygon of the mesh is turned after that, since
+// messages count its edges as the user does.
 
 #include "input/case_file.hpp"
 

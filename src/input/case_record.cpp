@@ -1,7 +1,6 @@
-// The record has values, not the text of the file: each key of the table is asked for what the case has. Velocities by
-// formula are the exception, as functions have no text. Files count by their content. A value that the earlier record
-// lacks is no change if it is the default: a newer Terp may have more keys. The sections that may stand several times
-// are listed in add_keys once more: without its line a new one is read as one.
+// Each key of the table is asked for what the case has; velocities by formula are the exception, as functions have no
+// text. A value that the earlier record lacks is no change if it is the default: a newer Terp may have more keys. The
+// sections that may stand several times are listed in add_keys once more: without its line a new one is read as one.
 
 #include "input/case_record.hpp"
 

@@ -12,7 +12,6 @@
 
 namespace terp {
 
-/// One value.
 struct RecordedValue {
   std::string key;          ///< "material.clay.eta"; "mesh.file (content)"
   std::string value;        ///< "4.5", or of a file 16 digits that depend on all of its content
@@ -31,7 +30,6 @@ std::string record_text(const CaseRecord& record);
 /// The value of a key in the text of a record; empty if it has none.
 std::string value_in_record(const std::string& text, std::string_view key);
 
-/// A value that is not what it was.
 struct ChangedValue {
   std::string key, before, now;  ///< an empty text: not set
 

@@ -94,7 +94,6 @@ Json schema_of_form(const std::string& form, const KeyInfo& key)
   return Json::object();
 }
 
-/// What a value may be, by the kind of its key.
 Json value_schema(const KeyInfo& key)
 {
   const Json number = number_schema(key), place = list_of({{"type", {"number", "string"}}}, 2, 2);
@@ -157,7 +156,6 @@ Json& value_at(Json& root, const std::string& path)
   return *here;
 }
 
-/// Tables have no keys but those that are named.
 void close_tables(Json& value)
 {
   if (value.is_array())
@@ -168,7 +166,6 @@ void close_tables(Json& value)
     value["additionalProperties"] = false;
 }
 
-/// A side is a word, or a table of keys.
 void add(Json& root, const KeyInfo& key)
 {
   Json& value = value_at(root, key.path);
@@ -207,7 +204,6 @@ Json rules_of_soil()
   return rules;
 }
 
-/// What tables need in any case.
 void add_required(Json& root)
 {
   for (const KeyInfo& key : all_keys()) {

@@ -1,6 +1,6 @@
-// A new size becomes changes of keys, as a user would write them with --set. A grid that counts its cells has the size
-// of the root of their mean area; all sizes of a polygon scale together, so that meshes of a study stay similar. Sizes
-// that would leave a part of a cell are refused, and those that fit are named.
+// A grid that counts its cells has the size of the root of their mean area; all sizes of a polygon scale together, so
+// that meshes of a study stay similar. Sizes that would leave a part of a cell are refused, and those that fit are
+// named.
 
 #include "input/cell_size.hpp"
 

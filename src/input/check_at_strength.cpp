@@ -1,5 +1,3 @@
-// Whether the strengths of a case can be divided by the factor that it asks for.
-
 #include "input/check_case.hpp"
 #include "simulation/reduce.hpp"
 

@@ -249,7 +249,6 @@ bool has_field(const MaterialCase& material, const MaterialType& law, const std:
   return std::ranges::find(material.fields, number, &ParameterField::parameter) != material.fields.end();
 }
 
-/// The law of a material, in the form that has its fields.
 const MaterialType* law_with_fields(const MaterialCase& material)
 {
   return material.from_library != nullptr ? material.from_library.get() : find_material(material.model);

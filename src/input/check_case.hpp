@@ -12,7 +12,6 @@ namespace terp {
 /// Adds what is wrong or doubtful. `values` were read from `root`; what could not be read is left out of the checks.
 void check_case(const Node& root, const Case& values, Findings& findings);
 
-/// [mesh]: keys of different kinds of mesh, sides that do not meet, edges that are not there.
 void check_mesh(const Node& root, const MeshCase& mesh, Findings& findings);
 
 /// The law of a material; nullptr if there is none of that name, or a parameter is missing.
@@ -31,10 +30,8 @@ void set_start(const Node& root, Case& values, Findings& findings);
 /// end at rest.
 void check_what_goes_on(const Case& values, std::vector<Problem>& warnings);
 
-/// [time] and [[stage]]: ends that contradict each other, names that two stages share.
 void check_stages(const Node& root, const Case& values, Findings& findings);
 
-/// Loads that have no width, share a name, or end before they begin.
 void check_loads(const Node& root, const Case& values, Findings& findings);
 
 /// Options of [method] that the file sets and that do nothing, or work against each other.

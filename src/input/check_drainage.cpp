@@ -1,6 +1,3 @@
-// What the materials are beside their softening: drainage that a law does not go with, keys of pore water that cannot
-// leave, axes that do not follow gravity.
-
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"
 #include "materials/elastic_constants.hpp"
@@ -27,7 +24,6 @@ Real parameter_of(const MaterialCase& material, const MaterialType& law, std::st
              : std::numeric_limits<Real>::quiet_NaN();
 }
 
-/// Whether the file gives a key of a material, in its part or beside the parts.
 bool gives(const Node& root, const MaterialCase& material, const char* key)
 {
   return find_node(root, join_path(material_path(material), key)) != nullptr ||

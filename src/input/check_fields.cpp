@@ -1,5 +1,3 @@
-// What fields of parameters need of the rest of the case: water, gravity, outlines.
-
 #include "base/closest.hpp"
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"

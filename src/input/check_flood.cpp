@@ -1,5 +1,3 @@
-// What counts as ground, and the water that it holds back.
-
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"
 

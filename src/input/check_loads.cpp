@@ -1,6 +1,3 @@
-// [[load]]: stretches without width, names that two loads share, times that contradict each other.
-// Not for: whether there is ground under a load (simulation/loads).
-
 #include "input/check_case.hpp"
 
 #include <fmt/format.h>

@@ -51,7 +51,6 @@ void check_cells(const MeshCase& mesh, Problems& problems)
   }
 }
 
-/// One corner of the grid: the ends of two sides that must be the same place.
 struct GridCorner {
   int side, other;       ///< in the order of MeshCase::sides
   bool at_end, at_last;  ///< of the first, of the second: its last place, otherwise its first

@@ -1,5 +1,3 @@
-// Softening: residual strengths that are never reached, and the keys of [material.NAME.softening].
-
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"
 
@@ -52,7 +50,6 @@ std::string laws_that_soften()
   return plain_list(names);
 }
 
-/// What [material.NAME.softening] asks of a law, and of itself.
 void check_length(const Node& table, const MaterialCase& material, const MaterialType& law, Findings& findings)
 {
   const std::string path = join_path(material_path(material), "softening");

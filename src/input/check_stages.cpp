@@ -1,6 +1,3 @@
-// [time] and [[stage]]: ends that contradict each other, names that are none.
-// Not for: the values that a stage sets (read_stages).
-
 #include "base/closest.hpp"
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"
@@ -16,7 +13,6 @@
 namespace terp {
 namespace {
 
-/// One end of a run or stage: `end_key` = its time, or until = "at_rest" and `at_most`.
 struct EndKeys {
   std::string path;     ///< "time", "stage[0]"
   const char* end_key;  ///< "end", "duration"
@@ -72,7 +68,6 @@ void check_water_of_stage(const Case& values, std::size_t k, Findings& findings)
         "Remove `time` from every [[water.situation]], or `water` from every stage.", "stage.water", false, {"water"}});
 }
 
-/// What the stages do with a body.
 struct BodyChange {
   StageNumber placed = 0, removed = never;
   std::string place_key, remove_key;  ///< where they say so
@@ -113,7 +108,6 @@ std::optional<std::size_t> find_body(const Case& values, const NamedInStage& ent
   return static_cast<std::size_t>(found - values.bodies.begin());
 }
 
-/// Enters what one list of a stage says.
 void read_bodies_of_stage(
     const Case& values, std::size_t k, bool places, std::vector<BodyChange>& bodies, Findings& findings)
 {
@@ -133,7 +127,6 @@ void read_bodies_of_stage(
   }
 }
 
-/// Bodies that come and go: `place` and `remove` of all stages.
 void check_bodies_of_stages(const Case& values, Findings& findings)
 {
   std::vector<BodyChange> bodies(values.bodies.size());
@@ -198,7 +191,6 @@ std::pair<Real, std::string> driven(const Case& values)
   return fastest;
 }
 
-/// What keeps soil from coming to rest.
 void check_rest(const Node& root, const Case& values, Findings& findings)
 {
   const auto rests = [](const StageCase& stage) { return stage.until == Until::at_rest; };

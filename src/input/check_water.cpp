@@ -1,5 +1,3 @@
-// What is wrong or doubtful about [water], before there is a mesh.
-
 #include "base/closest.hpp"
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"

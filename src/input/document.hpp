@@ -21,7 +21,6 @@ struct Place {
 
 enum class NodeKind { boolean, integer, number, text, list, table, date };
 
-/// One value of the file with everything below it.
 struct Node {
   NodeKind kind = NodeKind::table;
   std::string name;           ///< its key in the table above; empty in lists and at the root
@@ -57,7 +56,7 @@ std::size_t skip_string(std::string_view text, std::size_t k);
 /// Line and column of a byte of the text.
 Place place_at(std::string_view text, std::size_t offset);
 
-/// The tree of a TOML text; throws SyntaxError.
+/// Throws SyntaxError.
 Node parse_toml(std::string_view text);
 
 /// TOML text of a tree: comments are lost, values are kept to the bit.

@@ -241,7 +241,6 @@ std::string list_of(const char* title, const Infos& infos)
   return out;
 }
 
-/// What is known of a topic; empty: nothing.
 std::string find_explanation(const std::string& topic)
 {
   if (const MaterialType* law = find_material(topic)) return describe_law(*law);

@@ -1,8 +1,7 @@
-// Each kind reads its own table and gives a function of the place; what that needs of the case is entered in
-// FieldNeeds. A number inside a field is read by store_value with a key made for it (key_like): units and ranges are as
-// of any key. Values of shansep may be fields themselves. Their range cannot be checked here, so `within` gives NaN
-// outside of it, which is found when the points have places. field_text must change whenever a value does, as a run
-// that goes on compares it; so files count by their content.
+// What a field needs of the case is entered in FieldNeeds. A number inside a field is read by store_value with a key
+// made for it (key_like): units and ranges are as of any key. The range of values of shansep that are fields cannot be
+// checked here, so `within` gives NaN outside of it, which is found when the points have places. field_text must change
+// whenever a value does, as a run that goes on compares it; so files count by their content.
 
 #include "input/field_kinds.hpp"
 

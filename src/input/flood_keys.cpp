@@ -1,5 +1,3 @@
-// The keys of [flood]: the water that the ground shall hold back.
-
 #include "input/key_table.hpp"
 
 namespace terp {

@@ -1,6 +1,6 @@
 // A library is opened only after the keys of its material were read without a problem: to load it runs its code. What
-// the law alone knows of itself (plastic_strain, strength, components) is no member of the case. It is read with the
-// other keys for its type alone, and again from the tree when the library is loaded (given_terms).
+// the law alone knows of itself (plastic_strain, strength, components) is read with the other keys for its type alone,
+// and again from the tree when the library is loaded (given_terms).
 
 #include "input/library_keys.hpp"
 
@@ -43,7 +43,6 @@ std::string interface_meanings()
 
 constexpr Index most_state = 100;
 
-/// Numbers in a list, or with names in a table.
 struct NumbersReader {
   std::string_view form;
   bool takes_names;  ///< a list of names, whose numbers are 0
@@ -209,7 +208,6 @@ std::vector<KeyInfo> keys_of_terms()
   };
 }
 
-/// The value of such a key; `value` where the file does not give it.
 template <class T>
 T given(const Node& root, const std::string& material, std::string_view path, T value)
 {

@@ -1,5 +1,3 @@
-// The keys of [[load]].
-
 #include "input/key_table.hpp"
 
 namespace terp {

@@ -1,5 +1,3 @@
-// The keys of [material.NAME] and of the tables in it, but for the parameters of the laws.
-
 #include "input/document.hpp"
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"

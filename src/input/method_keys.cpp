@@ -1,5 +1,3 @@
-// The keys of [method]: readings of the paper and options of the schemes (docs/methods.md).
-
 #include "input/key_table.hpp"
 
 namespace terp {

@@ -32,7 +32,6 @@ void add_named_files(const std::string& path, Node& table, std::vector<std::pair
   }
 }
 
-/// The keys that name files, where they are given as text: their paths and nodes.
 std::vector<std::pair<std::string, Node*>> find_file_keys(Node& root)
 {
   std::vector<std::pair<std::string, Node*>> found;

@@ -1,7 +1,6 @@
-// First a key with `*` becomes the keys that it fits (expand), then each is set by itself. A key without one need not
-// exist: tables and entries are made on the way, but no parameter of a material that is not there. What says the same
-// in another way is taken out before: another kind of field, a ratio or the parameter that it gives. Nodes that are
-// made keep the place in the file, or the text of --set, that made them: messages point there.
+// A key without `*` need not exist: tables and entries are made on the way, but no parameter of a material that is not
+// there. What says the same in another way is taken out before: another kind of field, a ratio or the parameter that it
+// gives. Nodes that are made keep the place in the file, or the text of --set, that made them: messages point there.
 
 #include "input/overrides.hpp"
 

@@ -1,5 +1,3 @@
-// Parameters of a material once its section is read: those that follow from a ratio or from another one.
-
 #include "input/reader.hpp"
 
 #include "input/document.hpp"

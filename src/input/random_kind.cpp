@@ -1,6 +1,5 @@
-// Keys are read into a RandomText, which becomes a field when all are good. `known` comes last: its values are those of
-// the soil, and become scores of the normal field by the distribution and the mean at their place. So that mean may
-// follow from the place alone.
+// `known` comes last: its values are those of the soil, and become scores of the normal field by the distribution and
+// the mean at their place. So that mean may follow from the place alone.
 
 #include "input/random_kind.hpp"
 

@@ -1,5 +1,5 @@
-// How it works: the tree of the file takes the values that a stage sets, as it takes those of --set, and is read again.
-// The nodes keep their places, so that a message about a value points at the stage that sets it.
+// The tree of the file takes the values that a stage sets, as it takes those of --set, and is read again. The nodes
+// keep their places, so that a message about a value points at the stage that sets it.
 
 #include "input/reader.hpp"
 
@@ -47,7 +47,6 @@ std::string pattern_of(const std::vector<std::string>& parts)
   return pattern;
 }
 
-/// The keys that may change in a stage, in one line.
 std::string changeable_keys()
 {
   std::vector<std::string> names;
@@ -110,7 +109,6 @@ void doubt_undrained_rise(
   }
 }
 
-/// Sets the values of a stage in the tree.
 void set_values(const std::string& path, const Node& set, Node& root, std::vector<Problem>& problems)
 {
   const Node values = set;  // the list of stages is a part of the tree that changes

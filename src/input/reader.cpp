@@ -1,5 +1,4 @@
-// The tree of the file leads, the table of keys follows: each item is a key, a list of sections, or a section below. A
-// section has its path in the file, for messages, and its pattern in the table: "body[]" for "body[0]". Soil with
+// A section has its path in the file, for messages, and its pattern in the table: "body[]" for "body[0]". Soil with
 // `below` and `above` is read twice, from copies in which one part stands among the common keys. Problems of the second
 // reading that the first had too are taken out. A key that is missing is not reported if an unknown one was probably
 // meant for it.
@@ -31,7 +30,6 @@ struct Section {
   const Node* part = nullptr;  ///< a table inside it whose keys stand with the others here: `below` of a material
   std::string part_path = "";
 
-  /// Path of an item in this file.
   std::string path_of(const Node& item) const
   {
     const bool in_part = part != nullptr && find_item(*part, item.name) != nullptr;
@@ -208,7 +206,6 @@ void CaseReader::read_law(const Node& table, Section section, MaterialCase& mate
   for (Problem& problem : complete_parameters(*law, material)) report(std::move(problem));
 }
 
-/// Soil that is one material below the phreatic line and another above: two materials of the case.
 void CaseReader::read_parts(const Node& table, const std::string& path)
 {
   bool good = true;

@@ -1,5 +1,3 @@
-// The keys of [reference]: what other methods found, for pictures to show beside the run.
-
 #include "input/document.hpp"
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"
@@ -111,7 +109,6 @@ bool read_texts(const Entry& entry, Findings& findings)
   return true;
 }
 
-/// One warning with all texts.
 bool read_doubts(const Entry& entry, Findings& findings)
 {
   if (!read_texts(entry, findings)) return false;

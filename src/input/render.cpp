@@ -1,6 +1,6 @@
-// A problem names a key by its path; where that stands is found here, in the tree. If the key is not in the file, the
-// nearest table above it is shown, and the default that counts. A value that --set gave has no place in the file, so
-// the change itself is shown. The file may hold anything, so all that is shown goes through printable().
+// If the key of a problem is not in the file, the nearest table above it is shown, and the default that counts. A value
+// that --set gave has no place in the file, so the change itself is shown. The file may hold anything, so all that is
+// shown goes through printable().
 
 #include "input/render.hpp"
 
@@ -17,7 +17,6 @@
 namespace terp {
 namespace {
 
-/// Where a message points: into the file, at a --set, or at the file as a whole.
 struct Spot {
   Place place;  ///< line 0: none
   std::string override_text;

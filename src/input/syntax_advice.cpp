@@ -1,5 +1,5 @@
-// The parser says at which character it stopped; the table below looks at that line for what people write instead of
-// TOML. A bracket that is not closed is noticed lines later: it is found by counting brackets from the start.
+// The table below looks at the line where the parser stopped for what people write instead of TOML. A bracket that is
+// not closed is noticed lines later: it is found by counting brackets from the start.
 
 #include "input/syntax_advice.hpp"
 

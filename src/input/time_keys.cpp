@@ -1,5 +1,3 @@
-// The keys of [time] and [[stage]].
-
 #include "input/document.hpp"
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"

@@ -1,5 +1,3 @@
-// Mesh files in other formats than MSH 4.1, converted by gmsh.
-
 #include "meshing/msh_content.hpp"
 
 #include "mesh/mesh_error.hpp"

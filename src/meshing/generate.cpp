@@ -1,7 +1,6 @@
-// A recipe of gmsh may leave triangles or cells that are not convex, so recipes are tried until one leaves none. Nodes
-// are then moved in the bytes of the file that gmsh wrote: what is kept is still a file of gmsh. The key of the cache
-// has the scripts of all recipes, the version of gmsh, and the number `improvement`. Whatever else decides the mesh
-// must enter the key, or an old mesh is taken for a new one.
+// A recipe of gmsh may leave triangles or cells that are not convex, so recipes are tried until one leaves none. The
+// key of the cache has the scripts of all recipes, the version of gmsh, and the number `improvement`. Whatever else
+// decides the mesh must enter the key, or an old mesh is taken for a new one.
 
 #include "meshing/generate.hpp"
 
@@ -148,7 +147,6 @@ Attempt try_recipe(
   return {bytes, ""};
 }
 
-/// For a mesh that takes gmsh minutes.
 void tell_of_work(const PolygonMesh& mesh)
 {
   Real n = estimate_cells(mesh);

@@ -1,7 +1,7 @@
-// Points, lines and surfaces have the numbers of the map plus one: by them generate.cpp knows which nodes may move.
-// Other things have numbers beyond these: the turned squares, and the points of distance fields. Both begin with the
-// same number, so check_sizes in generate.cpp refuses refinement in a turned mesh. target_size computes what
-// size_fields asks of gmsh: change both together.
+// Points, lines and surfaces have the numbers of the map plus one: by them generate.cpp knows which nodes may move. The
+// turned squares and the points of distance fields have numbers beyond these, which begin with the same one, so
+// check_sizes in generate.cpp refuses refinement in a turned mesh. target_size computes what size_fields asks of gmsh:
+// change both together.
 
 #include "meshing/geo_text.hpp"
 
@@ -83,7 +83,6 @@ std::string squares_text(const TurnedSquares& grid, const PlanarMap& map, std::s
                     n_lines + grid.lines.size(), n_faces + 1, n_faces + grid.squares.size());
 }
 
-/// Corners, lines and faces of the polygon, and the turned squares inside, if there are any.
 std::string geometry(const PolygonMesh& mesh, const PlanarMap& map)
 {
   TurnedSquares grid;

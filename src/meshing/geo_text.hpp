@@ -9,8 +9,7 @@
 
 namespace terp {
 
-/// A way for gmsh to make quadrilaterals: triangles of twice the size, paired where that is good, then everything
-/// halved.
+/// Triangles of twice the size, paired where that is good, then everything halved.
 struct Recipe {
   int algorithm;      ///< gmsh's Mesh.Algorithm for the triangles
   int recombination;  ///< gmsh's Mesh.RecombinationAlgorithm for the pairs

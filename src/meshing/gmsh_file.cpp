@@ -1,5 +1,4 @@
 // The order counts: cells are sorted along the curve before regions and sides are made, which refer to them by number.
-// Until add_nodes_and_cells a node is known by its place among those of the file; `place` leads from there to the mesh.
 // The mesh is checked before sides are looked up by the edges of its cells, so that a faulty cell is told first.
 
 #include "meshing/gmsh_file.hpp"

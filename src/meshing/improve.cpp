@@ -1,6 +1,5 @@
-// A search by trial moves: each node goes to the best of the places one step away, and its step grows or shrinks with
-// success. The penalty is a high power, so that the worst cell around a node decides. First all nodes are moved, then
-// those of the worst cells alone. Flat cells have a finite penalty that falls as they open.
+// Each node goes to the best of the places one step away, and its step grows or shrinks with success. First all nodes
+// are moved, then those of the worst cells alone. Flat cells have a finite penalty that falls as they open.
 
 #include "meshing/improve.hpp"
 

@@ -8,7 +8,6 @@
 
 namespace terp {
 
-/// How a node may move.
 struct Freedom {
   int n = 0;               ///< 0: fixed; 1: along a line; 2: anywhere
   Vec<2> along{0.0, 0.0};  ///< unit vector of the line, if n is 1

@@ -14,7 +14,7 @@ std::string cached_mesh_path(const std::string& key);
 /// Paths of all kept files whose keys start like this, the newest first.
 std::vector<std::string> cached_meshes(const std::string& start_of_key);
 
-/// The whole content of a file; empty if it cannot be read.
+/// Empty if the file cannot be read.
 std::string bytes_of(const std::string& path);
 
 /// Keeps `bytes` under the key. False if the cache cannot be written.

@@ -1,5 +1,4 @@
-// The format: gmsh reference manual, "MSH file format". Section by section, each read by one body for text and bytes.
-// Sections that Terp does not use are passed over.
+// The format: gmsh reference manual, "MSH file format". Sections that Terp does not use are passed over.
 
 #include "meshing/msh_content.hpp"
 

@@ -1,10 +1,8 @@
-// Why not the fragments of gmsh's OpenCASCADE kernel: tried with gmsh 4.8.4 on a section of 60 x 12 m in cells of 0.5 m
-// with nested layers, T-junctions and edges of 1 mm. Without a tolerance they leave slivers: cells of 0.6 mm where an
-// outline ends 5 cm from a corner of the domain, which set the time step. With a tolerance of 0.1 m they leave none,
-// but they bend the domain: an outline 3 to 6 cm above the base drew the base up by 6 cm, and 1.8 m2 of the domain were
-// gone. Here the domain is never moved: followed places move onto it.
-// Why faces, and not one surface with the followed lines embedded in it: gmsh's pairing of triangles by Blossom fails
-// for the closed outlines of a dike ("Perfect Match failed"), so two of three recipes would give no mesh.
+// Why not the fragments of gmsh's OpenCASCADE kernel (tried with gmsh 4.8.4): without a tolerance they leave slivers
+// where an outline ends 5 cm from a corner of the domain, which set the time step. With a tolerance of 0.1 m they bend
+// the domain: an outline 3 to 6 cm above the base drew the base up. Here followed places move onto the domain, which
+// never moves. Why faces, and not one surface with the followed lines embedded in it: gmsh's pairing of triangles by
+// Blossom fails for the closed outlines of a dike ("Perfect Match failed"), so two of three recipes would give no mesh.
 
 #include "meshing/planar_map.hpp"
 

@@ -1,5 +1,5 @@
 // Transfinite interpolation is the sum of the two linear blends of opposite sides, less the bilinear blend of the
-// corners that both contain. Round-off would move nodes off their sides, so the sides are written again at the end.
+// corners. Round-off would move nodes off their sides, so the sides are written again at the end.
 
 #include "meshing/structured.hpp"
 

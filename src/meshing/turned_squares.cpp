@@ -1,6 +1,5 @@
-// A square is kept if all its corners lie well inside the polygon. Of two that touch at a corner alone one is taken
-// out: the outline is followed from corner to corner, and at such a corner two lines would begin. Places and lines are
-// numbered as squares ask for them, so the same polygon gives the same script for gmsh.
+// Of two squares that touch at a corner alone one is taken out: the outline is followed from corner to corner, and at
+// such a corner two lines would begin.
 
 #include "meshing/turned_squares.hpp"
 
@@ -45,7 +44,7 @@ class Grid {
         0.5 * (box_.low[1] + box_.high[1]) + side_ * (i * along_[1] + j * along_[0])};
   }
 
-  /// Squares whose corners all lie well inside. A line that enters a square passes a corner within half a side.
+  /// A line that enters a square passes a corner within half a side.
   std::set<Spot> squares_in(const std::vector<Vec<2>>& polygon, Real clearance) const
   {
     const Real radius = 0.5 * std::hypot(box_.high[0] - box_.low[0], box_.high[1] - box_.low[1]);
@@ -83,7 +82,6 @@ void part_at_corners(std::set<Spot>& squares)
   }
 }
 
-/// Numbers places and lines in the order in which squares ask for them.
 class Numbering {
  public:
   Numbering(const Grid& grid, TurnedSquares& result) : grid_(grid), result_(result) {}
@@ -110,7 +108,6 @@ class Numbering {
   std::map<std::pair<Spot, Spot>, Index> lines_;
 };
 
-/// Lines that only one square has, as loops; `next` leads from a corner to the line that begins there and its end.
 std::vector<std::vector<Index>> loops_of(std::map<Spot, std::pair<Index, Spot>> next)
 {
   std::vector<std::vector<Index>> loops;

@@ -1,4 +1,4 @@
-// checkpoint_<step>.h5: see checkpoint.hpp. Not compressed: speed counts more than size for a file of short life.
+// Not compressed: speed counts more than size for a file of short life.
 #include "output/checkpoint.hpp"
 
 #include "base/errors.hpp"

@@ -45,12 +45,10 @@ StateImage read_checkpoint(const std::string& path);
 /// in their order. Of a whole image.
 std::uint64_t checksum_of(const StateImage& image);
 
-/// A checkpoint that could not be used, and why.
 struct SkippedCheckpoint {
   std::string path, reason;
 };
 
-/// What newest_good_checkpoint finds.
 struct CheckpointSearch {
   std::optional<StateImage> image;         ///< none if the folder holds no good checkpoint
   std::string path;                        ///< of the good one
@@ -60,7 +58,6 @@ struct CheckpointSearch {
 /// The checkpoint of the latest step in a run folder that can be read.
 CheckpointSearch newest_good_checkpoint(const std::string& folder);
 
-/// What the tables of a run held at a checkpoint.
 struct WrittenTables {
   Real time = 0.0;    ///< of the checkpoint [s]
   std::string lines;  ///< of each table one: table_line() of table_csv.hpp
@@ -72,7 +69,6 @@ std::optional<WrittenTables> newest_tables(const std::string& folder);
 /// Removes all but the `n_kept` newest checkpoints; 0 keeps all.
 void remove_old_checkpoints(const std::string& folder, Index n_kept);
 
-/// Removes the checkpoints of steps after `step`.
 void remove_checkpoints_after(const std::string& folder, std::int64_t step);
 
 }  // namespace terp

@@ -23,7 +23,6 @@ void check_is_file(const std::string& path);
 /// Throws FileError with the system's reason if a file may not be read, as for want of permission.
 void check_readable(const std::string& path);
 
-/// The whole content of a file.
 std::string read_file(const std::string& path);
 
 /// Replaces the content of a file: readers see the old one or the new.

@@ -1,7 +1,5 @@
-// The folder frames/ of a run: see frame_files.hpp.
-//
-// A frame is found by its name, and its time and step are read from the file itself, whose metadata carry checksums.
-// The index is for ParaView alone: nothing of Terp reads it.
+// A frame is found by its name, its time and step are read from the file itself, whose metadata carry checksums. The
+// index is for ParaView alone: nothing of Terp reads it.
 #include "output/frame_files.hpp"
 
 #include "base/errors.hpp"

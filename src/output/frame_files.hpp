@@ -31,7 +31,6 @@ std::string frame_file(const FrameKind& kind, std::int64_t number);
 /// The number in a name like "points_00007.vtkhdf"; -1 for any other.
 std::int64_t number_of_frame(const FrameKind& kind, std::string_view file_name);
 
-/// What a frame states about itself.
 struct FrameHead {
   std::int64_t number = 0;
   Real time = 0.0;  ///< [s]
@@ -43,7 +42,6 @@ FrameHead read_head(const Hdf5File& file);
 /// The numbers of the frames in a run folder, ascending. Empty if there are none.
 std::vector<std::int64_t> list_frames(const std::string& folder, const FrameKind& kind);
 
-/// The frames of a run folder, read to the last value.
 struct FrameCheck {
   std::vector<FrameHead> good;
   std::vector<std::string> faults;  ///< a sentence for each frame that is missing or damaged
@@ -56,7 +54,6 @@ FrameCheck check_frames(const std::string& folder, const FrameKind& kind, std::i
 /// Removes frame `first` and all later ones.
 void remove_frames_from(const std::string& folder, const FrameKind& kind, std::int64_t first);
 
-/// Adds frames to a run folder.
 class FrameSeries {
  public:
   /// Touches nothing. run: goes into each frame; next: number of the first frame that is added; before: those to list
@@ -68,7 +65,6 @@ class FrameSeries {
   /// it. What an earlier frame has not ended is dropped.
   Hdf5File& begin(Real time, std::int64_t step, std::int64_t n_reserved);
 
-  /// The frame that was begun.
   Hdf5File& open() { return pending_->file; }
 
   /// Puts the frame in its place, on the disk, and into the index.

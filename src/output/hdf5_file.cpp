@@ -1,7 +1,6 @@
-// What is read may be damaged or made to do harm: the size of a dataset is compared with that of its file before memory
-// is asked for. What is written may fail as late as at closing, when HDF5 writes what it kept back. So datasets are
-// closed by finish() and the file by close(), which throw; destructors are for what has failed already. Each public
-// function takes its turn, as HDF5 may have no locks of its own; turns of one thread may be nested.
+// What is written may fail as late as at closing, when HDF5 writes what it kept back. So datasets are closed by
+// finish() and the file by close(), which throw; destructors are for what has failed already. Each public function
+// takes its turn; turns of one thread may be nested.
 
 #include "output/hdf5_file.hpp"
 
@@ -21,8 +20,8 @@ namespace {
 
 static_assert(std::is_same_v<hid_t, std::int64_t>, "Hdf5File keeps the identifier as std::int64_t");
 
-/// HDF5 may have been built without locks of its own, as that of the program for Windows, and a run writes frames of
-/// points and of the mesh in two threads. So one thread at a time is in a function of Hdf5File.
+/// HDF5 may have been built without locks of its own, as for Windows, and a run writes frames of points and of the mesh
+/// in two threads.
 using Hdf5Turn = Turn<Hdf5File>;
 
 class Id {
@@ -170,7 +169,6 @@ Id open_to_read(hid_t file, std::size_t n_bytes_in_memory, const std::string& pa
   return dataset;
 }
 
-/// An attribute of an object in a file.
 struct AttributePlace {
   hid_t file;
   const std::string &path, &object, &name;

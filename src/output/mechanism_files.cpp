@@ -24,7 +24,6 @@ const std::vector<Real>& values_of(const Frame& frame, std::string_view name)
   return std::ranges::find(frame.fields, name, &PointField::name)->values;
 }
 
-/// What all but a share of the sizes stay below.
 Real quantile(std::vector<Real> sizes, Real share)
 {
   const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<Real>(sizes.size() - 1));

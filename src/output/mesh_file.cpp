@@ -1,4 +1,3 @@
-// The background mesh in the VTKHDF format, version 1.0: nodes, cells, and in a frame what they carry.
 #include "output/mesh_file.hpp"
 
 #include "output/hdf5_file.hpp"

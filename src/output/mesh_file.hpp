@@ -11,7 +11,7 @@
 
 namespace terp {
 
-/// mesh.vtkhdf of a mesh. run: digits of its case.
+/// run: digits of its case.
 void write_mesh(const std::string& path, const Mesh<2>& mesh, const std::string& run);
 
 /// Writes mesh.vtkhdf into the folder of a run, unless it is there, and with `output.mesh` what the mesh carries

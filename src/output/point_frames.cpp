@@ -1,7 +1,5 @@
-// A frame of the material points: a static VTKHDF file, version 1.0, type UnstructuredGrid, one vertex cell per point.
-//
-// Places are exact (float64), fields are for looking at and have single precision: the state in full is the
-// checkpoint's. Row p is the point with number p in every frame.
+// A static VTKHDF file, version 1.0, type UnstructuredGrid, one vertex cell per point. Places are exact (float64),
+// fields have single precision: the state in full is the checkpoint's.
 #include "output/point_frames.hpp"
 
 #include "output/hdf5_file.hpp"

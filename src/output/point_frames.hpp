@@ -7,12 +7,11 @@
 
 namespace terp {
 
-/// Writes the frames of the points of a run.
 class PointFrameWriter {
  public:
   explicit PointFrameWriter(FrameSeries series) : series_(std::move(series)) {}
 
-  /// Adds a frame, or the next part of one; it is there when its last part is.
+  /// The frame is there when its last part is.
   void append(const Frame& frame);
 
  private:

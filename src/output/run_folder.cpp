@@ -1,6 +1,6 @@
 // What Terp may remove is decided by names alone: is_written_by_terp must know each file that a run writes, or --force
-// leaves it, and must fit no file of a user. Files that the case names are read into memory before anything is removed,
-// as they may be those of the run replaced. Links are removed, never followed.
+// leaves it, and must fit no file of a user. Files that the case names are read before anything is removed, as they may
+// be those of the run replaced.
 
 #include "output/run_folder.hpp"
 
@@ -60,7 +60,6 @@ bool is_frame(std::string_view file_name)
   return number_of_frame(point_frames, name) >= 0 || number_of_frame(mesh_frames, name) >= 0;
 }
 
-/// Removes the files of a folder that `is_meant` names, and no others. Links are removed, not followed.
 template <class Meant>
 void remove_files(const std::string& folder, Meant&& is_meant)
 {

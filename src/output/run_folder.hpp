@@ -11,7 +11,6 @@
 
 namespace terp {
 
-/// The case as the user gave it.
 struct CaseText {
   std::string name;  ///< of the case file without .toml
   std::string toml;  ///< the exact text, with what --set changed
@@ -42,7 +41,6 @@ std::int64_t newest_step(const std::string& folder);
 /// True for the names of files that Terp writes into a run folder itself, temporary ones included.
 bool is_written_by_terp(std::string_view file_name);
 
-/// Path of a file in a folder.
 std::string path_in(const std::string& folder, std::string_view file_name);
 
 /// Copies the files that a case names into a run folder, each as a whole.

@@ -1,7 +1,6 @@
-// Two sides: the run hands over what it shows, a thread of its own writes it in that order. What tasks use of the
-// members the run must not touch before finish(). A checkpoint vouches for the tables: they are on the disk before it,
-// and it has their checksums. resume() looks at all files first and changes them only if all agree. Frames may be lost,
-// rows of tables may not.
+// The run hands over what it shows, a thread of its own writes it in that order. What tasks use of the members the run
+// must not touch before finish(). Tables are on the disk before the checkpoint that has their checksums. resume() looks
+// at all files first and changes them only if all agree. Frames may be lost, rows of tables may not.
 
 #include "output/run_writer.hpp"
 
@@ -31,7 +30,6 @@ void check_length(
       from.step, from.time, path, fault, path_in(folder_of(path), case_file)));
 }
 
-/// The run folder of one of its files; frames lie in a folder of their own.
 std::string folder_of_run(const std::string& path)
 {
   const std::string folder = folder_of(path);

@@ -1,4 +1,3 @@
-// One drawing from back to front: cells, bodies, lines of the mesh, conditions, footings, points, axes, legend.
 // Coordinates of the drawing are pixels, y downward; SectionCanvas turns metres into them.
 
 #include "output/section_svg.hpp"
@@ -84,7 +83,6 @@ class SectionDrawing : SectionWater {
     put("<path d=\"{}\" fill=\"none\" stroke=\"#8a94a0\" stroke-width=\"1\"/>", path);
   }
 
-  /// Every edge once; outer: those of the boundary alone.
   template <class F>
   void for_each_edge(F&& f, bool outer) const
   {
@@ -216,7 +214,6 @@ class SectionDrawing : SectionWater {
     }
   }
 
-  /// Words beside the middle of a side, along it.
   void label(const NamedSide& side, const SideShape& shape, std::string_view colour, const std::string& words)
   {
     Vec<2> mean{0.0, 0.0};
@@ -256,7 +253,6 @@ class SectionDrawing : SectionWater {
     }
   }
 
-  /// Each load as a row of arrows down to the highest ground on its stretch.
   void loads()
   {
     constexpr Real height = 26.0, apart = 16.0;  // [px]
@@ -322,7 +318,6 @@ class SectionDrawing : SectionWater {
         open_path(overlay_.line), line_colour);
   }
 
-  /// Those that other methods found.
   void slip_planes()
   {
     std::size_t k = 0;

@@ -28,7 +28,6 @@ std::string name_of(const WaterSituation& of) { return of.name.empty() ? fmt::fo
 
 }  // namespace
 
-/// A line of water from end to end of the mesh.
 std::string SectionWater::over_section(const std::vector<Vec<2>>& line) const
 {
   std::string path = fmt::format("M{:.2f} {:.2f}", px(low_[0]), py(elevation_at(line, low_[0])));

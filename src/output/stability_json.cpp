@@ -83,7 +83,6 @@ std::string numbers(const std::vector<SizedFactor>& sizes)
   return text;
 }
 
-/// What the cells make of the factor.
 std::string mesh_text(const StabilityResult& r)
 {
   if (r.sizes.size() > 1) {
@@ -102,7 +101,6 @@ std::string mesh_text(const StabilityResult& r)
       n, r.cell, r.relief, 100.0 * largest_mesh_error(n), r.cell, 0.5 * r.cell);
 }
 
-/// The factors of other methods that the case names.
 std::string others_text(const StabilityResult& r)
 {
   std::string text;
@@ -122,7 +120,6 @@ Json others_json(const StabilityResult& r)
   return json;
 }
 
-/// What the bracket does not say.
 std::string notes_text(const StabilityResult& r, const std::string& scheme)
 {
   std::string text;

@@ -1,7 +1,6 @@
-// `each` lists the entries of a part once, for writing and reading; single numbers come from summary_quantities(). What
-// is missing or null keeps its default when it is read, so older files are read. A number that is not finite becomes
-// null, so a Real that may be none must have NaN as its default. A new part needs its own `each`, or it goes to the
-// JSON library as it is.
+// What is missing or null keeps its default when it is read, so older files are read. A number that is not finite
+// becomes null, so a Real that may be none must have NaN as its default. A new part needs its own `each`, or it goes to
+// the JSON library as it is.
 
 #include "output/summary_json.hpp"
 
@@ -90,7 +89,6 @@ void each(FloodSummary& flood, F&& f)
   f("criterion", flood.criterion), f("trigger", flood.trigger);
 }
 
-/// The entries that a table of quantities does not hold (summary_quantities()).
 template <class F>
 void each(Summary& s, F&& f)
 {
@@ -122,7 +120,6 @@ Json to_value(const std::vector<T>& parts)
   return list;
 }
 
-/// A number that is not finite becomes null when it is written.
 template <class T>
 Json to_value(const T& value)
 {

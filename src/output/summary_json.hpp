@@ -18,7 +18,6 @@ nlohmann::ordered_json flood_json(const Summary& summary);
 /// The text of summary.json. finished: the run reached its end time.
 std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text);
 
-/// What summary.json says, read back.
 struct SavedSummary {
   Summary values;
   bool finished = false;

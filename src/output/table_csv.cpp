@@ -1,6 +1,5 @@
 // A run that continues drops the rows after its checkpoint and appends. So only whole rows count, and a header that was
-// cut off by a kill is as no file. The checksum runs over all bytes of the file, those of earlier processes included:
-// the file is read once at the start and then only appended to.
+// cut off by a kill is as no file. The checksum runs over all bytes, those of earlier processes included.
 
 #include "output/table_csv.hpp"
 

@@ -17,7 +17,6 @@ std::string header_of(const RunTable& table);
 /// Lines with their line ends. Numbers are the shortest that read back to the same bits; not a number is "nan".
 std::string csv_lines(const std::vector<TableRow>& rows);
 
-/// A table up to some row.
 struct TablePart {
   std::int64_t n_rows = 0;  ///< without the header
   std::string checksum;     ///< over every byte, header included; empty without a file
@@ -34,7 +33,6 @@ TablePart read_part_until(const std::string& path, std::string_view header, Real
 /// Throws FileError if the columns are not those of `header`.
 void drop_rows_after(const std::string& path, std::string_view header, Real time);
 
-/// A table that grows.
 class TableFile {
  public:
   /// A new one gets its header.

@@ -1,6 +1,5 @@
-// Values change little from frame to frame, so the high bytes of their differences are mostly 0 or 255. Stored apart
-// from the low bytes they cost gzip almost nothing. Differences wrap around at 16 bits, and so does `no_value`: it
-// needs no case of its own.
+// Values change little from frame to frame, so the high bytes of their differences are mostly 0 or 255: apart from the
+// low bytes they cost gzip almost nothing. Differences wrap around at 16 bits, and so does `no_value`.
 
 #include "report/codec.hpp"
 

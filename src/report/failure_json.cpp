@@ -24,8 +24,7 @@ std::optional<Real> crest_edge(const FirstGround& first, Real seen)
   return corner_near(first.outline, seen, first.column + gentlest * level * (highest[1] - lowest[1]));
 }
 
-/// The slides of summary.json, each with the place at which it enters the ground. The first of each slope with the edge
-/// of the crest as it was drawn.
+/// The first of each slope with the edge of the crest as it was drawn.
 Json slides_of(const Summary& s, const FirstGround& first)
 {
   Json slides = slides_json(s);

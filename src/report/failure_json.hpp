@@ -8,7 +8,6 @@
 
 namespace terp {
 
-/// The ground at t = 0.
 struct FirstGround {
   std::span<const float> surface;  ///< x, y [m], shape [n, 2]
   std::span<const float> outline;  ///< of the bodies, as of first_outline

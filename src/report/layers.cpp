@@ -1,6 +1,4 @@
-// A place of an outline goes with the nearest point of its soil, at the offset that it has in the first frame. Where
-// none is near, another body lies over the outline: there the line has a gap. A name stands where its soil is nearly as
-// thick as anywhere, by the points in columns.
+// Where no point of its soil is near a place of an outline, another body lies over it: there the line has a gap.
 
 #include "report/layers.hpp"
 
@@ -135,7 +133,6 @@ void attach_body(const BodyCase& body, const Mesh<2>& mesh, const Nearby& nearby
   }
 }
 
-/// Where the soil is nearly as thick as anywhere, as far left as that goes.
 AttachedLines middle_of(const PointsAtStart& points, const std::set<Index>& materials, const Nearby& nearby)
 {
   const auto belongs = [&](std::size_t p) {

@@ -24,7 +24,6 @@ struct AttachedLines {
   bool is_empty() const { return points.empty(); }
 };
 
-/// A soil of the case, as its bodies fill the section in the first frame.
 struct SoilLayer {
   std::string soil;      ///< its name in the case
   AttachedLines lines;   ///< outlines of its bodies

@@ -127,7 +127,6 @@ class Drawing {
     return k == 0 ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash_patterns[k]);
   }
 
-  /// A disc, a square, a triangle, a diamond: by the style.
   void mark(Real x, Real y, std::size_t style)
   {
     constexpr const char* shapes[] = {"m-3.6 0a3.6 3.6 0 1 0 7.2 0a3.6 3.6 0 1 0 -7.2 0", "m-3.3 -3.3h6.6v6.6h-6.6z",

@@ -77,7 +77,6 @@ std::string size_charts(const MeshStudy& study)
   return html_figures(charts);
 }
 
-/// A column of the ledger over time, thinned out to what a chart can show, times a factor.
 std::vector<Vec<2>> over_time(const RunResults& run, std::string_view column, Real factor)
 {
   constexpr std::size_t most = 400;

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-// The built page: made an object by cmake/page.cmake. One line without the marker if there is none.
+// Made an object by cmake/page.cmake. One line without the marker if there is none.
 extern "C" {
 extern const char _binary_page_html_start[];
 extern const char _binary_page_html_end[];

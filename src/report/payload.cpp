@@ -1,6 +1,5 @@
-// The document names chunks of bytes by their numbers, which they get in the order in which they are added. All runs
-// are read first, since fit() shares the bytes of the page among them; only then chunks are made. A run whose case or
-// mesh cannot be read again is shown without what depends on them, with a warning.
+// All runs are read first, since fit() shares the bytes of the page among them; only then chunks are made. A run whose
+// case or mesh cannot be read again is shown without what depends on them, with a warning.
 
 #include "report/payload.hpp"
 
@@ -70,7 +69,6 @@ constexpr SentenceForm no_case{
 constexpr SentenceForm no_mesh{"The background mesh cannot be built again and is not shown: {}",
     "Het rekennet kan niet opnieuw worden gemaakt en is niet getekend: {}"};
 
-/// Sentences by language.
 Json sentences_json(const std::vector<Sentence>& sentences)
 {
   Json json{{"en", Json::array()}, {"nl", Json::array()}};
@@ -91,7 +89,6 @@ Json texts_json(const std::string& case_toml, const std::string& key)
   return json;
 }
 
-/// What changed in an imported case since the import.
 std::vector<Sentence> changes_of(const RunResults& run)
 {
   try {
@@ -256,7 +253,6 @@ LinesOfFrames surfaces_of(const Source& source, const ShownRun& shown)
   return surfaces;
 }
 
-/// The phreatic line of each frame; none without one.
 std::optional<LinesOfFrames> water_of(const Source& source, const ShownRun& shown)
 {
   if (!source.mesh || !source.case_read->values.water.is_given()) return std::nullopt;
@@ -281,7 +277,6 @@ Json attached_json(Chunks& chunks, const AttachedLines& lines)
   return {{"points", chunks.add(lines.points)}, {"offsets", chunks.add(lines.offsets)}, {"count", lines.points.size()}};
 }
 
-/// The points shown, as they are in frame k.
 struct ShownPoints {
   std::vector<Real> places, materials;
 

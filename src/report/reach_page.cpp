@@ -24,7 +24,6 @@ a { color: #0b5f9e; } td svg { width: 210px; }
 @media print { @page { size: A4 landscape; } td svg { width: 40mm; } }
 )";
 
-/// A text of the page in English and Dutch.
 struct Words {
   const char *en, *nl;
   const char* in(bool dutch) const { return dutch ? nl : en; }

@@ -20,7 +20,6 @@
 namespace terp {
 namespace {
 
-
 namespace said {
 
 constexpr SentenceForm as_it_is{"`{}`", "`{}`"};
@@ -84,7 +83,6 @@ Sentence word_of_owner(const std::string& owner)
   }
   return filled<said::as_it_is>(owner);
 }
-
 
 struct ImportedValue {
   std::string owner, key;  ///< "body[Clay]", "material"
