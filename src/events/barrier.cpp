@@ -1,7 +1,5 @@
-// A section is a picture in two dimensions: water that comes from one side goes over the highest ground that hangs
-// together with the base, wherever that lies, and a hollow under an overhang leads nowhere. So the barrier is the
-// largest height of the surface. Between the middles of columns the surface is a straight line; at the end of the
-// ground it falls at the edge of the column.
+// A hollow under an overhang leads nowhere, so the barrier is the largest height of the surface. Between the middles of
+// columns the surface is a straight line; at the end of the ground it falls at the edge of the column.
 
 #include "events/barrier.hpp"
 
@@ -17,7 +15,6 @@ namespace {
 constexpr Real none = -std::numeric_limits<Real>::infinity();
 constexpr Real carries = 1.0 / 3.0;  // part of a cell that ground must fill to connect its neighbours with the base
 
-/// What a cell holds of ground.
 struct CellContent {
   Real volume = 0.0, sheared = 0.0;  ///< [m^2]
   Real top = none;                   ///< upper edge of the highest point, a square of its volume [m]

@@ -12,7 +12,6 @@
 
 namespace terp {
 
-/// What is asked of the ground.
 struct GroundQuestion {
   Columns columns;                   ///< the surface is looked for in the middle of each
   Ground ground = {};                ///< which materials are ground

@@ -1,8 +1,6 @@
-// Rows are read forwards. A slide is found where the crest has retreated far enough; its begin is then sought
-// backwards. The first slide is measured from the first place of the crest, whatever time it takes. Later ones are
-// measured from where the crest had settled, and within a short time, so that creep is no slide. A crest that soon
-// stands at its place again did not retreat (lasting_places). Places are whole columns, so each comparison has a margin
-// for round-off.
+// Rows are read forwards; the begin of a slide is then sought backwards. The first slide is measured from the first
+// place of the crest, whatever time it takes. Later ones are measured from where the crest had settled, and within a
+// short time, so that creep is no slide. Places are whole columns, so each comparison has a margin for round-off.
 
 #include "events/crest.hpp"
 
@@ -97,7 +95,6 @@ std::size_t find_begin(const CrestHistory& crest, std::size_t from, std::size_t 
   return k;
 }
 
-/// Fills what the kinetic energy of the rows from `begin` to before `end` says.
 void follow_motion(const CrestHistory& crest, std::size_t begin, std::size_t end, Slide& slide)
 {
   end = std::min(end, crest.kinetic.size());

@@ -68,7 +68,6 @@ Index count_from_side(const Section& section, Facing facing, F&& fits)
   return k;
 }
 
-/// A line of the upper hull of the surface, from column to column outwards.
 struct HullLine {
   Index from, to;  ///< columns
   Real fall;       ///< height that is lost over its length [-]
@@ -126,7 +125,6 @@ Index edge_of_plateau(const Section& section, const Slope& slope)
   return edge;
 }
 
-/// The slope below such a plateau.
 void look_beyond_plateau(const Section& section, Slope& slope)
 {
   const Index edge = edge_of_plateau(section, slope);

@@ -5,7 +5,6 @@
 
 namespace terp {
 
-/// Which way a slope falls.
 enum class Facing { right, left };
 
 /// +1 or -1: the sign of the way out of a slope.
@@ -25,7 +24,6 @@ struct Slope {
   bool free_toe = true;  ///< no soil at the side of the mesh; otherwise it fills the mesh to there
 };
 
-/// The first surface.
 struct Section {
   Columns columns;
   std::vector<Real> heights;  ///< [m], shape [columns.n]; minus infinity where there is no soil

@@ -9,7 +9,6 @@
 
 namespace terp {
 
-/// The slip surface at one time.
 struct SlipSurface {
   Real time = 0.0;           ///< end of the interval in which the strain grew [s]
   Real rate = 0.0;           ///< growth of the plastic strain, summed over the volume [m^2/s]

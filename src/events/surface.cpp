@@ -1,6 +1,5 @@
-// Cells are visited from the last to the first, as the highest cells of a grid come last. Most others then lie below
-// what their columns already have, and their points are not looked at. Boxes are widened a little, and comparisons are
-// written so that a place that is not a number is looked at: the shortcut never changes the result.
+// Cells are visited from the last to the first, as the highest cells of a grid come last. Boxes are widened a little,
+// and comparisons are written so that a place that is not a number is looked at: the shortcut never changes the result.
 
 #include "events/surface.hpp"
 
@@ -37,7 +36,6 @@ CellBox box_of(const Mesh<2>& mesh, Index cell)
 /// Column of a place: less than 0 or at least n if it lies beside them; not a number stays so.
 Real column_at(const Columns& columns, Real x) { return (x - columns.left) / columns.width; }
 
-/// True if no point of a cell is higher than the columns around it already are.
 bool lies_below(const CellBox& box, const Columns& columns, const std::vector<Real>& heights)
 {
   const Real first = column_at(columns, box.low[0]), last = column_at(columns, box.high[0]);

@@ -1,6 +1,5 @@
-// On a lattice of points with columns and rows the highest of each column remain, whatever the ratio of the distances
-// between them (from 1 : 2 to 2 : 1) and the angle between rows and columns: what a column does not hide at once, its
-// neighbours hide by the cone. Slopes up to 1.5 : 1 hide no point of theirs.
+// On a lattice of points the highest of each column remain, whatever the ratio of the distances between them (from 1 :
+// 2 to 2 : 1) and the angle between rows and columns. Slopes up to 1.5 : 1 hide no point of theirs.
 
 #include "events/top_points.hpp"
 

@@ -22,7 +22,6 @@ const std::shared_ptr<const RunTable>& loads_table()
   return table;
 }
 
-/// Sums over the points that carry a load.
 struct Carried {
   Real width = 0.0, x = 0.0, y = 0.0;
 };

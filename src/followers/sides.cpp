@@ -1,7 +1,6 @@
-// Which sides of the mesh the soil comes to: from then on they act on it, whether they are meant as walls or not.
-// A point in a cell at the side gives mass to its nodes. Where soil lay from the start, at a steep side that is the end
-// of the mesh and no wall (SideReport), what counts is that soil comes to the second cell above it: less is heave, and
-// one cell more may be a matter of round-off.
+// Which sides of the mesh the soil comes to: from then on they act on it, whether they are meant as walls or not. Where
+// soil lay from the start, at a steep side that is no wall (SideReport), what counts is that soil comes to the second
+// cell above it: less is heave, and one cell more may be a matter of round-off.
 
 #include "followers/followers.hpp"
 

@@ -378,7 +378,6 @@ class Slopes : public Follower {
     }
   }
 
-  /// The slopes follow from the first surface.
   void load(const Model& model, const State&, const ArrayReader& arrays) override
   {
     const auto &heights = arrays.reals("heights"), &columns = arrays.reals("columns", 3),

@@ -49,7 +49,6 @@ struct CarriedPressure {
   }
 };
 
-/// A point on its way to a block of another material.
 struct MovedPoint {
   BlockKey key;
   std::vector<Real> values;
@@ -64,7 +63,6 @@ Index material_in_stage(const Model& model, Index body, Index from)
   return stays ? from : material_number(model, of.material, now.zone);
 }
 
-/// Takes the points out of their blocks whose body is of another material than they are.
 std::vector<MovedPoint> take_changed_points(const Model& model, const std::vector<Index>& body, State& state)
 {
   std::vector<MovedPoint> moved;

@@ -1,8 +1,7 @@
 // The search runs on a copy of the model whose stiffness is 1000 times that of the soil, with a time step that fits it.
 // Softening per strain stays, at strains 1000 times smaller: nothing softens. With divided strengths the copy is
-// elastic. Each step: damping follows the motion, more of the forces out of balance comes on, windows of time judge
-// rest and failure. If the soil rests, its stress alone goes back to the state. If not, rows of the copy are made those
-// of the case.
+// elastic. If the soil rests, its stress alone goes back to the state. If not, rows of the copy are made those of the
+// case.
 
 #include "simulation/equilibrium.hpp"
 
@@ -116,7 +115,6 @@ std::vector<Real> stress_by_id(const State& state)
   return stress;
 }
 
-/// At rest with this stress.
 void set_stress(const std::vector<Real>& stress, State& state)
 {
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {

@@ -1,6 +1,5 @@
-// Values are written in three layers, each over the one before: what no point of this id has (its body is not there),
-// the points that are there, the points that left. A frame may be a part of the ids; those outside of it, also below
-// its first, turn into `nowhere`.
+// Values are written in three layers: what no point of this id has, the points that are there, the points that left. A
+// frame may be a part of the ids; those outside of it turn into `nowhere`.
 
 #include "simulation/frame.hpp"
 
@@ -44,7 +43,6 @@ void mark_left(const State& state, Frame& frame)
   }
 }
 
-/// The fields of n points from the id `first` on.
 Frame gather_frame(const State& state, const std::vector<FrameField>& fields, std::int64_t first, std::int64_t n)
 {
   const auto size = static_cast<std::size_t>(n);

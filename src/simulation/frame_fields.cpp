@@ -1,5 +1,4 @@
-// Three sources give the fields of a frame: rows of the points, entries of `common_fields`, and what a law derives. Of
-// several laws with a field of the same name there is one field; each point reads it from its own law, or has NaN.
+// Of several laws with a field of the same name there is one field; each point reads it from its own law, or has NaN.
 // `all_frame_fields` lists names for the help without a model: a new source must be added there as well.
 
 #include "simulation/frame_fields.hpp"
@@ -70,7 +69,6 @@ FrameField field_of(const CommonField& common)
       .n_components = common.n_components};
 }
 
-/// Of a law's table of state or derived fields.
 FrameField field_of(const auto& info)
 {
   return {.name = std::string(info.name),

@@ -1,4 +1,3 @@
-// After each step only what costs little is looked at: faults of laws, a flag for values that are not numbers, a count.
 // What needs energies or a walk over the points is looked at with the rows of the ledger (find_fault_in_balance).
 
 #include "simulation/guards.hpp"

@@ -1,6 +1,5 @@
 // Looking a point up by its number takes a pass over all points. Its block and lane are therefore remembered, and the
-// number that lies there is compared before use: exchanges and moves may have put another point there. A point that
-// left is never looked for again.
+// number that lies there is compared before use: exchanges and moves may have put another point there.
 
 #include "simulation/history.hpp"
 

@@ -1,6 +1,5 @@
-// The same K0 stress is either the start itself or the first guess of a search for equilibrium. Only the former must
-// suit the laws, as the search changes it. The water is one situation, never a mixture: the one towards which the ramp
-// has begun, else the one that it leaves.
+// Only a start with the K0 stress itself must suit the laws, as a search for equilibrium changes it. The water is one
+// situation: the one towards which the ramp has begun, else the one that it leaves.
 
 #include "simulation/initial.hpp"
 

@@ -1,7 +1,6 @@
-// The balance is a table: the column that a quantity has, and the function that reads it, stand in one entry. All sums
-// over points come from one pass (`add_up`), which computes what the followers asked for as well; so `request` comes
-// first. Energies here and those of the pass use the same `Books` and `ElasticEnergy`, or the balance would show the
-// difference.
+// All sums over points come from one pass (`add_up`), which computes what the followers asked for as well; so `request`
+// comes first. Energies here and those of the pass use the same `Books` and `ElasticEnergy`, or the balance would show
+// the difference.
 
 #include "simulation/ledger.hpp"
 

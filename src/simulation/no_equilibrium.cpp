@@ -49,7 +49,6 @@ std::string describe_unbalanced(const Model& model, const State& state, const Wo
       soil_at(model, state, largest), half == around.end() ? 0.0 : half->first);
 }
 
-/// The point that moved furthest.
 std::string describe_moved(const Model& model, const State& state, Real stiffening)
 {
   Real furthest = -1.0;

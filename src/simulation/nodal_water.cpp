@@ -1,6 +1,5 @@
 // Pressures without a limit are found once for each situation, and again in a step only where a formula has the time.
-// Each node is then cut to the weight of soil, loads and free water above it. Nodes above the ground have no limit.
-// While bodies come or go there are two sections, with and without them, and the limit runs from one to the other.
+// Each node is then cut to the weight of soil, loads and free water above it.
 
 #include "simulation/nodal_water.hpp"
 

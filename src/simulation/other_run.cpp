@@ -1,7 +1,6 @@
-// First the counters and the model are those of the stage that the run begins with. Then soil changes as from stage to
-// stage, in the order of enter_next_stage (stages.cpp): change both together. Between, the state goes through an image
-// with the rows of this run: it is refused where laws or method keep other rows. Followers begin with what they find,
-// and the change of energy counts as energy of the start.
+// Soil changes as from stage to stage, in the order of enter_next_stage (stages.cpp): change both together. Between,
+// the state goes through an image with the rows of this run: it is refused where laws or method keep other rows.
+// Followers begin with what they find, and the change of energy counts as energy of the start.
 
 #include "simulation/other_run.hpp"
 

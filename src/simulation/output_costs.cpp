@@ -1,6 +1,5 @@
-// How it thinks: counts what is written, times a size and a time per value. The sizes were measured on the paper's
-// column with 160 000 points, and a test holds them to a factor of two. The times are estimates that no measurement
-// backs yet.
+// The sizes were measured on the paper's column with 160 000 points, and a test holds them to a factor of two. The
+// times are estimates that no measurement backs yet.
 
 #include "simulation/output_costs.hpp"
 

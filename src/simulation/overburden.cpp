@@ -1,7 +1,6 @@
 // The vertical line through a place is cut by the sides of all bodies and followed from the highest crossing down. Each
-// crossing turns its body on or off; of the bodies that are on, the last one of the case counts. Sides are loose, so a
-// hole or a body of whole cells needs no case of its own. `outlines_of` lists every body that has an outline, also
-// those that are not there: the counter k must step over them.
+// crossing turns its body on or off; of the bodies that are on, the last one of the case counts. `outlines_of` lists
+// every body that has an outline, also those that are not there: the counter k must step over them.
 
 #include "simulation/overburden.hpp"
 

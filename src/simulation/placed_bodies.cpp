@@ -1,7 +1,6 @@
-// The state does not know bodies: that of a point follows from its number, by making the points again (seeds_of). A
-// body is in the state if any of its points is there or has left the mesh. Without the second, one that flowed out
-// would come again. Overlap with drawn bodies is refused before the run; soil that has moved there shows as too much
-// volume in the cells of the new points.
+// The body of a point follows from its number, by making the points again (seeds_of). A body is in the state if any of
+// its points is there or has left the mesh: else one that flowed out would come again. Overlap with drawn bodies is
+// refused before the run; soil that has moved there shows as too much volume in the cells of the new points.
 
 #include "simulation/placed_bodies.hpp"
 

@@ -93,7 +93,6 @@ void check_room_for_points(const Model& model, const PointBatches& points)
       "body", false, {"mesh"}});
 }
 
-/// Two points at one place, and how many more such there are.
 struct SamePlace {
   const NewPoint* point = nullptr;
   std::int64_t n_more = -1;

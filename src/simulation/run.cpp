@@ -1,6 +1,5 @@
 // A request to stop is read between steps, so a checkpoint is always of a whole step. After a step the guards look
-// first; then rest and the end of the stage are entered, and outputs are written last. So the outputs of a step know
-// whether it ends the stage.
+// first; then rest and the end of the stage are entered, so that the outputs know whether the step ends the stage.
 
 #include "simulation/run.hpp"
 
@@ -34,7 +33,6 @@ bool ends_at_rest(const StageCase& stage) { return stage.until == Until::at_rest
 
 constexpr double progress_every = 0.25;  // of wall time [s]
 
-/// The clock of a run, and what it reports.
 struct Loop {
   const Model& model;
   State& state;

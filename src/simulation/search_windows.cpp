@@ -1,6 +1,5 @@
-// Motion is the 99 % quantile of the displacements: single points at a free face may fall without end. A window is a
-// difference of two entries, so a statement on k windows needs k + 1 of them. While the forces still grow, the lists
-// start anew with the present entry as the base of the next window.
+// Motion is the 99 % quantile of the displacements: single points at a free face may fall without end. A statement on k
+// windows needs k + 1 entries. While the forces still grow, the lists start anew.
 
 #include "simulation/search_windows.hpp"
 

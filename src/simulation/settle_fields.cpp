@@ -17,7 +17,6 @@
 namespace terp {
 namespace {
 
-/// What a field gives at the points of its material.
 struct FieldRange {
   Real sum = 0.0;
   Index n = 0, n_outside = 0;  // points; those where the value is outside its range

@@ -98,7 +98,6 @@ std::vector<Footing> make_footings(const Case& c)
   return footings;
 }
 
-/// Sides that soil leaves by.
 OpenSides make_open_sides(const Case& c, const Mesh<2>& mesh)
 {
   OpenSides open(mesh.cells.size(), 0);
@@ -163,7 +162,6 @@ struct StepLimit {
   }
 };
 
-/// The laws of a stage, with all that they need to have a stiffness at every point.
 void settle_laws(const Case& whole, const std::vector<Index>& used, Model& model)
 {
   settle_fields(model);
@@ -206,7 +204,6 @@ void set_time_step(const Case& whole, const std::vector<Index>& used, Model& mod
   model.dt = time.end / n;
 }
 
-/// The time step of all stages, and the number of steps that they take together.
 void take_time_step(const Model& of_run, Model& model)
 {
   model.largest_density = of_run.largest_density;

@@ -1,8 +1,6 @@
-// Steps are counted over the whole run. Each call of the loop ends at a step of that count or at the end of a stage.
 // Only the last stage may be driven beyond its end. The step of a time is rounded up, less round-off: a time that is a
 // multiple of dt would else fall one step later. A saved state must agree with this case in its points and in the time
-// of its step. What hangs on the stage and on the water is then made anew from it: model, damping, nodal water, sizes
-// of the workspace.
+// of its step; what hangs on the stage and on the water is then made anew from it.
 
 #include "simulation/simulation.hpp"
 
@@ -41,7 +39,6 @@ std::vector<std::string> names_to_set(const Model& model)
   throw InputError(Problem{name, what, detail, ""});
 }
 
-/// Where a field lies in the rows of a material's points.
 struct FieldPlace {
   int first_row = -1;  ///< -1: points of the material have no such variable
   int n_rows = 1, n_components = 1;

@@ -1,8 +1,7 @@
-// A stage is a model of its own with the rows, mesh and time step of the run. Its end is rounded to a step from the sum
-// of all durations until then, so that rounding does not add up. enter_next_stage: what was dug away leaves; then
-// stored stress, laws, parameters, carried pressures and bodies change. The difference of energy is what this added,
-// and counts as energy of the start. Loads find their ground after that. The counters of the stage move last; only then
-// displacement may begin anew.
+// The end of a stage is rounded to a step from the sum of all durations until then, so that rounding does not add up.
+// enter_next_stage: what was dug away leaves; then stored stress, laws, parameters, carried pressures and bodies
+// change. The difference of energy counts as energy of the start. Loads find their ground after that. The counters of
+// the stage move last; only then displacement may begin anew.
 
 #include "simulation/stages.hpp"
 

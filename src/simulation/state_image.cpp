@@ -1,8 +1,6 @@
-// An image is a list of arrays that are read in parts, so that a large state needs no second copy in memory. Points
-// come in the order of cells, blocks and lanes. Reading makes each block at once with its size, in the same order. What
-// a run does not use is left out; restore() then leaves it as a new State has it. A new member of State that does not
-// follow from others needs a line in arrays_of and one in restore. The order of the numbers in an array is the format
-// of checkpoints: a new number gets an array of its own, which older ones may lack.
+// An image is a list of arrays that are read in parts, so that a large state needs no second copy in memory. A new
+// member of State that does not follow from others needs a line in arrays_of and one in restore. The order of the
+// numbers in an array is the format of checkpoints: a new number gets an array of its own, which older ones may lack.
 
 #include "simulation/state_image.hpp"
 

@@ -77,7 +77,7 @@ void start_sums(Workspace& work)
   for (auto& list : work.leavers) list.clear();
 }
 
-/// Adds the sums of the chunks to the totals, in order of chunk.
+/// In order of chunk.
 void finish_sums(State& state, Workspace& work)
 {
   NodeSums total;

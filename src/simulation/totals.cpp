@@ -1,7 +1,6 @@
-// One walk over the blocks, eight points at a time. Only blocks in which some strain fell, or whose strength does not
-// follow from the strain alone, are looked at point by point (audit_points). Lanes that hold no point may hold what the
-// last step left there: each sum and extreme must leave them out. The speed that 99.9 % do not exceed needs no list of
-// all speeds: see enter_speeds.
+// Only blocks in which some strain fell, or whose strength does not follow from the strain alone, are looked at point
+// by point (audit_points). Lanes that hold no point may hold what the last step left there: each sum and extreme must
+// leave them out.
 
 #include "simulation/totals.hpp"
 
@@ -103,7 +102,6 @@ void audit_points(const MaterialRows& rows, const PointBlock<2>& block, StrainMe
   }
 }
 
-/// How the strain of eight points went on since the last ledger row.
 struct StrainChange {
   Mask changed, fell;
 };

@@ -1,6 +1,5 @@
 // The constructor reserves room for twice the cells and blocks of the start: steps ask for no memory until the soil has
-// spread that far. `fit` sets the sizes anew whenever cells fill or empty; a new array needs both. Active nodes are
-// listed by a bit per node: that gives them in ascending order, which the sums over nodes keep.
+// spread that far. `fit` sets the sizes anew whenever cells fill or empty; a new array needs both.
 
 #include "simulation/workspace.hpp"
 
@@ -25,7 +24,6 @@ void list_active_nodes(const Mesh<2>& mesh, const std::vector<Index>& cells, Wor
       work.active_nodes.push_back(static_cast<Index>(64 * word) + std::countr_zero(bits));
 }
 
-/// Packs that hold n numbers.
 std::size_t n_packs(std::size_t n) { return (n + pack_width - 1) / pack_width; }
 
 /// Room for twice the blocks of the start.

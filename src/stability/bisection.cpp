@@ -1,7 +1,6 @@
 // The bracket is made anew from all trials whenever one is entered: a factor that fails takes all that stood above it
-// out of the count. So stable < not_stable <= failed at any time. A trial that is undecided (the soil creeps) bounds
-// the factor from above as a failure does; only after that bracket is narrow enough are factors above it tried, for one
-// that fails.
+// out of the count. So stable < not_stable <= failed at any time. A trial that is undecided bounds the factor from
+// above as a failure does; only after that bracket is narrow enough are factors above it tried.
 
 #include "stability/bisection.hpp"
 

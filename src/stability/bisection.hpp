@@ -33,7 +33,6 @@ std::optional<Real> next_factor(const Bisection& so_far, const BisectionOptions&
 /// Trials still to come, at a guess.
 int trials_left(const Bisection& so_far, const BisectionOptions& options);
 
-/// Enters a trial.
 void enter(Trial trial, Bisection& bisection);
 
 }  // namespace terp

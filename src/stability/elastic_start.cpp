@@ -1,4 +1,3 @@
-// The soil settles without strength, stiffened; its state is kept with the rows of the trials, which begin with it.
 // Scales (traversal, displacement, free motion) are those of the soil as it is, so they are divided by the stiffening.
 // quiet_case takes out all that would move the soil but weight, water and loads: a new kind of motion must go there,
 // too.
@@ -55,10 +54,9 @@ void set_scales(const Model& model, const State& state, ElasticStart& start)
   start.free_motion = g * window * window;
 }
 
-/// Of an odd number of points along a side the middle ones lie on the border of two sub-cells. Soil that was stiffened
-/// moves so little that vibrations of 1e-8 of a cell take them across and back, and each time they take the strain of
-/// the other side: level ground never came to rest. Beside the border they change side once or never. With 1e-6 of half
-/// a cell some still vibrate; with 1e-4 they change side in the trials, and soil near its limit creeps.
+/// Of an odd number of points along a side the middle ones lie on the border of two sub-cells. Vibrations of stiffened
+/// soil take them across and back, and level ground never came to rest. With 1e-6 of half a cell some still do; with
+/// 1e-4 they change side in the trials, and soil near its limit creeps.
 void leave_borders_of_sub_cells(const Mesh<2>& mesh, PointBlocks<2>& points)
 {
   constexpr Real on_border = 1e-9, beside = 1e-5;  // in local coordinates, which run from -1 to 1

@@ -1,7 +1,5 @@
-// A part-filled cell takes its nodes out of the count, and a cell with such a node its points: the ring of filled cells
-// beside it is left out too, as its nodes move with the soil that ravels. In thin soil nothing may be left; then all of
-// it counts, or a trial would see no motion and call any factor stable.
-// Forces are summed with their signs over the steps of a window, so that vibration cancels before absolute values.
+// The ring of filled cells beside part-filled ones is left out too, as its nodes move with the soil that ravels. In
+// thin soil nothing may be left; then all of it counts, or a trial would see no motion and call any factor stable.
 
 #include "stability/judged_soil.hpp"
 

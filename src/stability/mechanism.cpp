@@ -1,8 +1,6 @@
-// The soil that moves is found column by column, from the size of the motion of its points in the last window. In each
-// column the largest motion counts; columns in which it is a tenth of the largest of all take part. Above the slip
-// surface points move by at least half of the largest in the column, below it by less: it runs in the middle of the
-// band over which the velocity drops. Of several stretches of columns the one that moves most is the mechanism; it ends
-// where the soil moves the other way.
+// Columns in which the largest motion is a tenth of the largest of all take part. Above the slip surface points move by
+// at least half of the largest in the column, below it by less. The stretch of columns that moves most is the
+// mechanism; it ends where the soil moves the other way.
 #include "stability/mechanism.hpp"
 
 #include "simulation/frame.hpp"
@@ -75,8 +73,7 @@ std::vector<Column> sort_into_columns(const std::vector<MovingPoint>& points, co
   return sorted;
 }
 
-/// Of a column that moves: the level at which the fewest points lie on the wrong side, as those above it move by half
-/// of the largest motion and those below it by less.
+/// At the level at which the fewest points lie on the wrong side.
 void find_slip(Column& column)
 {
   const auto moves = [half = share_of_column * column.largest](const MovingPoint& p) { return p.size >= half; };

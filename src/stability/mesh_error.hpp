@@ -8,7 +8,6 @@
 
 namespace terp {
 
-/// The factor that a search found on cells of one size.
 struct SizedFactor {
   Real cell = 0.0;                       ///< [m]
   Real factor = 0.0, uncertainty = 0.0;  ///< [-]

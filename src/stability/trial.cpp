@@ -1,6 +1,5 @@
-// A trial is judged by windows of time alone. At rest: three in a row without motion. Failed: far, still moving, and
-// not slowing down. A run that the guards stop has failed. Else it goes on, until its windows are used up. The soil is
-// stiffened; times and displacements of the windows are turned back to those of the soil as it is.
+// A run that the guards stop has failed. The soil is stiffened; times and displacements of the windows are turned back
+// to those of the soil as it is.
 
 #include "stability/trial.hpp"
 

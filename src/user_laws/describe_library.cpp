@@ -1,6 +1,5 @@
-// The case may give numbers by name and in any order. Here they are put in the order of the library, and later only
-// their places count. A library that cannot describe itself (UMAT, ESM) is believed: its parameters and state are those
-// of the case.
+// Numbers that the case gives by name are put in the order of the library, and later only their places count. A library
+// that cannot describe itself (UMAT, ESM) is believed: its parameters and state are those of the case.
 
 #include "user_laws/describe_library.hpp"
 

@@ -1,5 +1,3 @@
-// The words for a law of a library that failed.
-
 #include "user_laws/library_material.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
-// Entries that stand for soil are gathered without holes, at most so many for one call; the library sees its own unit
-// of stress, and strains and times as its soil has them. Numbers go back only if the whole call is sound: after a fault
-// the points keep the stress from before. After a crash the library is not called again. What follows of the step says
-// nothing, as the run stops with the fault.
+// Entries that stand for soil are gathered without holes; the library sees its own unit of stress, and strains and
+// times as its soil has them. Numbers go back only if the whole call is sound: after a fault the points keep the stress
+// from before. After a crash the library is not called again.
 
 #include "user_laws/library_material.hpp"
 
@@ -16,7 +15,6 @@
 namespace terp {
 namespace {
 
-/// What a thread needs for a call.
 struct Room {
   LawPoints points;
   std::vector<Real> numbers;  ///< of the rows of the state
@@ -116,7 +114,6 @@ void LibraryMaterial::update(const StressArrays<2>& arrays) const
   }
 }
 
-/// The entries that stand for soil, from `first` on.
 void LibraryMaterial::take_points(
     const StressArrays<2>& arrays, Index first, LawPoints& points, std::vector<Index>& entries) const
 {
@@ -177,7 +174,6 @@ void LibraryMaterial::call(LawPoints& points) const
   fmt::format_to_n(points.why.data(), points.why.size() - 1, "the law {}", fault).out[0] = '\0';
 }
 
-/// Numbers that came back.
 void LibraryMaterial::check(LawPoints& points) const
 {
   const auto look = [&](const Real* row, const char* what) {

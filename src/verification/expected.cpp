@@ -1,6 +1,5 @@
-// Two stages. First each table is read entry by entry, and every unknown key or wrong type is refused with its place.
-// Then quantities and runs are checked against each other: unique names, existing runs, a bound for each row, enough
-// runs for an order or a limit, and no key that a kind ignores, because the author may rely on it.
+// First each table is read entry by entry. Then quantities and runs are checked against each other. No key that a kind
+// ignores is taken, because the author may rely on it.
 #include "verification/expected.hpp"
 
 #include "base/closest.hpp"
@@ -280,7 +279,6 @@ const KeyUse key_uses[] = {
     {"red_runs", [](const Quantity& q) { return !q.red.empty(); }, "for a quantity that is `red`"},
 };
 
-/// A key that is ignored may be one on which the author relies.
 void check_uses(const Expected& file, const Node& table, const Quantity& q)
 {
   for (const KeyUse& use : key_uses)

@@ -1,7 +1,6 @@
-// Each run gives findings, one per quantity: a number with its reference and bounds. A finding becomes a row.
-// Quantities that compare runs (order, limit, distance from the limit) are computed here, from all findings of one
-// scheme. A fault costs its own row and no other: whatever cannot be measured or evaluated becomes a failed row with
-// the reason.
+// A finding (one quantity of one run, with its reference and bounds) becomes a row. Quantities that compare runs are
+// computed here, from all findings of one scheme. A fault costs its own row and no other: whatever cannot be measured
+// or evaluated becomes a failed row with the reason.
 #include "verification/judge.hpp"
 
 #include "base/convergence.hpp"

@@ -1,6 +1,3 @@
-// A measure observes a run as one of its quantities asks: a field at one time, a curve of a point or of a table, or the
-// numbers at the end.
-
 #include "verification/measure.hpp"
 
 #include "base/nan.hpp"
@@ -47,7 +44,6 @@ class NumberMeasure : public Measure {
   std::vector<Real> values_;
 };
 
-/// A field at one time: the points that count, reduced to one number.
 class FieldMeasure : public Measure {
  public:
   using Measure::Measure;
@@ -178,7 +174,6 @@ class SeriesMeasure : public Measure {
   Vec<2> start_{nan, nan};
 };
 
-/// The material point nearest to a position at t = 0, in every frame.
 class PointMeasure : public SeriesMeasure {
  public:
   using SeriesMeasure::SeriesMeasure;

@@ -8,7 +8,6 @@
 
 namespace terp {
 
-/// What the page says of a case.
 struct OverviewEntry {
   std::string line;  ///< of the table
   int rows = 0, red = 0;

@@ -5,7 +5,6 @@
 
 namespace terp {
 
-/// The rows of one case.
 struct CaseRows {
   std::string name, title;
   std::vector<Row> rows;

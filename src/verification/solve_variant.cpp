@@ -1,5 +1,4 @@
-// Builds model and state of one variant, attaches one measure per quantity as an observer, runs, and asks the measures
-// for their numbers in the order of the file, so that later formulas may use earlier values. No file is written. A
+// Measures are asked for their numbers in the order of the file, so that later formulas may use earlier values. A
 // search for a factor of safety takes the place of the run where the variant asks for one. Errors never leave this
 // file: they become the fault of a finding, or of the whole run.
 #include "verification/solve_variant.hpp"
@@ -52,7 +51,6 @@ std::vector<Finding> rows_of(std::vector<Finding> findings)
   return findings;
 }
 
-/// A search for a factor of safety in place of the run: its numbers are constants of formulas.
 std::vector<Finding> findings_of_factor(const Solve& solve, const CaseFile& solved, Scope& scope,
     std::vector<Finding> findings, const std::atomic<bool>& stop)
 {

@@ -11,7 +11,6 @@
 
 namespace terp {
 
-/// One run with one scheme.
 struct Solve {
   const Expected* file;
   const Variant* variant;

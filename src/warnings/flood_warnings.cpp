@@ -1,5 +1,3 @@
-// What [flood] says of ground that does not hold the water from the start.
-
 #include "warnings/flood_warnings.hpp"
 
 #include "simulation/free_water.hpp"

@@ -22,8 +22,6 @@ struct PlaceOfPoint {
   Index lane = 0;
 };
 
-/// The point with the largest mean stress, where a stiffness that follows the stress is largest, and that with the
-/// least, which yields first.
 struct ExtremePoints {
   PlaceOfPoint deepest, shallowest;
 };
@@ -135,7 +133,6 @@ class LibraryScales {
   std::vector<Problem>& warnings_;
 };
 
-/// A trial of the law at a point.
 struct PointTrial {
   const SoilMaterial& soil;
   const MaterialCase& material;

@@ -1,7 +1,6 @@
-// Each quantity is made dimensionless with another one: G / S_u, S_u / (rho g H), G / (rho g H), v / sqrt(g H), where H
-// is the height of all soil along gravity. The limits lie a factor of 5 or more outside of what soil has, and well
-// within a factor of 1000, the usual mistake of a unit (kPa, MPa, mm). What a parameter is (stiffness, strength, angle)
-// follows from the law's own table, so that a new law is checked without an entry here.
+// Each quantity is made dimensionless with another one; H is the height of all soil along gravity. The limits lie a
+// factor of 5 or more outside of what soil has, and well within a factor of 1000, the usual mistake of a unit (kPa,
+// MPa, mm). What a parameter is (stiffness, strength, angle) follows from the law's own table.
 
 #include "simulation/overburden.hpp"
 #include "simulation/setup_points.hpp"
@@ -53,7 +52,7 @@ bool is_used(const Model& model, const std::string& material)
   });
 }
 
-/// The shear strength of a law: what `terp stability` divides, which has no default.
+/// What `terp stability` divides, which has no default.
 bool is_strength(const ParameterInfo& info)
 {
   return info.unit == "Pa" && info.reduction == Reduction::divide && !info.fallback && info.fallback_of.empty();
@@ -217,7 +216,7 @@ void warn_of_speed(const std::string& key, const std::string& what, Real speed, 
                                    : "boundary.SIDE.velocity"});
 }
 
-/// The greatest velocity of a side, at its nodes [m/s].
+/// The greatest, at its nodes [m/s].
 Real speed_of_side(const Model& model, const SideCondition& side)
 {
   Real speed = 0.0;
@@ -244,7 +243,6 @@ std::vector<Real> speeds_of_bodies(const Model& model)
   return speeds;
 }
 
-/// A footing that moves by nothing in the whole run.
 void warn_of_no_motion(
     const std::string& key, const FootingCase& footing, const Model& model, const Soil& soil, Problems& warnings)
 {
@@ -311,7 +309,6 @@ void find_no_motion(const Model& model, Problems& warnings)
       "All soil stays at rest. Usual: gravity = [0.0, -9.81] in [forces].", "forces.gravity"});
 }
 
-/// What SHANSEP says of a material, over its points.
 struct PastLoad {
   std::size_t material = 0;
   Index n = 0;

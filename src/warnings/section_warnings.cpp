@@ -1,9 +1,8 @@
 // Bodies are compared by their outlines: from places along each outline a ray goes straight outward and meets the next
-// body or a held side of the mesh. Nothing in between: they touch. Less than half a cell: a gap that was hardly drawn
-// on purpose. Bodies that no chain of bodies joins to a side that holds against gravity hang in the air: a roller
-// beside them holds nothing. A long side that lies on another outline with one end only makes a wedge, which is told
-// where nothing else carries the body: caverns and overhangs have such a carrier. The area that is drawn is that of all
-// outlines together, cut into trapezoids as for the seeding (points/overlay.hpp).
+// body or a held side of the mesh. Less than half a cell between them is a gap that was hardly drawn on purpose. A long
+// side that lies on another outline with one end only makes a wedge, which is told where nothing else carries the body:
+// caverns and overhangs have such a carrier. The area that is drawn is that of all outlines together, cut into
+// trapezoids as for the seeding (points/overlay.hpp).
 
 #include "warnings/setup_warnings.hpp"
 
@@ -39,7 +38,6 @@ Real cross(Vec<2> a, Vec<2> b) { return a[0] * b[1] - a[1] * b[0]; }
 Real dot(Vec<2> a, Vec<2> b) { return a[0] * b[0] + a[1] * b[1]; }
 Real length(Vec<2> a) { return std::hypot(a[0], a[1]); }
 
-/// A body, or a held side of the mesh, that a ray may meet.
 struct Obstacle {
   std::string name;  ///< "body 1", "the side `bottom`"
   std::vector<Side> sides;
@@ -248,7 +246,6 @@ class SectionCheck {
     return values.velocity_at || values.velocity != Vec<2>{0.0, 0.0};
   }
 
-  /// Bodies that lie on what is below them with one end of a side, and on nothing else.
   void find_wedges(Problems& warnings)
   {
     const std::vector<bool> held = held_by(meets_, meets_side_);
@@ -450,7 +447,6 @@ void find_holes(const Model& model, Problems& warnings)
   }
 }
 
-/// Soil of the size of a cell: mesh and bodies in different units.
 void find_tiny_soil(const Model& model, Problems& warnings)
 {
   Polygon corners;

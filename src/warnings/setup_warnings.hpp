@@ -13,7 +13,6 @@ namespace terp {
 /// further than their cells reach, odd places, odd magnitudes, idle footings. The state is that of t = 0.
 std::vector<Problem> find_warnings(const Model& model, const State& state);
 
-/// Quantities that do not fit each other: strength, stiffness, weight, velocities, by the size of the soil.
 void find_odd_scales(const Model& model, const State& state, std::vector<Problem>& warnings);
 
 /// Odd places in the section: sides that do not lie where their names say, gaps, bodies in the air, soil beside the

@@ -1,5 +1,3 @@
-// Warnings of a case that has just been set up: lines and grids of water that do not fit the soil.
-
 #include "warnings/water_warnings.hpp"
 
 #include "events/section.hpp"
@@ -48,7 +46,6 @@ void find_uncovered_water(const Model& model, std::span<const Index> nodes, std:
   }
 }
 
-/// Its table in the case file.
 std::string path_of(std::size_t situation)
 {
   return situation == 0 ? "water" : fmt::format("water.situation[{}]", situation - 1);
@@ -56,7 +53,6 @@ std::string path_of(std::size_t situation)
 
 std::string in_situation(const WaterSituation& of) { return of.name.empty() ? "" : fmt::format(" of `{}`", of.name); }
 
-/// A line of water over x, by its key and its name in a message.
 struct NamedLine {
   std::string key, name;
   std::vector<Vec<2>> places;  ///< [m]
@@ -291,7 +287,6 @@ void find_sloping_free_water(const Model& model, std::vector<Problem>& warnings)
   }
 }
 
-/// Loads on ground that lies under free water.
 void find_drowned_loads(const Model& model, std::vector<Problem>& warnings)
 {
   constexpr Real little = 0.1;  // [m]
