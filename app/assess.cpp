@@ -1,7 +1,5 @@
-// terp assess: the sections of a reach, each from its file to its verdict, and a page of all.
-//
-// How it thinks: each section is solved by a process of its own, this program with the same command line. What befalls
-// it (a fault of ours, the end of memory) ends that process and no other. This one only waits and counts.
+// Each section is solved by a process of its own, this program with the same command line: a fault of ours or the end
+// of memory ends that process and no other.
 
 #include "assess.hpp"
 #include "input/case_file.hpp"
@@ -228,7 +226,6 @@ class Reach {
   bool terminal_ = is_terminal(stdout), open_ = false, told_to_stop_ = false;
 };
 
-/// What would run, and how long.
 int print_estimate(const std::vector<PlannedSection>& plan, const AssessCommand& command)
 {
   double seconds = 0.0;

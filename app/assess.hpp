@@ -10,7 +10,6 @@
 
 namespace terp {
 
-/// What the processes of the sections tell the one that started them: in memory that they share.
 struct SectionProgress {
   std::atomic<int> step{0};          ///< number in section_steps
   std::atomic<double> left_s{-1.0};  ///< expected time until the end of the step [s]; negative: not known

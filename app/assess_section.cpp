@@ -100,7 +100,6 @@ std::map<std::string, std::string> digits_by_name(const CaseFolder& folder)
   return digits;
 }
 
-/// The case makes the section fail by itself.
 bool has_trigger(const Case& c)
 {
   return c.at_strength > 1.0 || std::ranges::any_of(c.stages, [](const StageCase& stage) {
@@ -108,7 +107,6 @@ bool has_trigger(const Case& c)
   });
 }
 
-/// The folder holds a run of this case that came to its end.
 bool has_finished(const std::string& folder, const std::string& digits)
 {
   const std::string summary = path_in(folder, summary_file);
@@ -128,7 +126,6 @@ void remove_run_alone(const std::string& folder)
   remove_run(folder);
 }
 
-/// Sees how long the run still takes.
 class RunWatcher : public Observer {
  public:
   explicit RunWatcher(SectionProgress& progress) : progress_(progress) {}
@@ -245,7 +242,6 @@ class Assessment {
     record_.case_found = digits_if_read(case_of(section_)).value_or("");
   }
 
-  // --------------------------------------------------------------------------------------------------- file to case
 
   /// The stage that is asked for; by default the last one of the last scenario.
   void read_project()
@@ -262,7 +258,6 @@ class Assessment {
     return is_stix(section_.file) && command_.import.trigger == "strength" && !is_changed_by_hand();
   }
 
-  /// A case that terp did not write stays as it is, also where nothing is known of it.
   bool may_write(const CaseFolder& folder) const
   {
     const std::string path = case_of(section_);
@@ -341,7 +336,6 @@ class Assessment {
     note_time();
   }
 
-  // -------------------------------------------------------------------------------------------------- case to result
 
   void check()
   {

@@ -1,5 +1,3 @@
-// terp bench: how fast the step is on this machine, pass by pass, against what the machine can do.
-
 #include "commands.hpp"
 #include "input/case_file.hpp"
 #include "input/printable.hpp"
@@ -15,7 +13,6 @@
 namespace terp {
 namespace {
 
-/// The paper's column, model 2, for `terp bench` without a case.
 constexpr const char* standard_case = R"(
 title = "the paper's column, model 2"
 [time]

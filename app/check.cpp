@@ -1,5 +1,3 @@
-// terp check: what would run, and how long it would take, without running it.
-
 #include "commands.hpp"
 #include "cost.hpp"
 #include "input/case_file.hpp"
@@ -135,7 +133,6 @@ void print_loads(const Model& model, const State& state)
   }
 }
 
-/// Where the river is taken to be, and the level that the ground is judged against.
 void print_flood(const FloodLevel& level)
 {
   if (!level.is_known()) return;
@@ -205,7 +202,6 @@ void print_profiles(const RunOptions& options, const Model& model, const State& 
     print_profile(model, state, x);
 }
 
-/// The undrained strength beside that of the slip planes that the case names.
 void print_strength_beside(const Model& model, const State& state)
 {
   for (const SlipPlaneCase& plane : model.description.slip_planes) {

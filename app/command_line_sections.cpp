@@ -1,5 +1,3 @@
-// The command line of import and assess.
-
 #include "command_parts.hpp"
 
 namespace terp {

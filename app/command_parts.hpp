@@ -14,7 +14,6 @@ namespace terp {
 inline constexpr const char* exit_statuses =
     "Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else";
 
-/// CLI11's page with our layout.
 std::shared_ptr<CLI::Formatter> help_page();
 
 /// A number from `least` to `most`, of which "nan" is none, or a whole number. The message says what is no number at

@@ -146,7 +146,6 @@ int export_run(const ExportCommand& command);
 int watch_run(const WatchCommand& command);
 int import_file(const ImportCommand& command);
 int assess_reach(AssessCommand command);
-/// The list of a D-Stability file, and its slices.
 int import_stix(const ImportCommand& command);
 
 }  // namespace terp

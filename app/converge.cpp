@@ -1,5 +1,3 @@
-// terp converge: one case on several cell sizes, to see what of its result the mesh decides.
-
 #include "converge_plan.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
@@ -66,7 +64,6 @@ std::string word(const PlannedRun& run, double seconds)
   return fmt::format("solved in {}", readable_duration(seconds));
 }
 
-/// All runs in turn. False: stopped before the last one was solved.
 bool solve_all(Plan& plan, const ConvergeOptions& options)
 {
   using Clock = std::chrono::steady_clock;

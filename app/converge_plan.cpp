@@ -1,6 +1,5 @@
-// For each sequence and size: the case with its changes, its mesh, and whether it differs from the case as given. Then
-// whether its run is there, and what is left of it costs, by trial steps. Cases are compared by their records, that is
-// by values. A variant that changes nothing is refused, as it would look as if it did not matter.
+// Cases are compared by their records, that is by values. A variant that changes nothing is refused, as it would look
+// as if it did not matter.
 
 #include "converge_plan.hpp"
 
@@ -65,7 +64,6 @@ std::vector<std::string> changes_of_variant(const std::string& text)
   return changes;
 }
 
-/// The sequences of a study as its options ask for them.
 class Sequences {
  public:
   std::vector<StudySequence> all{{"as given", {}, {}}};
@@ -149,7 +147,6 @@ void check_same_case(const std::string& folder, const CaseFile& file, const Mesh
           folder, changes));
 }
 
-/// What of a run is there, and the step from which it goes on.
 RunStart find_start(const std::string& folder, const CaseFile& file, const Mesh<2>& mesh, std::int64_t& step)
 {
   step = 0;
@@ -247,7 +244,6 @@ struct Planner {
     }
   }
 
-  /// A variant that changes nothing would be solved for nothing, and look as if its change did not matter.
   void check_that_it_differs(const StudySequence& s, std::string record, bool is_first)
   {
     if (is_first)

@@ -1,5 +1,3 @@
-// terp import: what a D-Stability file holds, and how Terp's stresses and strengths stand to the stored slices.
-
 #include "dstability/listing.hpp"
 #include "dstability/read_stix.hpp"
 #include "dstability/slices.hpp"

@@ -1,5 +1,3 @@
-// terp import of drawings, and into a case folder.
-
 #include "commands.hpp"
 #include "drawing/dxf_regions.hpp"
 #include "dstability/drawing_folder.hpp"

@@ -1,5 +1,3 @@
-// The program: reads the command line and calls one function per command.
-
 #include "base/closest.hpp"
 #include "command_line.hpp"
 #include "input/case_file.hpp"

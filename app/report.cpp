@@ -1,5 +1,3 @@
-// terp report, terp compare, terp export: what a run folder holds, as a page, as a table, in other formats.
-
 #include "commands.hpp"
 #include "input/case_file.hpp"
 #include "input/printable.hpp"

@@ -1,5 +1,3 @@
-// terp run and terp resume.
-
 #include "commands.hpp"
 #include "cost.hpp"
 #include "followers/followers.hpp"
@@ -316,7 +314,6 @@ std::string unquoted(const std::string& text)
   return text.size() > 1 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
 }
 
-/// Where a run begins that goes on from another one.
 struct Beginning {
   std::string path;  ///< of the checkpoint
   StateImage image;

@@ -1,5 +1,3 @@
-// terp stability: the factor of safety by strength reduction.
-
 #include "base/checksum.hpp"
 #include "commands.hpp"
 #include "input/case_file.hpp"
@@ -62,7 +60,6 @@ void warn_of_motion(const Case& c, const std::string& folder)
       fmt::print(stderr, "warning: {}: the side `{}` stands still in terp stability\n", folder, printable(side.side));
 }
 
-/// The case on cells of a size [m]; 0: as it is.
 CaseFile read_sized(const RunOptions& run, const CaseFile& as_given, double cell)
 {
   std::vector<std::string> changes = run.changes;
@@ -80,7 +77,6 @@ void look_nearby(const StabilityResult& coarser, BisectionOptions& search)
   search.to = coarser.search.highest();
 }
 
-/// Searches on one size of cells and writes what it finds.
 StabilityResult search_and_write(const RunOptions& run, const CaseFile& file, const StabilityOptions& options,
     const std::string& folder, std::vector<SizedFactor>& sizes)
 {

@@ -1,5 +1,3 @@
-// terp study: how probable a slide and a flood are; many runs of one case, or a table of its keys.
-
 #include "commands.hpp"
 #include "cost.hpp"
 #include "input/printable.hpp"

@@ -1,6 +1,5 @@
 // What is impossible is refused before a folder is made. Then the lock, and only under it anything is removed or
-// written. Results are written by a study as a whole; a part writes its store alone. A worker under a launcher is a
-// process of its own, which opens the study once more; rank 0 says what is wrong with it.
+// written. Results are written by a study as a whole; a part writes its store alone.
 
 #include "study_run.hpp"
 

@@ -1,5 +1,3 @@
-// terp verify: the cases of cases/verification against their references.
-
 #include "commands.hpp"
 
 #include "base/errors.hpp"

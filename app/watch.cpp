@@ -1,5 +1,3 @@
-// terp watch: how far a run is that another terp solves, from the files in its folder.
-
 #include "commands.hpp"
 #include "input/case_file.hpp"
 #include "output/files.hpp"

@@ -1,5 +1,4 @@
-// Equal buckets over all boxes, stored as one list of box numbers per bucket (first_of_bucket, as in a compressed
-// sparse row). The bucket of a position comes from a multiplication, so a look-up costs the boxes of one bucket. Boxes
+// Equal buckets over all boxes, stored as one list of box numbers per bucket (as in a compressed sparse row). Boxes
 // much larger than the others would fill many buckets; then the buckets are made larger until memory is bounded.
 #include "mesh/box_grid.hpp"
 

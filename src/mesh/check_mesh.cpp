@@ -1,8 +1,6 @@
-// From the simple to the expensive: numbers first, then each cell by itself, then cells that exist twice, then edges.
-// Edges are sorted by their nodes, so that an edge of more than two cells, and the boundary, can be read off. Hanging
-// nodes and double nodes lie on the boundary of connected cells. Overlap is tested last, between cell centres and cells
-// of other parts, and only if nothing else is wrong. A faulty cell takes no part in the later checks, so one fault is
-// reported once.
+// From the simple to the expensive: numbers, each cell by itself, cells that exist twice, edges. Hanging nodes and
+// double nodes lie on the boundary of connected cells. Overlap is tested last, and only if nothing else is wrong. A
+// faulty cell takes no part in the later checks, so one fault is reported once.
 #include "mesh/check_mesh.hpp"
 
 #include <algorithm>
@@ -91,7 +89,6 @@ std::string fault_of_shape(const Mesh<2>& mesh, Index cell)
   return "is degenerate, a corner is straight" + where;
 }
 
-/// Marks faulty cells, which then take no part in the other checks.
 void check_shapes(const Mesh<2>& mesh, std::vector<char>& usable, MeshFaults& faults)
 {
   for (Index e = 0; e < mesh.n_cells(); ++e) {

@@ -35,7 +35,6 @@ namespace {
 
 constexpr int stopped_itself = 3;  // exit status of a run that stops itself
 
-/// The call that a thread is in.
 struct Call {
   void* argument = nullptr;
   DescribeExit describe_exit = nullptr;

@@ -1,5 +1,3 @@
-// What threads.hpp and instructions.hpp say of the processors of this machine.
-
 #include "parallel/instructions.hpp"
 #include "parallel/threads.hpp"
 

@@ -1,6 +1,5 @@
-// Faults are collected, as a table with one fault mostly has more. Only the header stops at once: without the places of
-// the columns no row can be read. A decimal comma shows as about twice as many cells as columns, and is told once.
-// Cells are split at commas before quotes are taken off: a quoted cell cannot hold a comma.
+// Only the header stops at once: without the places of the columns no row can be read. A decimal comma shows as about
+// twice as many cells as columns. Cells are split at commas before quotes are taken off.
 
 #include "points/csv_rows.hpp"
 

@@ -1,8 +1,7 @@
 // A part of the lattice that no side crosses is whole or nothing, by the body at its middle. A part that is cut is
-// shared out exactly, and each piece stands at its centroid. Pieces within round-off of the whole become whole again,
-// so that an outline along the mesh gives the points of whole cells. Then the smallest sliver is merged into the
-// nearest piece that it sees, until none is left that can be. The taker grows and moves, so the order from small to
-// large is part of the result.
+// shared out exactly, and each piece stands at its centroid. Pieces within round-off of the whole become whole again.
+// Then the smallest sliver is merged into the nearest piece that it sees. The taker grows and moves, so the order from
+// small to large is part of the result.
 
 #include "points/cut_cell.hpp"
 

@@ -1,8 +1,7 @@
 // Level lines are left out: the lines that meet their ends give the heights at which strips begin. From left to right
 // through a strip, each line toggles whether the place is in its ring, so a ring may touch itself. A line outside of
-// the quadrilateral is moved to its nearest side, at the bottom, the middle and the top of the strip. There it still
-// toggles its ring, before or behind all soil. Trapezoids of one body join with those above that share part of a side;
-// a part stays whole if it holds its centroid.
+// the quadrilateral is moved to its nearest side: there it still toggles its ring, before or behind all soil.
+// Trapezoids of one body join with those above that share part of a side; a part stays whole if it holds its centroid.
 
 #include "points/overlay.hpp"
 

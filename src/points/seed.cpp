@@ -23,7 +23,6 @@
 namespace terp {
 namespace {
 
-/// The bodies, and what is asked of them for every cell.
 struct Drawing {
   const Mesh<2>& mesh;
   std::span<const BodyOutline> bodies;

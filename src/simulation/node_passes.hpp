@@ -8,7 +8,6 @@
 
 namespace terp {
 
-/// Sums of the cells around a node.
 struct NodeGather {
   Real mass = 0.0;
   Vec<2> momentum{0.0, 0.0}, internal_force{0.0, 0.0};

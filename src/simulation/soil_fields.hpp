@@ -21,7 +21,6 @@ FieldValue by_elevation(std::vector<Vec<2>> line);
 /// The same in the effective vertical stress [Pa] that a water situation gives; its name, empty: that of the start.
 FieldValue by_stress(std::vector<Vec<2>> line, std::string water);
 
-/// From a table of places.
 FieldValue by_map(ValueMap map);
 
 /// S_u = S sigma'_v (sigma'_p / sigma'_v)^m, at least `minimum`. sigma'_p = sigma'_v,daily + pop, or ocr times

@@ -57,7 +57,6 @@ struct Stage {
   bool is_last() const { return number + 1 == n_all; }
 };
 
-/// A stage that has ended.
 struct StageRecord {
   Real start = 0.0, end = 0.0;  ///< [s]
   std::int64_t steps = 0;

@@ -12,13 +12,11 @@
 
 namespace terp {
 
-/// A strength of a law at a point.
 struct ProfileStrength {
   std::string_view name, unit;  ///< of the law's table
   Real value;
 };
 
-/// A material point near the line.
 struct ProfileRow {
   Vec<2> x;     ///< [m]
   Real depth;   ///< below the ground at its x [m]; not a number if that is not known

@@ -65,7 +65,6 @@ bool is_folder(const std::string& path)
   return attributes != INVALID_FILE_ATTRIBUTES && (attributes & FILE_ATTRIBUTE_DIRECTORY) != 0;
 }
 
-/// Opens a file or a folder and closes it again.
 int try_to_open(const std::string& path, DWORD access)
 {
   const HANDLE file =

@@ -1,7 +1,6 @@
-// Bytes gather in `received_` until they have a whole line. Receiving never waits longer than it was told; sending
-// waits for as long as the other end lives and does not read. A connection is known by its number, not by its
-// descriptor, which the system gives to a later one again. wait() takes new connections on the way, and reports the end
-// of one after its last line.
+// Receiving never waits longer than it was told; sending waits for as long as the other end lives and does not read. A
+// connection is known by its number, not by its descriptor, which the system gives to a later one again. wait() takes
+// new connections on the way, and reports the end of one after its last line.
 
 #include "system/line_socket.hpp"
 

@@ -1,7 +1,6 @@
 // The child asks the kernel to be killed with us, so it is made by fork and not by posix_spawn. Between fork and its
 // own program it may ask for no memory, as another thread may have held the lock of the heap. Why a program did not
-// start comes back through a pipe, which a start closes. Its output is read until it closes it; a few times a second
-// the clock and the signals that wait are looked at.
+// start comes back through a pipe, which a start closes.
 
 #include "system/process.hpp"
 
