@@ -242,7 +242,6 @@ class Assessment {
     record_.case_found = digits_if_read(case_of(section_)).value_or("");
   }
 
-
   /// The stage that is asked for; by default the last one of the last scenario.
   void read_project()
   {
@@ -258,6 +257,7 @@ class Assessment {
     return is_stix(section_.file) && command_.import.trigger == "strength" && !is_changed_by_hand();
   }
 
+  /// A case that terp did not write stays as it is, also where nothing is known of it.
   bool may_write(const CaseFolder& folder) const
   {
     const std::string path = case_of(section_);
@@ -335,7 +335,6 @@ class Assessment {
     record_.has_trigger = true;
     note_time();
   }
-
 
   void check()
   {

@@ -60,6 +60,7 @@ void warn_of_motion(const Case& c, const std::string& folder)
       fmt::print(stderr, "warning: {}: the side `{}` stands still in terp stability\n", folder, printable(side.side));
 }
 
+/// cell: [m]; 0: as it is.
 CaseFile read_sized(const RunOptions& run, const CaseFile& as_given, double cell)
 {
   std::vector<std::string> changes = run.changes;
