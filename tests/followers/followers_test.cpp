@@ -1,10 +1,8 @@
-// The list of followers, and the tables of docs/formats.md against what runs report.
+// The list of followers: what they declare and what they report.
 #include "followers/followers.hpp"
 #include "output/files.hpp"
 #include "simulation/state_arrays.hpp"
-#include "support/paths.hpp"
 #include "support/simulations.hpp"
-#include <fmt/format.h>
 
 namespace followers_test {
 
@@ -64,29 +62,6 @@ TEST(Followers, OneAloneIsEnoughForARun)
   s.state = restore(s.model, make_image(s.state));
   EXPECT_EQ(keep_ledger(s.model, s.state, s.work)["rows"], 3.0);
   EXPECT_EQ(summarise(s.model, s.state).numbers.at("rows"), 3.0);
-}
-
-/// Whether docs/formats.md has this table as it must be.
-void expect_table(std::string_view file, std::string_view head, const std::vector<QuantityInfo>& quantities)
-{
-  std::string block = fmt::format("| {} | unit | meaning |\n|---|---|---|\n", head);
-  for (const QuantityInfo& q : quantities) block += fmt::format("| `{}` | {} | {} |\n", q.name, q.unit, q.meaning);
-  const std::string text = read_file(source_path("docs/formats.md"));
-  EXPECT_TRUE(text.find(block) != std::string::npos) << "the table of " << file << " must read\n" << block;
-}
-
-TEST(Formats, HaveTheColumnsOfEveryTable)
-{
-  for (const auto& table : all_tables()) expect_table(table->file(), "column", table->columns);
-}
-
-TEST(Formats, HaveTheNumbersOfTheSummary)
-{
-  std::vector<QuantityInfo> quantities;
-  for (const SummaryQuantity& quantity : summary_quantities()) quantities.push_back(quantity.info);
-  for (const FollowerType* type : all_followers())
-    quantities.insert(quantities.end(), type->summary.begin(), type->summary.end());
-  expect_table("summary.json", "key", quantities);
 }
 
 }  // namespace followers_test
