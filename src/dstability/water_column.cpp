@@ -6,7 +6,6 @@
 #include "base/interpolate.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace terp {

@@ -1,6 +1,5 @@
 #include "simulation/run_table.hpp"
 
-#include "base/errors.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -3,7 +3,6 @@
 
 #include "stability/trial.hpp"
 
-#include "base/errors.hpp"
 #include "simulation/point_parameters.hpp"
 #include "simulation/reduce.hpp"
 #include "simulation/run.hpp"

@@ -5,7 +5,6 @@
 #include "study/study.hpp"
 
 #include "base/checksum.hpp"
-#include "input/printable.hpp"
 #include "input/random_kind.hpp"
 #include "mesh/box_grid.hpp"
 #include "output/files.hpp"
@@ -23,7 +22,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 namespace terp {
 namespace {

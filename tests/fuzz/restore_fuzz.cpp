@@ -6,7 +6,6 @@
 #include "simulation/state_image.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace {
 
