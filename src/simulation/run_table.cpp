@@ -1,6 +1,5 @@
 #include "simulation/run_table.hpp"
 
-
 #include <algorithm>
 #include <limits>
 
