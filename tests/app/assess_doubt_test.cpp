@@ -1,4 +1,3 @@
-// terp assess and import of files that leave something in doubt.
 #include "dstability/archives.hpp"
 #include "support/process.hpp"
 

@@ -1,4 +1,3 @@
-// terp check: what would run, without running it.
 #include "app/coarse_column.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// terp converge, as a user meets it.
 #include "app/same_results.hpp"
 #include "system/process.hpp"
 #include "support/test.hpp"

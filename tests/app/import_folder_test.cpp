@@ -1,4 +1,3 @@
-// terp import -o, and of drawings, as a user meets them.
 #include "support/process.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// terp import, as a user meets it.
 #include "support/process.hpp"
 #include "support/test.hpp"
 

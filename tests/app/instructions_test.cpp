@@ -1,4 +1,3 @@
-// The program under each set of instructions that this machine has.
 #include "app/coarse_column.hpp"
 #include "output/checkpoint.hpp"
 #include "parallel/instructions.hpp"

@@ -1,4 +1,3 @@
-// The command line: help, version, words that are not commands, and the commands that only tell.
 #include "parallel/instructions.hpp"
 #include "report/page.hpp"
 #include "study/reliability.hpp"

@@ -1,4 +1,3 @@
-// What a run says while it goes on.
 #include "progress.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// terp report, compare, export and watch, as a user meets them.
 #include "app/coarse_column.hpp"
 #include "output/files.hpp"
 #include "simulation/passes.hpp"

@@ -1,4 +1,3 @@
-// terp resume, as a user meets it: files, messages, exit statuses.
 #include "app/same_results.hpp"
 #include "output/small_disk.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// terp run, as a user meets them: files, messages, exit statuses.
 #include "app/same_results.hpp"
 #include "output/small_disk.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// terp export --dxf and --profile: the section of a run for CAD.
 #include "coarse_column.hpp"
 #include "drawing/dxf_file.hpp"
 #include "points/polygon.hpp"

@@ -1,4 +1,3 @@
-// terp stability, as a user meets it: files and texts.
 #include "support/process.hpp"
 #include "support/test.hpp"
 #include <nlohmann/json.hpp>

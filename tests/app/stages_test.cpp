@@ -1,4 +1,3 @@
-// Stages and ends at rest, as a user meets them: files, messages, runs from the end of a stage.
 #include "app/same_results.hpp"
 #include "output/small_disk.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// terp study, as a user runs it.
 #include "../study/samples.hpp"
 #include "output/run_folder.hpp"
 #include "study/study_folder.hpp"

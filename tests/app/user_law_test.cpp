@@ -1,4 +1,3 @@
-// A law from a library in the program: checked, run, resumed in a folder that was moved, refused where it must be.
 #include "support/laws.hpp"
 #include "support/process.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// terp verify: what it prints, writes and returns.
 #include "support/process.hpp"
 #include "verification/ledger_samples.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Orders and limits of known sequences.
 #include "base/convergence.hpp"
 #include "support/test.hpp"
 

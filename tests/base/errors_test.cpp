@@ -1,4 +1,3 @@
-// The texts of errors, and that a broken assumption ends the program.
 #include "base/errors.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// Symmetric tensors against numbers by hand.
 #include "base/tensor.hpp"
 #include "parallel/pack.hpp"
 #include "support/test.hpp"

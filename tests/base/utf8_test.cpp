@@ -1,4 +1,3 @@
-// Texts in UTF-8.
 #include "base/utf8.hpp"
 #include "support/test.hpp"
 

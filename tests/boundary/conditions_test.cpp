@@ -1,4 +1,3 @@
-// Boundary conditions on nodal velocities: rollers, fixed and driven sides, contact planes, corners, inclined sides.
 #include "boundary/conditions.hpp"
 #include "base/errors.hpp"
 #include "support/meshes.hpp"

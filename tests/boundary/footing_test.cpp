@@ -1,4 +1,3 @@
-// The displacement of a rigid footing, and its effect on the nodes inside.
 #include "boundary/footing.hpp"
 #include "support/test.hpp"
 

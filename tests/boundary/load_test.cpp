@@ -1,4 +1,3 @@
-// The pressure of a load over time, and the step with which it begins.
 #include "boundary/load.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// The table of kinds: each entry is whole and in its place, and its words say what it does.
 #include "boundary/side_kind.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// Drawn sections as regions: what is carved, cut, filled and simplified, and what every section keeps.
 #include "drawing/clean_regions.hpp"
 #include "base/errors.hpp"
 #include "support/random.hpp"

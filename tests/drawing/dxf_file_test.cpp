@@ -1,4 +1,3 @@
-// DXF text: what is read, in which unit, and what is refused by its name and handle.
 #include "drawing/dxf_file.hpp"
 #include "base/errors.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Letters of DXF texts: UTF-8, code pages, escapes.
 #include "drawing/dxf_letters.hpp"
 #include "support/test.hpp"
 

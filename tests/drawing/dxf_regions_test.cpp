@@ -1,4 +1,3 @@
-// What the lines of a drawing enclose, and the names of it.
 #include "drawing/dxf_regions.hpp"
 #include "base/errors.hpp"
 #include "support/test.hpp"

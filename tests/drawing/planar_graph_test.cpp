@@ -1,4 +1,3 @@
-// Lines joined to a planar graph, and its faces.
 #include "drawing/planar_graph.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// Ground and outlines of points: level layers, a pile, and points in the air.
 #include "drawing/point_section.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// Chains of a section: where they end, what simplifying them keeps, and how areas are given.
 #include "drawing/region_chains.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// Case folders of D-Stability files and drawings: they can be read, weigh what the file says, and say what was assumed.
 #include "base/errors.hpp"
 #include "dstability/case_folder.hpp"
 #include "dstability/drawing_folder.hpp"

@@ -1,4 +1,3 @@
-// Text of case.toml: numbers, names, places and comments.
 #include "dstability/case_text.hpp"
 #include "input/printable.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Drawings as case folders to fill in.
 #include "dstability/drawing_folder.hpp"
 
 #include "sections.hpp"

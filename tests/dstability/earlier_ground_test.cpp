@@ -1,4 +1,3 @@
-// Ground that is built in stages: what is said of the stages before the analysed one.
 #include "dstability/earlier_ground.hpp"
 
 #include "sections.hpp"

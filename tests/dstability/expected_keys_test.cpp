@@ -1,5 +1,3 @@
-// Keys that are missing in a file that should have them: what is said, of which stages, and in which cases it is in
-// doubt.
 #include "dstability/expected_keys.hpp"
 
 #include "archives.hpp"

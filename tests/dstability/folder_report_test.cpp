@@ -1,4 +1,3 @@
-// report.md of an imported case.
 #include "dstability/folder_report.hpp"
 #include "support/test.hpp"
 

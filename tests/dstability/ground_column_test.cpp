@@ -1,4 +1,3 @@
-// Which layer holds where: nested ones, excavations, ends of the section, gaps.
 #include "points/polygon.hpp"
 #include "sections.hpp"
 

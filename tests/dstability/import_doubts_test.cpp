@@ -1,4 +1,3 @@
-// What speaks against an imported section, with the names of its layers.
 #include "dstability/import_doubts.hpp"
 
 #include "dstability/case_folder.hpp"

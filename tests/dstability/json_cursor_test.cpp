@@ -1,4 +1,3 @@
-// Typed access to JSON: empty values, faults with their paths, keys that nobody asked for.
 #include "dstability/json_cursor.hpp"
 
 #include "support/test.hpp"

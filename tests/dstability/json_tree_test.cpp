@@ -1,4 +1,3 @@
-// JSON texts as trees, and what is refused.
 #include "dstability/json_tree.hpp"
 
 #include "base/errors.hpp"

@@ -1,4 +1,3 @@
-// The list of a project for programs.
 #include "dstability/listing.hpp"
 #include "sections.hpp"
 

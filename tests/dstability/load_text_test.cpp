@@ -1,4 +1,3 @@
-// Uniform loads of a stage as tables of a case.
 #include "dstability/load_text.hpp"
 
 #include "sections.hpp"

@@ -1,5 +1,4 @@
-// Yield stresses of SHANSEP soil as a case says them: one POP, or a grid. Stresses by hand:
-// tests/dstability/sections.hpp.
+// Stresses by hand: tests/dstability/sections.hpp.
 #include "dstability/preload.hpp"
 
 #include "sections.hpp"

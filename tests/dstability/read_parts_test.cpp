@@ -1,4 +1,3 @@
-// The members that make a stage: what is taken, turned, left out and refused.
 #include "archives.hpp"
 
 namespace read_parts_test {

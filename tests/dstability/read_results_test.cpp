@@ -1,4 +1,3 @@
-// Stored results: what their numbers mean in each version.
 #include "archives.hpp"
 
 namespace read_results_test {

@@ -1,4 +1,3 @@
-// Soils of both data models.
 #include "archives.hpp"
 
 namespace read_soils_test {

@@ -1,4 +1,3 @@
-// D-Stability files of both data models, and what is wrong with damaged ones.
 #include "archives.hpp"
 #include "dstability/section.hpp"
 

@@ -1,4 +1,3 @@
-// Stored slip planes as tables of a case.
 #include "dstability/reference_text.hpp"
 
 #include "sections.hpp"

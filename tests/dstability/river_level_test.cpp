@@ -1,4 +1,3 @@
-// A stage of a file with its river at another level, and the case of it.
 #include "dstability/river_level.hpp"
 
 #include "base/errors.hpp"

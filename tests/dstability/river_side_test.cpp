@@ -1,4 +1,3 @@
-// At which end of a section the river is.
 #include "dstability/case_folder.hpp"
 #include "dstability/river_side.hpp"
 #include "dstability/sections.hpp"

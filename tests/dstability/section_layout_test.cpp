@@ -1,4 +1,3 @@
-// The layout of a section: crest, height, cells, what is filled below the base, what a phreatic line cuts.
 #include "dstability/section_layout.hpp"
 #include "points/body_outline.hpp"
 #include "support/problems.hpp"

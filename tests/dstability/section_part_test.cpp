@@ -1,4 +1,3 @@
-// The part of a section that a case takes over by default.
 #include "dstability/section_part.hpp"
 #include "support/problems.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// The table of defaults by kind of soil: which row a soil gets, and what is refused.
 #include "dstability/soil_defaults.hpp"
 #include "points/csv_rows.hpp"
 #include "support/test.hpp"

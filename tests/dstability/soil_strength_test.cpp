@@ -1,4 +1,3 @@
-// Strengths against numbers that D-Stability stored, and by hand.
 #include "dstability/soil_strength.hpp"
 
 #include "support/test.hpp"

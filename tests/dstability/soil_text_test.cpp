@@ -1,4 +1,3 @@
-// Soils of a D-Stability file as materials: hand numbers, and what is refused.
 #include "dstability/soil_text.hpp"
 
 #include "sections.hpp"

@@ -1,4 +1,3 @@
-// Stages of an imported case as text.
 #include "dstability/stage_text.hpp"
 #include "support/test.hpp"
 

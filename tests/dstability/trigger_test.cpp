@@ -1,4 +1,3 @@
-// The river of a stage at another level, and the case that goes there.
 #include <fmt/format.h>
 
 #include "dstability/case_folder.hpp"

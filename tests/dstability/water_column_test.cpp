@@ -1,4 +1,3 @@
-// Pressures of lines and meshes by hand.
 #include "sections.hpp"
 
 namespace water_column_test {

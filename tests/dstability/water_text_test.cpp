@@ -1,4 +1,4 @@
-// The water of a stage as a case has it. Pressures by hand: gamma_w = 10 kN/m3.
+// Pressures by hand: gamma_w = 10 kN/m3.
 #include "dstability/water_text.hpp"
 
 #include "sections.hpp"

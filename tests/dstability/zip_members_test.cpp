@@ -1,4 +1,3 @@
-// Zip files, sound, damaged, and made to fill the memory.
 #include "dstability/zip_members.hpp"
 
 #include "archives.hpp"

@@ -1,4 +1,3 @@
-// The ground that holds water, drawn point by point. The answers follow from the drawing.
 #include "events/barrier.hpp"
 #include "meshing/structured.hpp"
 #include "support/blocks.hpp"

@@ -1,4 +1,3 @@
-// The crest and the second failure, on histories made by hand.
 #include "events/crest.hpp"
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"

@@ -1,4 +1,3 @@
-// Soil that is away from where it began.
 #include "events/moved.hpp"
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"

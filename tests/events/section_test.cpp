@@ -1,4 +1,3 @@
-// The slopes of sections drawn by hand.
 #include "events/section.hpp"
 #include "support/test.hpp"
 

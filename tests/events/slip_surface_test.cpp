@@ -1,4 +1,3 @@
-// The slip surface as a line, on soil that shears in a band drawn by hand.
 #include "events/slip_surface.hpp"
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"

@@ -1,4 +1,3 @@
-// The points that make the surface, on lattices of several shapes.
 #include "events/top_points.hpp"
 #include "support/blocks.hpp"
 #include "support/test.hpp"

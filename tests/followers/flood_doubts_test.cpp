@@ -1,4 +1,3 @@
-// What [flood] says of a crest that the cells do not resolve, before a run.
 #include "warnings/flood_warnings.hpp"
 
 #include "followers/flood_dike.hpp"

@@ -1,4 +1,3 @@
-// The verdict on the water, of soil that is drawn anew at each row of the ledger.
 #include "followers/flood_dike.hpp"
 #include "warnings/flood_warnings.hpp"
 #include "simulation/other_run.hpp"

@@ -1,4 +1,3 @@
-// Verdicts on the water of a section that was made to fail.
 #include "followers/flood_dike.hpp"
 #include "support/stages.hpp"
 

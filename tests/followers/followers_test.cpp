@@ -1,4 +1,3 @@
-// The list of followers: what they declare and what they report.
 #include "followers/followers.hpp"
 #include "output/files.hpp"
 #include "simulation/state_arrays.hpp"

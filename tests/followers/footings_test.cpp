@@ -1,4 +1,3 @@
-// What a footing meets: momentum and energy that it gives, the rows it leaves, and who warns of it.
 #include "simulation/footings.hpp"
 #include "warnings/setup_warnings.hpp"
 #include "support/simulations.hpp"

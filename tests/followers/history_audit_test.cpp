@@ -1,4 +1,3 @@
-// Where the strain history of a point does not obey its law.
 #include "simulation/follower.hpp"
 #include "support/law_cases.hpp"
 #include "support/simulations.hpp"

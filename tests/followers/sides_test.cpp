@@ -1,4 +1,3 @@
-// When soil comes to the sides of the mesh.
 #include "simulation/follower.hpp"
 #include "support/simulations.hpp"
 

@@ -1,4 +1,3 @@
-// What is followed of the failure while the column of the paper collapses, on coarse cells.
 #include "followers/followers.hpp"
 #include "support/simulations.hpp"
 #include "support/stages.hpp"

@@ -1,4 +1,3 @@
-// The share of the soil that lost more than half of what softening takes.
 #include "simulation/follower.hpp"
 #include "support/simulations.hpp"
 

@@ -1,4 +1,3 @@
-// What a run reports of its softening length.
 #include "support/simulations.hpp"
 
 namespace softening_length_test {

@@ -1,4 +1,3 @@
-// Damping: against the motion, as large as its share of the out-of-balance force, none at rest.
 #include "forces/damping.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// Gradients at the points themselves, and the force and strain of standard MPM that rest on them.
 #include "forces/point_gradients.hpp"
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"

@@ -1,4 +1,3 @@
-// The force of water on soil that fills a distorted mesh, against integrals by hand.
 #include "forces/pore_pressure.hpp"
 #include "simulation/cell_passes.hpp"
 #include "simulation/nodal_water.hpp"

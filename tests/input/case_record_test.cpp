@@ -1,4 +1,3 @@
-// The record of a case sees every value that the solver sees, and nothing else.
 #include "input/case_record.hpp"
 #include "base/errors.hpp"
 #include "input/samples.hpp"

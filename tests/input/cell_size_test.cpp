@@ -1,4 +1,3 @@
-// Cells of another size, for each kind of mesh.
 #include "input/cell_size.hpp"
 #include "input/samples.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Parameters that vary, from the text of a case to the value at a place.
 #include "input/field_kinds.hpp"
 #include "input/case_file.hpp"
 #include "input/case_record.hpp"

@@ -1,4 +1,3 @@
-// Letters that toml++ must not see, and what comes back.
 #include "input/lifted_text.hpp"
 #include "input/document.hpp"
 #include "support/test.hpp"

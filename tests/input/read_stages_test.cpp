@@ -1,4 +1,3 @@
-// The cases of the stages of a run.
 #include "input/reader.hpp"
 #include "input/render.hpp"
 #include "input/samples.hpp"

@@ -1,4 +1,3 @@
-// What people write instead of TOML: each has its cure; and what has none keeps the words of the parser.
 #include "input/syntax_advice.hpp"
 #include "input/samples.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Water on a grid of places: what a table gives between its places and beyond them, and how it is kept.
 #include "input/case_file.hpp"
 #include "input/other_files.hpp"
 #include "input/samples.hpp"

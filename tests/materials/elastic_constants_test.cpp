@@ -1,4 +1,3 @@
-// The bulk modulus that follows from G and nu.
 #include "materials/elastic_constants.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// Linear elasticity: stress by hand, no history, no plastic work.
 #include "materials/elastic_constants.hpp"
 #include "materials/probe.hpp"
 #include "support/test.hpp"

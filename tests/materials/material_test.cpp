@@ -1,4 +1,3 @@
-// The list of laws and the ranges of their parameters.
 #include "materials/material.hpp"
 #include "support/test.hpp"
 

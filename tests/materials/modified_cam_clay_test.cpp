@@ -1,5 +1,4 @@
-// Modified Cam-Clay against its closed forms: lines of compression, undrained strength, critical state, one-dimensional
-// compression, and what it does without pressure. Twins are written from the equations, in rates.
+// Modified Cam-Clay against its closed forms. Twins are written from the equations, in rates.
 #include "materials/probe.hpp"
 #include "support/random.hpp"
 #include "support/test.hpp"

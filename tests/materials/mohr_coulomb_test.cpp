@@ -1,5 +1,3 @@
-// Mohr-Coulomb with softening: paths of the laboratory in closed form, the curve of the softening, and what must hold
-// for any path.
 #include "materials/probe.hpp"
 #include "support/random.hpp"
 #include "support/test.hpp"

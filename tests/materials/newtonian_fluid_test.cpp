@@ -1,4 +1,3 @@
-// Weakly compressible fluid: pressure from volume, shear stress from rate, and how it tears and closes.
 #include "materials/probe.hpp"
 #include "support/test.hpp"
 

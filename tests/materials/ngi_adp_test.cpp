@@ -1,4 +1,3 @@
-// Strength by direction of shearing against its closed forms, and against Tresca's law where all directions are equal.
 #include "materials/probe.hpp"
 #include "support/random.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Laws whose strength follows a nonlocal strain: perfectly plastic within a step, softened by what comes from around.
 #include "materials/nonlocal.hpp"
 
 #include "materials/probe.hpp"

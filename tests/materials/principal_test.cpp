@@ -1,4 +1,3 @@
-// Principal values and directions of plane tensors, their order with zz, and the way back.
 #include "materials/principal.hpp"
 #include "support/random.hpp"
 #include "support/test.hpp"

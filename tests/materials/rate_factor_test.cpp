@@ -1,5 +1,4 @@
-// Strength that the rate of shearing raises, in tresca_softening: steady shear, any time step, relaxation. The return
-// itself is solved for many trials in tresca_softening_test.cpp.
+// The return itself is solved for many trials in tresca_softening_test.cpp.
 #include "materials/rate_factor.hpp"
 #include "materials/tresca_soil.hpp"
 #include "support/test.hpp"

@@ -1,5 +1,3 @@
-// Laws whose strength follows a plastic strain scaled by the cell: energy of a band, history, and the law itself where
-// the scale is 1.
 #include "materials/scaled_softening.hpp"
 
 #include "materials/probe.hpp"

@@ -1,4 +1,3 @@
-// Where the points keep the numbers of a law, and what they are asked for by role.
 #include "materials/soil_material.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// The grid of boxes finds every box and stays small.
 #include "mesh/box_grid.hpp"
 #include "support/random.hpp"
 #include "support/test.hpp"

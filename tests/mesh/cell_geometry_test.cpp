@@ -1,5 +1,3 @@
-// The isoparametric map of one cell: a trapezium by hand, general quadrilaterals by exact properties, and the inverse
-// map.
 #include "mesh/cell_geometry.hpp"
 #include "support/meshes.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Each kind of mesh that the method could not work on is refused with its cell, its nodes and what to do.
 #include "mesh/check_mesh.hpp"
 #include "support/meshes.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// The geometry of eight cells in lanes is that of each cell.
 #include "mesh/geometry_lanes.hpp"
 #include "mesh/mesh.hpp"
 #include "support/meshes.hpp"

@@ -1,4 +1,3 @@
-// Which cell contains a position: on distorted meshes, on sides and corners, outside, from any first guess.
 #include "mesh/locate.hpp"
 #include "support/meshes.hpp"
 #include "support/test.hpp"

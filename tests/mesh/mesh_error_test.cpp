@@ -1,4 +1,3 @@
-// The names of cells and nodes, and the texts of faults.
 #include "mesh/mesh_error.hpp"
 #include "support/test.hpp"
 

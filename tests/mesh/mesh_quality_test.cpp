@@ -1,4 +1,3 @@
-// The numbers of a mesh's quality by hand, and the lines that `terp check` prints.
 #include "mesh/mesh_quality.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// The background mesh: a small rectangle by hand, and what connect() must find on any quadrilaterals.
 #include "mesh/mesh.hpp"
 #include "support/meshes.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// The outer sub-cells around a cell: where they lie, and that both cells see them alike.
 #include "mesh/patch.hpp"
 
 #include "support/meshes.hpp"

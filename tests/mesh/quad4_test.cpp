@@ -1,4 +1,3 @@
-// Bilinear shape functions: values and derivatives by hand, and what they must reproduce.
 #include "mesh/quad4.hpp"
 #include "support/test.hpp"
 

@@ -1,5 +1,3 @@
-// A hundred thousand random positions in twenty random meshes: found, owned by one cell, mapped back, and followed when
-// they move.
 #include "mesh/locate.hpp"
 #include "points/move.hpp"
 #include "support/blocks.hpp"

@@ -1,4 +1,3 @@
-// Files in other formats, converted by gmsh: the same mesh, and what is said where that is not possible.
 #include "meshing/msh_content.hpp"
 #include "meshing/msh_text.hpp"
 #include "system/process.hpp"

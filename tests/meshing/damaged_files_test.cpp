@@ -1,5 +1,4 @@
-// Damaged gmsh files, thousands of them: each gives a mesh that passes the checks, or a MeshError. Never a crash, never
-// a hang.
+// Each of thousands of damaged gmsh files gives a mesh that passes the checks, or a MeshError: no crash, no hang.
 #include "mesh/check_mesh.hpp"
 #include "meshing/msh_text.hpp"
 #include "support/process.hpp"

@@ -1,4 +1,3 @@
-// Meshes that gmsh makes from polygons: quadrilaterals only, sides named, sizes as asked, the same bytes each time.
 // What needs gmsh is skipped where it is not installed.
 #include "meshing/generate.hpp"
 #include "mesh/check_mesh.hpp"

@@ -1,4 +1,3 @@
-// The script for gmsh, line by line, and the size that it asks for.
 #include "meshing/geo_text.hpp"
 #include "mesh/mesh_error.hpp"
 #include "support/test.hpp"

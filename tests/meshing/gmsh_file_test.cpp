@@ -1,4 +1,3 @@
-// Real files of gmsh, text and binary, names of sides and regions, and what cannot be a mesh for Terp.
 #include "meshing/gmsh_file.hpp"
 #include "meshing/msh_text.hpp"
 #include "support/meshes.hpp"

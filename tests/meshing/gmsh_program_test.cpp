@@ -1,4 +1,3 @@
-// The folder in which gmsh works, and gmsh as a program; here a stand-in.
 #include "meshing/gmsh_program.hpp"
 #include "mesh/mesh_error.hpp"
 #include "support/environment.hpp"

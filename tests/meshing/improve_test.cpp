@@ -1,4 +1,3 @@
-// Moving nodes so that the worst cells grow.
 #include "meshing/improve.hpp"
 #include "support/meshes.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Where generated meshes are kept.
 #include "meshing/mesh_cache.hpp"
 #include "support/environment.hpp"
 #include "support/process.hpp"

@@ -1,4 +1,3 @@
-// Reading the sections of gmsh's files: what is understood, and where a malformed file goes wrong, by line or byte.
 #include "meshing/msh_content.hpp"
 #include "meshing/msh_text.hpp"
 #include "support/process.hpp"

@@ -1,4 +1,3 @@
-// Numbers of a mesh file as text and as bytes, and the place where reading stands.
 #include "meshing/msh_scanner.hpp"
 #include "meshing/msh_text.hpp"
 #include "support/test.hpp"

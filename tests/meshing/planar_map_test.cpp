@@ -1,4 +1,3 @@
-// Polygons cut by outlines: how many faces, their area, and what is refused.
 #include "meshing/planar_map.hpp"
 #include "mesh/mesh_error.hpp"
 #include "support/random.hpp"

@@ -1,4 +1,3 @@
-// How many cells a polygon will have, before gmsh is asked.
 #include "meshing/polygon_mesh.hpp"
 #include "support/test.hpp"
 

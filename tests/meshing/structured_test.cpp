@@ -1,4 +1,3 @@
-// Graded and mapped rectangles: sizes, exact shear, places on curved sides, names.
 #include "meshing/structured.hpp"
 #include "mesh/check_mesh.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Squares of a turned grid inside a polygon: all inside, none that touch at a corner alone, lines and loops that close.
 #include "meshing/turned_squares.hpp"
 #include "support/test.hpp"
 #include <span>

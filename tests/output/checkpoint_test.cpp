@@ -1,4 +1,3 @@
-// Checkpoints come back to the bit or not at all.
 #include "output/checkpoint.hpp"
 #include "output/files.hpp"
 #include "output/hdf5_file.hpp"

@@ -1,4 +1,3 @@
-// gzip and its checksum.
 #include "output/compress.hpp"
 #include "base/errors.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Writing files whole or not at all.
 #include "output/files.hpp"
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"

@@ -1,4 +1,3 @@
-// The files of frames and their index: names, what each states about itself, damage, removal.
 #include "output/frame_files.hpp"
 #include "output/point_frames.hpp"
 #include "output/run_folder.hpp"

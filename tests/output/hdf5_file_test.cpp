@@ -1,4 +1,3 @@
-// What Terp needs from HDF5: arrays with checksums, attributes, clear errors.
 #include "output/hdf5_file.hpp"
 #include "output/files.hpp"
 #include "output/samples.hpp"

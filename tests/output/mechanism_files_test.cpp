@@ -1,4 +1,3 @@
-// What the mechanism of a search leaves in a folder.
 #include "output/mechanism_files.hpp"
 #include "output/hdf5_file.hpp"
 #include "simulation/simulation.hpp"

@@ -1,4 +1,3 @@
-// A frame of the points: what is written is read back.
 #include "output/point_frames.hpp"
 #include "output/run_folder.hpp"
 #include "output/samples.hpp"

@@ -1,4 +1,3 @@
-// The folder of a run, and what becomes of what is already in it.
 #include "output/run_folder.hpp"
 #include "output/files.hpp"
 #include "output/samples.hpp"

@@ -1,4 +1,3 @@
-// The files of a whole run, and of one that was resumed.
 #include "output/run_writer.hpp"
 #include "output/checkpoint.hpp"
 #include "output/samples.hpp"

@@ -1,4 +1,3 @@
-// The water on the drawing of a section, by what it names.
 #include "output/section_svg.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"

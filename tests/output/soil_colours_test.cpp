@@ -1,4 +1,3 @@
-// Colours of soils: given, by name, else one of eight.
 #include "output/soil_colours.hpp"
 #include "support/test.hpp"
 

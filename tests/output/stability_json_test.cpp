@@ -1,4 +1,3 @@
-// What a search for a factor of safety leaves: the JSON and the text.
 #include "output/stability_json.hpp"
 #include "output/files.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// summary.json.
 #include "output/summary_json.hpp"
 #include "output/files.hpp"
 #include "output/samples.hpp"

@@ -1,4 +1,3 @@
-// Parts of drawings.
 #include "output/svg.hpp"
 #include "support/test.hpp"
 

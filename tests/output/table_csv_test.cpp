@@ -1,4 +1,3 @@
-// history.csv and ledger.csv.
 #include "output/table_csv.hpp"
 #include "output/samples.hpp"
 #include "support/paths.hpp"

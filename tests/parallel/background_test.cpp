@@ -1,4 +1,3 @@
-// Background work: in order, errors to the next caller, nothing lost at the end.
 #include "parallel/background.hpp"
 #include "support/without_threads.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Which set of instructions is taken, and what is said when it cannot be.
 #include "parallel/instructions.hpp"
 #include "support/test.hpp"
 #include <cstdlib>

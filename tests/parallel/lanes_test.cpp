@@ -1,4 +1,3 @@
-// Packs turned: numbers side by side to lanes and back, and four sums at once.
 #include "parallel/lanes.hpp"
 #include "support/random.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Arrays of zeros: zero at first and again when made anew, and without memory where nobody wrote.
 #include "parallel/memory.hpp"
 #include "support/test.hpp"
 

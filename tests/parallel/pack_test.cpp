@@ -1,4 +1,3 @@
-// Packs: eight numbers at once give what one number at a time gives, and the exponential is exact to 1e-15.
 #include "parallel/pack.hpp"
 #include "support/random.hpp"
 #include "support/test.hpp"

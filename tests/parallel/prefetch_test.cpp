@@ -1,4 +1,3 @@
-// Fetching ahead changes no number.
 #include "parallel/prefetch.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// Packs turned eight by eight, eight sums at once, parts of packs at any address, and a table looked up lane by lane.
 #include "parallel/tables.hpp"
 #include "support/random.hpp"
 #include "support/test.hpp"

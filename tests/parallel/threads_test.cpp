@@ -1,4 +1,3 @@
-// The parallel loop: every chunk once, whatever the number of threads; many tiny jobs; the same bits for any count.
 #include "parallel/threads.hpp"
 #include "support/without_threads.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Threads that take turns.
 #include "parallel/turn.hpp"
 #include "support/test.hpp"
 #include <atomic>

@@ -1,4 +1,3 @@
-// Bodies: what a polygon with holes covers, and what makes an outline no body.
 #include "points/body_outline.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// Points of one body in a cut cell: whole parts stay on the lattice, pieces lie at their centroids, slivers are merged.
 #include "points/cut_cell.hpp"
 #include "support/meshes.hpp"
 #include "support/test.hpp"

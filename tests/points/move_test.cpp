@@ -1,4 +1,3 @@
-// Points that left their cell are found again with all they carry; those that left the mesh are put back and counted.
 #include "points/move.hpp"
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"

@@ -1,4 +1,3 @@
-// How much soil has room in some cells.
 #include "points/overfull.hpp"
 #include "support/test.hpp"
 

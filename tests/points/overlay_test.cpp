@@ -1,4 +1,3 @@
-// A quadrilateral shared out between bodies: areas, centroids, and what hangs together.
 #include "points/overlay.hpp"
 #include "support/meshes.hpp"
 #include "support/test.hpp"

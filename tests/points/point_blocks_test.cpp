@@ -1,4 +1,3 @@
-// The store of material points: nothing is lost, nothing is mixed up, padding carries no mass.
 #include "points/point_blocks.hpp"
 #include "support/random.hpp"
 #include "support/test.hpp"

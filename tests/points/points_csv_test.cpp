@@ -1,4 +1,3 @@
-// Tables of points: read in any order of columns; faults with their line, up to ten at once.
 #include "points/points_csv.hpp"
 #include "support/paths.hpp"
 #include "support/test.hpp"

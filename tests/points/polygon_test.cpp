@@ -1,4 +1,3 @@
-// Polygons: inside or outside, heights over a vertical, area, the part in a box.
 #include "points/polygon.hpp"
 #include "support/test.hpp"
 

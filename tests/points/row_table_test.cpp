@@ -1,4 +1,3 @@
-// The list of what a point carries: fixed rows first, the same row shared, and where each lies in a block.
 #include "points/row_table.hpp"
 #include "points/point_blocks.hpp"
 #include "support/test.hpp"

@@ -1,5 +1,3 @@
-// Bodies cut anyhow by the mesh: mass, centroid, places and surface of their points, on regular and on strongly
-// distorted meshes.
 #include "points/seed.hpp"
 #include "mesh/locate.hpp"
 #include "support/meshes.hpp"

@@ -1,5 +1,4 @@
-// First material points: their lattice, their volume, and which body a place belongs to. Bodies that outlines cut
-// anyhow: seed_cut_test.cpp.
+// Bodies that outlines cut anyhow: seed_cut_test.cpp.
 #include "points/seed.hpp"
 #include "support/meshes.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Values at places: bilinear on a grid, by inverse square distance elsewhere.
 #include "points/values_csv.hpp"
 #include "support/test.hpp"
 

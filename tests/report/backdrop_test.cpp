@@ -1,4 +1,3 @@
-// Mesh, outline and surface as lines.
 #include "report/backdrop.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// Values to codes to bytes, and back.
 #include "report/codec.hpp"
 #include "support/random.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Events and checks as JSON.
 #include "report/failure_json.hpp"
 #include "support/test.hpp"
 #include <nlohmann/json.hpp>

@@ -1,4 +1,3 @@
-// Lines that move with the points: what each place is attached to.
 #include "report/layers.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// A chart as SVG text.
 #include "report/line_chart.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// The page of a study of cell sizes.
 #include "report/mesh_study_page.hpp"
 #include "results/runs.hpp"
 #include "support/test.hpp"

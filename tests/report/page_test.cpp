@@ -1,4 +1,3 @@
-// The page around the data.
 #include "report/page.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// The document of a report and its chunks, from folders written by hand.
 #include "report/payload.hpp"
 #include "output/compress.hpp"
 #include "report/codec.hpp"

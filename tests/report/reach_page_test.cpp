@@ -1,4 +1,3 @@
-// The page of a reach.
 #include "report/reach_page.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// What a report shows of the points, from files written by hand.
 #include "report/shown.hpp"
 #include "results/runs.hpp"
 #include "support/random.hpp"

@@ -1,4 +1,3 @@
-// In what two cases differ.
 #include "results/compare.hpp"
 #include "support/test.hpp"
 

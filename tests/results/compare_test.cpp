@@ -1,4 +1,3 @@
-// Runs side by side.
 #include "results/compare.hpp"
 #include "results/runs.hpp"
 #include "support/test.hpp"

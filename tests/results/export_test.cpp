@@ -1,4 +1,3 @@
-// Frames as CSV.
 #include "results/export.hpp"
 #include "results/runs.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Frames read as they were written.
 #include "results/frames.hpp"
 #include "results/runs.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// What was changed in an imported case, in sentences.
 #include "results/import_changes.hpp"
 
 #include "support/paths.hpp"

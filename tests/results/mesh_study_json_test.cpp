@@ -1,4 +1,3 @@
-// convergence.json, and what docs/formats.md says of it.
 #include "results/mesh_study.hpp"
 #include "results/runs.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// What sizes of cells say of a measure: manufactured sequences.
 #include "results/mesh_study.hpp"
 #include "results/runs.hpp"
 #include "results/sequences.hpp"

@@ -1,4 +1,3 @@
-// Tables of a reach.
 #include "results/reach.hpp"
 #include "output/files.hpp"
 #include "support/paths.hpp"

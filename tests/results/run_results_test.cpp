@@ -1,4 +1,3 @@
-// A run folder as a whole.
 #include "results/run_results.hpp"
 #include "output/checkpoint.hpp"
 #include "results/runs.hpp"

@@ -1,4 +1,3 @@
-// Tables read as they were written.
 #include "results/table.hpp"
 #include "results/runs.hpp"
 #include "followers/followers.hpp"

@@ -1,5 +1,4 @@
-// What the schemes make of stresses and states, by averages and by the pressure of the cell, is back inside the yield
-// surface after each step.
+// What averages and the pressure of the cell make of a stress is back inside the yield surface after each step.
 #include "materials/probe.hpp"
 #include "support/simulations.hpp"
 

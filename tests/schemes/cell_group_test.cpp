@@ -1,4 +1,3 @@
-// Cells side by side in packs: two materials in a cell, and that a lane knows nothing of its neighbours.
 #include "schemes/gauss_gather.hpp"
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"

@@ -1,4 +1,3 @@
-// The helpers that schemes share: rotation, sums over padded blocks, ties.
 #include "schemes/cell_view.hpp"
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"

@@ -1,5 +1,3 @@
-// Soils that slip along their border in the cells that it cuts: its direction, equal shear stress on both sides, the
-// stiffness of a laminate, and what must not change.
 #include "schemes/cut_cells.hpp"
 
 #include "materials/material.hpp"

@@ -1,4 +1,3 @@
-// MPM-GP: what a material point keeps for itself, and what it takes from its cell.
 #include "support/random.hpp"
 #include "support/simulations.hpp"
 

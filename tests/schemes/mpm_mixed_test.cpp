@@ -1,4 +1,3 @@
-// MPM-Mixed: what the points of a cell are given, and how fast that diffuses a state that only moves.
 #include "support/simulations.hpp"
 
 namespace mpm_mixed_test {

@@ -1,5 +1,4 @@
-// The stress of a turning body turns with it under the Jaumann rate, and stays without it, in every scheme (reading
-// R17).
+// The stress of a turning body turns with it under the Jaumann rate, and stays without it (reading R17).
 #include "support/simulations.hpp"
 
 namespace objective_rate_test {

@@ -1,5 +1,3 @@
-// Whole steps with shares that overlap, of the schemes that look at them: rest stays rest, uniform strain stays
-// uniform, the same bits on any number of threads and after a restart, momentum and energy.
 #include "support/simulations.hpp"
 
 namespace overlap_test {

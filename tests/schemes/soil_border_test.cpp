@@ -1,4 +1,3 @@
-// The border of two soils in a cell: the direction that the points show, a band, and where it lies.
 #include "schemes/soil_border.hpp"
 
 #include "support/simulations.hpp"

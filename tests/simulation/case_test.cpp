@@ -1,4 +1,3 @@
-// The little that a case computes: where its files lie, how fast a body is at a place.
 #include "simulation/case.hpp"
 #include "support/test.hpp"
 

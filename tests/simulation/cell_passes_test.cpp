@@ -1,4 +1,3 @@
-// The motion of points within a step, and who is reported to have left a cell.
 #include "simulation/cell_passes.hpp"
 #include "support/blocks.hpp"
 #include "support/test.hpp"

@@ -1,5 +1,3 @@
-// A chain of stages is one run: the same rows, the same time step, the same bits from wherever it goes on; and what
-// acts at t = 0 is what the first stage has then.
 #include "simulation/nodal_water.hpp"
 #include "simulation/other_run.hpp"
 #include "simulation/overburden.hpp"

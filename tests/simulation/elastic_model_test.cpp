@@ -1,4 +1,3 @@
-// Soil without a limit to its strength, and runs with divided strengths that begin with it.
 #include "simulation/elastic_model.hpp"
 #include "simulation/reduce.hpp"
 #include "support/simulations.hpp"

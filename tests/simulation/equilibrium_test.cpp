@@ -1,4 +1,3 @@
-// The search for equilibrium.
 #include "simulation/equilibrium.hpp"
 #include "simulation/no_equilibrium.hpp"
 #include "support/simulations.hpp"

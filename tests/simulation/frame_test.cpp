@@ -1,4 +1,3 @@
-// The fields that results show: sorted by id, with the names, units and sizes that the formats promise.
 #include "simulation/frame.hpp"
 #include "simulation/frame_fields.hpp"
 #include "support/paths.hpp"

@@ -1,4 +1,3 @@
-// What makes a run stop itself, and what it then says.
 #include "followers/followers.hpp"
 #include "simulation/guards.hpp"
 #include "support/simulations.hpp"

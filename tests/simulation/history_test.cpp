@@ -1,4 +1,3 @@
-// The named points over time.
 #include "simulation/history.hpp"
 #include "support/simulations.hpp"
 

@@ -1,4 +1,3 @@
-// The stress with which a run starts.
 #include "simulation/initial.hpp"
 #include "support/simulations.hpp"
 #include "support/stages.hpp"

@@ -1,5 +1,3 @@
-// What every step keeps, whatever the scheme: mass, momentum, and the works of the step against the energy of the
-// points.
 #include "support/cases.hpp"
 #include "support/twin.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// The tables of each copy of the kernels: its own name, every law and every scheme.
 #include "simulation/kernels.hpp"
 #include "materials/material_list.hpp"
 #include "parallel/instructions.hpp"

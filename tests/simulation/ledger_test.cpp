@@ -1,4 +1,3 @@
-// The books of a run, by hand, on a full cell of four points.
 #include "support/simulations.hpp"
 
 namespace ledger_test {

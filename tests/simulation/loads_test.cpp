@@ -1,4 +1,3 @@
-// Loads in a run: their sum, their place, what carries them, and what they do to the books.
 #include "simulation/loads.hpp"
 #include "support/simulations.hpp"
 

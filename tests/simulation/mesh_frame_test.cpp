@@ -1,4 +1,3 @@
-// What the mesh carries: mass, momentum and pressure of the points, none lost.
 #include "simulation/mesh_frame.hpp"
 #include "support/simulations.hpp"
 

@@ -1,4 +1,3 @@
-// The pore pressure on the nodes: between situations, at its limits, at points.
 #include "simulation/nodal_water.hpp"
 #include "support/simulations.hpp"
 

@@ -1,4 +1,3 @@
-// The motion that the mesh sees.
 #include "simulation/node_motion.hpp"
 #include "support/simulations.hpp"
 

@@ -1,4 +1,3 @@
-// Frames that come whole and in parts.
 #include "simulation/observer.hpp"
 #include "support/test.hpp"
 

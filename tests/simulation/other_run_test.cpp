@@ -1,4 +1,3 @@
-// A run that begins with the state of another one: what its own case makes of the soil.
 #include "simulation/other_run.hpp"
 #include "simulation/stages.hpp"
 #include "support/simulations.hpp"

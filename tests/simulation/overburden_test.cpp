@@ -1,4 +1,3 @@
-// Weight, water and effective stress above a place, by hand.
 #include "simulation/overburden.hpp"
 #include "support/simulations.hpp"
 

@@ -1,4 +1,3 @@
-// The passes: their names, which of them count per point, and that schemes differ where their kernels do.
 #include "simulation/passes.hpp"
 #include "support/test.hpp"
 

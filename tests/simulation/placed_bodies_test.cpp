@@ -1,4 +1,3 @@
-// Bodies that a stage places or digs away.
 #include "simulation/placed_bodies.hpp"
 
 #include "simulation/frame.hpp"

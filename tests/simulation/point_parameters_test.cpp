@@ -1,4 +1,3 @@
-// Parameters that vary from point to point, from the case to the step, the frame, the checkpoint and the time step.
 #include "simulation/point_parameters.hpp"
 #include "simulation/frame.hpp"
 #include "support/simulations.hpp"

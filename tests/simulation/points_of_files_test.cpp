@@ -1,4 +1,3 @@
-// Points of files that lie over each other or over drawn bodies are refused with their lines.
 #include "simulation/points_of_files.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"

@@ -1,4 +1,3 @@
-// Which parameters are strengths, and what a factor does to them.
 #include "simulation/reduce.hpp"
 #include "materials/material.hpp"
 #include "support/cases.hpp"

@@ -1,5 +1,3 @@
-// Softening scaled by the cell over a reference width: a shear layer one cell wide, cells of several sizes, and cells
-// that are too wide.
 #include "simulation/reference_width.hpp"
 
 #include "support/simulations.hpp"

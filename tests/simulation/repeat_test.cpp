@@ -1,4 +1,3 @@
-// The same bits on any number of threads.
 #include "support/simulations.hpp"
 
 namespace repeat_test {

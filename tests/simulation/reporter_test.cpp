@@ -1,4 +1,3 @@
-// What is due at which step.
 #include "simulation/reporter.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,3 @@
-// The loop: when outputs are due, how a run ends, and how it goes on.
 #include "simulation/reporter.hpp"
 #include "support/simulations.hpp"
 

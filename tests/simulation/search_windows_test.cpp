@@ -1,4 +1,3 @@
-// When the search for equilibrium takes soil for at rest, and when for failing.
 #include "simulation/search_windows.hpp"
 #include "support/simulations.hpp"
 

@@ -1,4 +1,3 @@
-// Parameters that vary, looked at over all points before a run.
 #include "simulation/settle_fields.hpp"
 #include "support/simulations.hpp"
 

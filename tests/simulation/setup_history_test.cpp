@@ -1,4 +1,3 @@
-// Named places and the material points that stand for them.
 #include "simulation/setup_history.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"

@@ -1,4 +1,4 @@
-// The mesh of a case, whichever way it says so. What a whole case refuses: setup_test.
+// What a whole case refuses: setup_test.
 #include "simulation/setup_mesh.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"

@@ -1,4 +1,4 @@
-// The first points: order, shares of the bodies, points of a file. What a whole case refuses: setup_test.
+// What a whole case refuses: setup_test.
 #include "simulation/setup_points.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"

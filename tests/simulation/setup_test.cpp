@@ -1,4 +1,3 @@
-// From a case to a model and its points: what follows from the case, and what is refused.
 #include "support/paths.hpp"
 #include "support/simulations.hpp"
 

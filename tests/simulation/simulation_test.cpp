@@ -1,4 +1,3 @@
-// A run in memory: stepped in pieces, saved and restored, its fields read and set; many runs on one mesh.
 #include "simulation/setup_mesh.hpp"
 #include "support/simulations.hpp"
 

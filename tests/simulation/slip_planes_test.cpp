@@ -1,4 +1,3 @@
-// Slip planes of other methods in words.
 #include "simulation/slip_planes.hpp"
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"

@@ -1,4 +1,3 @@
-// Softening over a distance in the step: what points give, nodes spread and points take.
 #include "simulation/softening_passes.hpp"
 
 #include "support/simulations.hpp"

@@ -1,4 +1,3 @@
-// A softening length against the cells and the section.
 #include "simulation/softening_scales.hpp"
 
 #include "support/simulations.hpp"

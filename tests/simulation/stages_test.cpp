@@ -1,4 +1,3 @@
-// Stages of a run, and runs that end at rest.
 #include "simulation/stages.hpp"
 #include "support/simulations.hpp"
 #include "support/stages.hpp"

@@ -1,4 +1,3 @@
-// The state as named arrays: all of it, to the bit, or refused.
 #include "support/simulations.hpp"
 
 namespace state_image_test {

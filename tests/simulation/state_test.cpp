@@ -1,4 +1,3 @@
-// Ids of a state: they count the points at t = 0, also when points have left.
 #include "simulation/state.hpp"
 #include "support/simulations.hpp"
 

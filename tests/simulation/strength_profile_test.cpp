@@ -1,4 +1,3 @@
-// Strength and stress with depth along a vertical line.
 #include "simulation/strength_profile.hpp"
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"

@@ -1,4 +1,3 @@
-// What one walk over the points finds, by each copy of the kernels and on any number of threads.
 #include "simulation/totals.hpp"
 #include "parallel/instructions.hpp"
 #include "simulation/kernels.hpp"

@@ -1,4 +1,3 @@
-// The mesh of a case with its cells turned: place and sides stay.
 #include "simulation/turned_mesh.hpp"
 #include "mesh/mesh_error.hpp"
 #include "meshing/gmsh_file.hpp"

@@ -1,4 +1,3 @@
-// Scratch of the step: fitted to the occupied cells, and no memory asked for once a run is under way.
 #include "simulation/workspace.hpp"
 #include "support/simulations.hpp"
 #include <atomic>

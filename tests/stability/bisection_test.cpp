@@ -1,4 +1,3 @@
-// The search alone: trials that know their answer.
 #include "stability/bisection.hpp"
 #include "support/test.hpp"
 

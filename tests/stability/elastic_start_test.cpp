@@ -1,4 +1,3 @@
-// Where the trials of a search begin: at rest, elastic, with scales that a hand calculation gives.
 #include "stability/elastic_start.hpp"
 #include "base/errors.hpp"
 #include "simulation/nodal_water.hpp"

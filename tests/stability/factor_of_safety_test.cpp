@@ -1,4 +1,3 @@
-// The whole way: a column whose factor of safety is known within its cell size.
 #include "stability/factor_of_safety.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"

@@ -1,4 +1,3 @@
-// What a trial looks at: soil in filled cells that hold on to no part-filled one.
 #include "stability/judged_soil.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"

@@ -1,4 +1,3 @@
-// The mechanism of a motion that is drawn by hand, and of a trial.
 #include "stability/mechanism.hpp"
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"

@@ -1,4 +1,3 @@
-// Factors on cells of several sizes whose limit is known.
 #include "stability/mesh_error.hpp"
 #include "support/test.hpp"
 

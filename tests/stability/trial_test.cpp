@@ -1,4 +1,3 @@
-// When a trial counts as standing or failing, from its windows and on a small column.
 #include "stability/trial.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "support/cases.hpp"

@@ -1,4 +1,3 @@
-// The Cholesky factor, and which pair is blamed.
 #include "study/correlation.hpp"
 
 #include "support/test.hpp"

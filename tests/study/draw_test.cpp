@@ -1,4 +1,3 @@
-// What realisations are drawn with.
 #include "study/study.hpp"
 
 #include "study/samples.hpp"

@@ -1,4 +1,3 @@
-// The same table on any number of threads, in parts, and after a part of it was lost.
 #include "study/engine.hpp"
 
 #include "base/checksum.hpp"

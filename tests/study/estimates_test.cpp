@@ -1,4 +1,3 @@
-// Which realisations count, and what they say.
 #include "study/estimates.hpp"
 
 #include "study/samples.hpp"

@@ -1,4 +1,3 @@
-// P at each level of a load with the same samples, and over the distribution of the load.
 #include "study/fragility.hpp"
 
 #include "study/engine.hpp"

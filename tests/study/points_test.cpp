@@ -1,4 +1,3 @@
-// Points of samplers that fill the space evenly.
 #include "study/points.hpp"
 
 #include "study/samples.hpp"

@@ -1,4 +1,3 @@
-// Rank 0 and its workers, as processes of this test.
 #include "study/ranks.hpp"
 
 #include "parallel/instructions.hpp"

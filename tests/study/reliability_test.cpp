@@ -1,4 +1,3 @@
-// Methods for rare events on limit states whose probability is known, and a study that replays.
 #include "study/adaptive.hpp"
 #include "study/samples.hpp"
 #include "study/study_page.hpp"

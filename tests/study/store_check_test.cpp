@@ -1,4 +1,3 @@
-// A store that another build, or another instruction set, began.
 #include "base/checksum.hpp"
 #include "parallel/instructions.hpp"
 #include "study/engine.hpp"

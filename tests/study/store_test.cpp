@@ -1,4 +1,3 @@
-// A line of the store and back.
 #include "study/store.hpp"
 
 #include "support/test.hpp"

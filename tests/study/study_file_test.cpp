@@ -1,4 +1,3 @@
-// What a study file may say, and what is said of one that is wrong.
 #include "study/study_file.hpp"
 
 #include "input/case_file.hpp"

@@ -1,4 +1,3 @@
-// Runs in full only what does not stand at a factor, and an audit of the rest.
 #include "base/philox.hpp"
 #include "study/engine.hpp"
 #include "study/samples.hpp"

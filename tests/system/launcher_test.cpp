@@ -1,4 +1,3 @@
-// Which process of several this is.
 #include "system/launcher.hpp"
 #include "support/test.hpp"
 

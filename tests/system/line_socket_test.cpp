@@ -1,4 +1,3 @@
-// Lines between processes.
 #include "system/line_socket.hpp"
 #include "support/test.hpp"
 

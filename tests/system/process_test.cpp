@@ -1,4 +1,3 @@
-// Other programs: their output, their status, their end.
 #include "system/process.hpp"
 #include "support/test.hpp"
 #include <chrono>

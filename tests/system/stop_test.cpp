@@ -1,4 +1,3 @@
-// Which signals ask a run to stop, and which end it at once.
 #include "system/stop.hpp"
 #include "support/test.hpp"
 #include <csignal>

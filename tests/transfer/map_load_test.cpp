@@ -1,4 +1,3 @@
-// Where the load of a point acts in its cell, and what the corners get.
 #include "transfer/map_load.hpp"
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"

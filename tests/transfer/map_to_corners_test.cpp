@@ -1,4 +1,3 @@
-// Mass and momentum of the points at the corners of their cell, and the way back of velocity increments.
 #include "transfer/map_to_corners.hpp"
 #include "support/blocks.hpp"
 #include "support/random.hpp"

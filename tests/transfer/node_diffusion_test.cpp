@@ -1,4 +1,3 @@
-// Spreading over the nodes: nothing is lost, the variance is that of the length, gaps are not bridged.
 #include "transfer/node_diffusion.hpp"
 
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Shares that overlap: parts of a square in the slots of a patch, sums of points with them, and values at the points.
 #include "transfer/overlap.hpp"
 
 #include "support/blocks.hpp"

@@ -1,4 +1,3 @@
-// What is said of a library that does not go with its case.
 #include "user_laws/describe_library.hpp"
 #include "support/laws.hpp"
 #include "support/problems.hpp"

@@ -1,4 +1,3 @@
-// Laws that fail: what is said, and that the run stops with everything else whole.
 #include "user_laws/library_material.hpp"
 #include "support/law_cases.hpp"
 #include "support/process.hpp"

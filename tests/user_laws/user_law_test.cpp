@@ -1,4 +1,3 @@
-// Laws from libraries in runs: the Fortran example against Terp's own law, threads, schemes, resuming.
 #include "input/case_file.hpp"
 #include "simulation/follower.hpp"
 #include "support/laws.hpp"

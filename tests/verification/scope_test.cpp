@@ -1,4 +1,3 @@
-// Constants of a verification case: formulas that use each other, numbers of the case as it runs.
 #include "verification/scope.hpp"
 #include "verification/ledger_samples.hpp"
 #include "support/test.hpp"

@@ -1,4 +1,3 @@
-// Quantities off by a unit are compared with each other; soil as it is usually is not warned of.
 #include "warnings/setup_warnings.hpp"
 #include "simulation/soil_fields.hpp"
 #include "support/simulations.hpp"

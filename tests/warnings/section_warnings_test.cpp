@@ -1,4 +1,3 @@
-// What a drawing hardly means is reported; what fits together is not.
 #include "warnings/setup_warnings.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"

@@ -1,4 +1,3 @@
-// What is told before a run, and what is not.
 #include "warnings/setup_warnings.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"

@@ -1,4 +1,3 @@
-// Layers in cells that hold other soil as well.
 #include "warnings/shared_cells.hpp"
 #include "simulation/setup.hpp"
 #include "warnings/setup_warnings.hpp"

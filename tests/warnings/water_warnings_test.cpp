@@ -1,5 +1,4 @@
-// Lines of water that do not fit the soil. Grids: input/water_keys_test.cpp; dry and lifted soil:
-// setup_warnings_test.cpp.
+// Grids: input/water_keys_test.cpp; dry and lifted soil: setup_warnings_test.cpp.
 #include "warnings/water_warnings.hpp"
 
 #include "support/simulations.hpp"

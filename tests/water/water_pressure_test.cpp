@@ -1,4 +1,3 @@
-// Heads and pressures of lines, by hand.
 #include "water/water_pressure.hpp"
 #include "support/test.hpp"
 
