@@ -16,7 +16,6 @@ inline std::vector<std::string> column_command(const std::string& command, const
   return with({command, column_file, "--set", "mesh.cell=0.5", "--set", "time.end=0.2", "-j", "1"}, more);
 }
 
-/// `terp run` of the column into a folder.
 inline Finished run_column(const std::string& folder, const std::vector<std::string>& more = {})
 {
   return terp(column_command("run", with({"-o", folder}, more)));

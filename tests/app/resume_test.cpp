@@ -189,7 +189,6 @@ TEST_F(Resume, WithAFileOfAnotherRunOfTheSameSizeIsRefused)
   succeeded(test::terp({"resume", folder, "-q"}));
 }
 
-/// Writes the case of a run folder anew with `from` replaced.
 void edit_case(const std::string& folder, const std::string& from, const std::string& to)
 {
   std::string text = text_of(folder + "/case.toml");

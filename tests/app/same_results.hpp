@@ -60,7 +60,6 @@ inline std::vector<std::string> longer_run(const std::string& folder, const char
   return {"run", column_file, "--set", "mesh.cell=0.25", "--set", "time.end=2.0", "-o", folder, "-j", threads};
 }
 
-/// Waits until a run has written some rows of its ledger.
 inline void wait_for_rows(const std::string& folder)
 {
   for (int k = 0; k < 2000; ++k) {
@@ -71,7 +70,6 @@ inline void wait_for_rows(const std::string& folder)
   FAIL() << "the run does not start";
 }
 
-/// Waits until a run has written a checkpoint.
 inline void wait_for_checkpoint(const std::string& folder)
 {
   const auto is_checkpoint = [](const std::string& name) {

@@ -138,7 +138,6 @@ TEST(StagesOfARun, AreBeginningsOfOtherRuns)
   succeeded(test::terp({"resume", files.run("other"), "-j", "1"}));
 }
 
-// A run that begins with another one, in its first stage or without any, goes on from all of its checkpoints.
 TEST(StagesOfARun, GoOnWhereTheyBeganWithAnotherRun)
 {
   for (const std::string& end : {std::string("[time]\nend = 0.4\n"), stages}) {

@@ -36,7 +36,6 @@ class FileSizeLimit {
 const std::vector<std::string> often{
     "-q", "--set", "output.fields.every=0.02", "--set", "output.checkpoint.every=0.02"};
 
-/// What terp says on standard error where it can start no thread beside its own.
 std::string said_without_threads(std::vector<std::string> words)
 {
   const ScratchFolder scratch;

@@ -23,7 +23,6 @@ bool holds(const CleanRegion& region, Vec<2> x)
          std::ranges::none_of(region.holes, [&](const Polygon& hole) { return contains(hole, x); });
 }
 
-/// Number of the drawn region of each clean region that holds a place.
 std::vector<int> regions_at(const CleanSection& section, Vec<2> x)
 {
   std::vector<int> found;
@@ -113,8 +112,6 @@ TEST(CleanRegions, RefuseWhatIsNoOutline)
   }),
       HasSubstr("pit: this excavation is no line\n  It has 1 places; it needs at least 2."));
 }
-
-// ------------------------------------------------------------------------------- unpleasant sections, by the hundred
 
 struct Drawing {
   std::vector<DrawnRegion> regions;

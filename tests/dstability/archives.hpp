@@ -35,7 +35,6 @@ inline Members compact_sample(const std::string& name)
   return members;
 }
 
-/// A zip file of these members, deflated.
 inline std::string zip_of(const Members& members)
 {
   zip_error_t error;
@@ -66,7 +65,6 @@ inline Members changed(Members members, const std::string& name, const std::stri
   return members;
 }
 
-/// What the reader says to these members.
 inline std::string refusal_of(const Members& members)
 {
   return refusal<InputError>([&] { read_stix_bytes(zip_of(members), "dike.stix"); });
@@ -75,7 +73,6 @@ inline std::string refusal_of(const Members& members)
 /// The smallest sample.
 inline const std::string berm = "berm-fragility-2023";
 
-/// What the reader says to that sample with something changed.
 inline std::string refusal_after(const std::string& member, const std::string& from, const std::string& to)
 {
   return refusal_of(changed(compact_sample(berm), member, from, to));

@@ -244,8 +244,6 @@ TEST(CaseFolder, FillsBelowABaseThatIsNotLevel)
   EXPECT_THAT(folder.files.back().second, HasSubstr("10.000 m2 below the base were filled."));
 }
 
-// ---- sections made by hand ----
-
 StixStage stage_of(const std::vector<StixLayer>& layers, const StixLine& phreatic, const std::string& label = "stage")
 {
   StixStage stage = clay_on_sand();

@@ -5,7 +5,6 @@
 
 namespace expected_keys_test {
 
-/// A sample in which a key is missing in all objects of a member.
 StixProject without(const std::string& sample, const std::string& member, const std::string& key)
 {
   Members members = members_of_sample(sample);

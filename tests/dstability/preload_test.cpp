@@ -30,7 +30,6 @@ std::optional<Real> pop_of(const StixProject& project)
       {project, 0, last, StixBasis::deterministic}, {project, 0, 0, StixBasis::deterministic}, all_clay, 0.5);
 }
 
-/// Value of a row of a grid.
 Real value_at(const std::string& csv, const std::string& place)
 {
   const std::size_t at = csv.find("\n" + place + ",");

@@ -68,7 +68,6 @@ inline StixProject listed_project()
   return project;
 }
 
-/// The table of the program.
 inline const std::vector<SoilKind>& kinds()
 {
   static const auto table = read_soil_defaults("table", soil_defaults_table());

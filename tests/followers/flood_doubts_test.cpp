@@ -4,7 +4,6 @@
 
 namespace flood_doubts_test {
 
-/// What [flood] doubts of a case.
 std::vector<std::string> doubts_of(const Case& c)
 {
   const Drawn s(c);

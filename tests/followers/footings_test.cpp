@@ -4,7 +4,6 @@
 
 namespace footings_test {
 
-/// What the first footing has met.
 struct Meter {
   Vec<2> impulse;
   Real since;

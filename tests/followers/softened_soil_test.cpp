@@ -6,7 +6,6 @@ namespace softened_soil_test {
 /// Four points of 0.25 m^2.
 Simulation four_points() { return followed(clamped_cell("mpm_gp")); }
 
-/// At a frame as of now.
 Real softened(Simulation& s)
 {
   for (const ActiveFollower& active : s.state.followers) active.follower->frame(s.model, s.state);

@@ -35,7 +35,6 @@ TEST(Expression, KeepsItsVariablesWhenItIsMoved)
   EXPECT_DOUBLE_EQ(g(std::vector<Real>{3.0}), 9.0);
 }
 
-/// How many values two threads get wrong that evaluate one formula at once.
 int wrong_values_of_two_threads(const Expression& f, int n)
 {
   std::atomic<int> wrong{0};

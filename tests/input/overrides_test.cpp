@@ -64,7 +64,6 @@ TEST(Overrides, MakeTheFirstEntryOfAList)
   EXPECT_EQ(file.values.bodies.size(), 1u);
 }
 
-/// eta of each material, or the Poisson's ratio of one that has none.
 std::vector<Real> etas_or_ratios(const std::vector<std::string>& changes)
 {
   std::vector<Real> found;

@@ -78,7 +78,6 @@ TEST(Units, APathOfTheFileHasTheUnitOfItsKey)
   EXPECT_EQ(unit_at("nothing.of.this"), "");
 }
 
-/// small_case with units.
 std::string with_units()
 {
   std::string text = small_case;

@@ -25,7 +25,6 @@ std::vector<Real> default_parameters(const MaterialType& type)
   return type.complete(values);
 }
 
-/// Numbers of the parameters that may vary from point to point.
 std::vector<int> all_that_may_vary(const MaterialType& type)
 {
   std::vector<int> varying;

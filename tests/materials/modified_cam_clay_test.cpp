@@ -32,7 +32,6 @@ Real radius(const Probe& point)
 }
 Real p_c(Probe& point) { return point.derived(0); }
 
-/// Strains by n equal parts.
 void strain(Probe& point, const Stress& d_eps, int n)
 {
   Stress part = d_eps;

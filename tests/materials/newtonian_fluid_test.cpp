@@ -58,8 +58,8 @@ TEST(NewtonianFluid, CarriesTheTensionThatItIsAllowed)
   EXPECT_EQ(any.state[0], 0.0);
 }
 
-TEST(NewtonianFluid, TornPartsThatMixedAveragesKeepTheirVolume)  // pressure and opening are linear in the volume, so
-                                                                 // means are consistent
+// Pressure and opening are linear in the volume, so that means are consistent.
+TEST(NewtonianFluid, TornPartsThatMixedAveragesKeepTheirVolume)
 {
   Probe torn = fluid(2e6, 0.0), pressed = fluid(2e6, 0.0), mean = fluid(2e6, 0.0);
   torn.strain({{3e-4, 0.0, 0.0, 0.0}});

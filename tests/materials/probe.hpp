@@ -78,9 +78,7 @@ class Probe {
 
   const MaterialType& type() const { return *type_; }
   const Material& law() const { return *law_; }
-  /// Elastic moduli at its stress.
   Moduli moduli() { return law_->moduli_at({{.data = state.data()}, {.data = own_parameters.data()}}, sigma); }
-  /// Derived field k as the point is.
   Real derived(int k) { return law_->derived(k, {{.data = state.data()}, {.data = own_parameters.data()}}); }
 
  private:
@@ -134,7 +132,6 @@ inline Stress rotated(const Stress& s, Real angle)
       c * d * (s[1] - s[0]) + (c * c - d * d) * s[3]}};
 }
 
-/// A problem with the parameters of a law.
 inline testing::Matcher<const ParameterProblem&> problem(
     const std::string& parameter, const std::string& what, const std::string& detail)
 {

@@ -48,7 +48,6 @@ TEST(PublishedSoftening, OfDeyOverASlipHasSixTimesTheBandOverTheSlip)
       clay(6.0 * band / delta_95), 0.4, [&](Real gamma) { return falling(std::exp(-3.0 * band * gamma / delta_95)); });
 }
 
-/// A tensor's measure of von Mises, sqrt(2/3 e:e).
 Real von_mises(const Stress& e) { return std::sqrt(2.0 / 3.0 * double_dot(e, e)); }
 
 TEST(PublishedSoftening, OfVonMisesHasTwoOverRootThreeOfItsShapeFactor)

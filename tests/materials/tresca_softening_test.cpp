@@ -17,7 +17,6 @@ Stress stress_of(std::array<Real, 3> s, Zz zz, Real angle = 0.4)
   return rotated(straight, -angle);
 }
 
-/// A point that was put to a trial stress outside the yield surface and returned.
 Probe returned_from(const Soil& soil, const Stress& trial, Real eps_eq_p)
 {
   Probe point = soil.probe();

@@ -29,7 +29,6 @@ struct Soil {
     return last + (su_residual - last) * std::exp(-eta_remoulding * eps_eq_p) +
            (su_peak - su_residual) * std::exp(-eta * eps_eq_p);
   }
-  /// Strength after a step from e to e + d.
   Real su_after(Real e, Real d) const
   {
     return su(e + d) * (1.0 + (rate_mu > 0.0 ? rate_mu * std::log10(std::max(1.0, d / dt / rate_ref)) : 0.0));

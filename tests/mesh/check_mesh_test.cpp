@@ -34,7 +34,6 @@ TEST(CheckMesh, AcceptsCellsThatTouchInOneNodeAndPartsThatDoNotTouch)
   EXPECT_EQ(refusal_of(mesh), "");
 }
 
-/// A change of the two squares, and what is said of it.
 struct WrongMesh {
   void (*change)(Mesh<2>&);
   std::vector<std::string> words;

@@ -3,7 +3,6 @@
 
 namespace mesh_quality_test {
 
-/// Columns of unit height with the given widths.
 Mesh<2> columns(const std::vector<Real>& widths)
 {
   Mesh<2> mesh;

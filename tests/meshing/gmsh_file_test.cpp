@@ -167,7 +167,6 @@ TEST(ReadGmsh, ListsTenOfManyFaults)
   EXPECT_THAT(text, HasSubstr("\n  and 20 more\n"));
 }
 
-/// A change of the two good cells, and what is said of it.
 struct WrongMesh {
   void (*change)(MshText&);
   const char* message;

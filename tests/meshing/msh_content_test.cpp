@@ -15,7 +15,6 @@ std::string refusal_of(const std::string& text)
   return refusal<MeshError>([&] { read_msh("m.msh", text); });
 }
 
-/// text with the first `from` replaced.
 std::string changed(std::string text, const std::string& from, const std::string& to)
 {
   const auto at = text.find(from);
@@ -88,7 +87,6 @@ TEST(ReadMsh, RefusesCutOffFiles)
       "m.msh:4: section $Comments has no `$EndComments`: the file is cut off");
 }
 
-/// A change of the square and what is said of it.
 struct WrongText {
   const char *from, *to, *message;
 };
@@ -110,7 +108,6 @@ const WrongText wrong_texts[] = {
         "m.msh:5: a number of entities is 999999, more than the rest of the file can hold"},
     {"$Nodes", "$PhysicalNames\n123456789012\n$Nodes",
         "m.msh:5: the number of names is 123456789012, more than the rest of the file can hold"},
-    // What is not read.
     {"2 1 3 1", "2 1 300 1", "m.msh:18: elements of type 300 are not read: Terp takes quadrilaterals (type 3)"},
     {"$Nodes", "$PartitionedEntities\n1\n$EndPartitionedEntities\n$Nodes",
         "m.msh:4: the mesh is cut into partitions. Save it in one piece, before it is partitioned"},

@@ -14,7 +14,6 @@ std::string write_frames(const std::string& folder, int last)
   return path_in(folder, frame_file(point_frames, last));
 }
 
-/// Points `first` ... `first + n - 1` of a frame.
 Frame part_of(const Frame& whole, std::size_t first, std::size_t n)
 {
   const auto rows = [&](const std::vector<Real>& values, std::size_t columns) {

@@ -14,13 +14,11 @@ RunWriterSettings settings_for(const std::string& folder)
   return {folder, {"model_2", "title = \"column\"\n"}, 2, "material.clay.eta = 50\n", {}, all_tables()};
 }
 
-/// A run in a folder that goes on from a step of its files.
 std::unique_ptr<RunWriter> resume_in(const std::string& folder, const ResumePoint& from)
 {
   return RunWriter::resume(settings_for(folder), FolderLock(folder), from);
 }
 
-/// Names and bytes of all files below a folder.
 std::map<std::string, std::string> all_files_in(const std::string& folder)
 {
   std::map<std::string, std::string> files;
@@ -44,7 +42,6 @@ void write_outputs(RunWriter& writer, int first, int last)
   writer.finish();
 }
 
-/// Where the checkpoint of step 200 has a run go on.
 ResumePoint point_200(const std::string& folder)
 {
   return {.step = 200,

@@ -46,7 +46,6 @@ inline std::vector<TableRow> sample_history(Real time)
   return rows;
 }
 
-/// One row.
 inline std::vector<TableRow> sample_ledger(Real time)
 {
   TableRow row(sample_ledger_table());
@@ -72,7 +71,6 @@ inline StateImage sample_image(std::int64_t step)
           {"empty", {0, 3}, std::vector<Real>{}}}};
 }
 
-/// Values as a frame keeps them: of single precision.
 inline std::vector<Real> as_single(std::vector<Real> values)
 {
   for (Real& value : values) value = static_cast<float>(value);

@@ -28,7 +28,6 @@ class SmallDisk {
   bool is_there() const { return is_there_; }
   const std::string& path() const { return folder_.path(); }
 
-  /// Leaves no free block.
   void fill() const
   {
     std::ofstream out(path() + "/filler", std::ios::binary);

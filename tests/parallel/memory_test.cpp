@@ -7,7 +7,6 @@ struct Pair {
   double a = 0.0, b = 0.0;
 };
 
-/// Pages of this process that are in memory.
 long resident_pages()
 {
   long all = 0, resident = 0;

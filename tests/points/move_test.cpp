@@ -106,7 +106,6 @@ TEST(MoveToNewCell, LeavesAPointThatRestsOnTheWallAlone)
   EXPECT_EQ(moved.row(Rows::x), 1.0);
 }
 
-/// The right side of the 4 x 3 mesh open.
 OpenSides open_on_the_right()
 {
   auto open = closed(regular());

@@ -47,7 +47,6 @@ std::vector<Seed> seed_one(const Mesh<2>& mesh, const BodyOutline& body)
   return seed_points(mesh, bodies);
 }
 
-/// Sum over the points of volume times place, over the sum of volumes [m].
 Vec<2> centroid_of(const std::vector<Seed>& seeds)
 {
   Vec<2> sum{0.0, 0.0};

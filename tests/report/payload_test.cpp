@@ -9,7 +9,6 @@ namespace payload_test {
 
 using nlohmann::json;
 
-/// What base64 stands for; for tests only.
 std::string from_base64(const std::string& text)
 {
   const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

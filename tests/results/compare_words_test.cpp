@@ -31,7 +31,6 @@ TEST(CompareWords, SaysNothingOfTheEndOfARunThatGoesOn)
   EXPECT_THAT(compare_runs(runs, {"done", "going"}).text, ElementsAre(StartsWith("going has not ended;")));
 }
 
-/// The words about two runs that differ in this.
 std::vector<std::string> words_on(const std::function<void(RunResults&, RunResults&)>& change)
 {
   ScratchFolder scratch;
@@ -58,8 +57,7 @@ TEST(CompareWords, SaysOfIntactBlocksNoMoreThanTheNumbersSay)
   EXPECT_THAT(
       sentence(0.24, 0.25), EndsWith("24.0 % is intact at the end with a (eps_eq_p below 0.01), 25.0 % with b."));
   EXPECT_THAT(sentence(0.0004, 0.02),
-      EndsWith("less than 0.1 % is intact at the end with a (eps_eq_p below 0.01), 2.0 % with b."));  // hardly any with
-                                                                                                      // either
+      EndsWith("less than 0.1 % is intact at the end with a (eps_eq_p below 0.01), 2.0 % with b."));
   EXPECT_EQ(sentence(0.25, {}), "");
 }
 

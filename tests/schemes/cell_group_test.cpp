@@ -25,7 +25,6 @@ struct Row {
   }
 };
 
-/// Gathers the first n cells.
 void gather(Row& row, const SchemeContext& context, Index first = 0, Index n = 1)
 {
   const CellGroup<Quad4> group = row.group(first, n);

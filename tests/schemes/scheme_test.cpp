@@ -22,7 +22,6 @@ TEST(Schemes, AreFoundByNameAndOnlyByName)
   EXPECT_EQ(find_scheme("mpm"), nullptr);
 }
 
-/// State of the column after some steps, with one option of the method changed.
 StateImage after_steps(std::string_view scheme, void (*change)(MethodOptions&))
 {
   Case c = column(std::string(scheme));
@@ -52,7 +51,6 @@ TEST(Schemes, SaysTruthfullyWhichOptionsChangeNothing)
   }
 }
 
-/// A block in free fall, that deforms.
 Case falling_block(std::string_view scheme, Drainage drainage)
 {
   Case c = free_box(std::string(scheme), {0.5, 0.5}, {2.0, 1.5}, elastic(2.0e5, 0.2, 1700.0));

@@ -5,7 +5,6 @@
 
 namespace soil_border_test {
 
-/// The plane that the points around a cell show, against a straight border.
 TEST(BorderOfTwoSoils, HasTheDirectionOfAStraightCut)
 {
   struct Row {

@@ -35,7 +35,6 @@ void stiffen_field(Case& c, Real shear_modulus)
   c.materials[0].fields = {{0, [shear_modulus](Vec<2> x) { return x[0] < 2.0 ? shear_modulus : 0.5 * shear_modulus; }}};
 }
 
-/// A run that begins with the end of a stage of another, of the same case.
 Simulation after_stage(const Case& chain, const StateImage& image, const std::string& stage)
 {
   Model before = build_model(chain, 1), model = build_model(chain, 1);
@@ -45,7 +44,6 @@ Simulation after_stage(const Case& chain, const StateImage& image, const std::st
   return Simulation(std::move(model), std::move(state));
 }
 
-// Rows that a stage alone needs stand in the tables of all.
 TEST(Chain, KeepsTheRowsOfThePointsThroughAllStages)
 {
   const auto drain = [](Drainage drainage) { return [drainage](Case& c) { c.materials[0].drainage = drainage; }; };

@@ -6,7 +6,6 @@ namespace equilibrium_test {
 
 constexpr Real g = 9.81;
 
-/// The search for equilibrium; what went wrong, or nothing.
 std::string seek(Simulation& s, bool stopped = false)
 {
   const std::atomic<bool> stop{stopped};

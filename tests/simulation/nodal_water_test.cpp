@@ -58,7 +58,6 @@ TEST(NodalWater, IsCutToTheWeightOfSoilAndFreeWaterAbove)
   EXPECT_DOUBLE_EQ(capped.most, gamma_w * 8.5 - 2000.0 * 9.81 * 0.5 - gamma_w * 0.5);
 }
 
-// A load holds down what the water lifts, from when it stands there.
 TEST(NodalWater, IsCutToTheWeightOfTheLoadsOfItsTime)
 {
   Case c = wet_box();

@@ -49,7 +49,6 @@ Real carried(const Simulation& s, std::size_t load)
   return sum;
 }
 
-// Of a run that goes on from another one the strengths are those of its own case, fields too.
 TEST(OtherRun, GivesWayToTheFieldsOfThisOne)
 {
   constexpr std::size_t su_peak = 2;
@@ -146,7 +145,6 @@ TEST(OtherRun, WithNothingLeftToDoIsRefused)
           HasSubstr("Add one after it, begin with the end of an earlier one")));
 }
 
-// Saved within its first stage, a run that began with another one knows where it began.
 TEST(OtherRun, GoesOnFromItsOwnCheckpoints)
 {
   Case c = settling();

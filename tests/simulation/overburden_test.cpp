@@ -74,7 +74,6 @@ TEST(Overburden, CutsThePorePressureToTheWeightAbove)
   EXPECT_EQ(overburden.effective({1.0, 0.5}, c.water.start), 0.0);
 }
 
-// Loads that are there from the start, at their pressure of then: in the weight, the cap and the effective stress.
 TEST(Overburden, CarriesTheLoadsOfTheStartWhereTheyStand)
 {
   Case c = two_layers();

@@ -173,7 +173,6 @@ TEST(PlacedBodies, AreNotThereInTheSearchForEquilibrium)
   }
 }
 
-/// A run of one case that begins with the end of another.
 Simulation begun(const Case& other, const StateImage& image, const Case& c)
 {
   Model before = build_model(other, 1), model = build_model(c, 1);

@@ -49,7 +49,6 @@ TEST(ReferenceWidth, AShearLayerOfOneCellTakesTheSameEnergyOnTwoMeshes)
   }
 }
 
-/// A box of clay over cells of several sizes.
 Case graded(const std::string& scheme, Real reference_width)
 {
   Case c = free_box(scheme, {0.0, 0.0}, {4.0, 2.0}, layer_of_clay(reference_width));

@@ -60,7 +60,6 @@ TEST(SofteningPasses, SpreadWhatSoftenedAndLoseNothing)
   expect_nothing_is_lost("mpm_gp", Shares::overlap);
 }
 
-/// The increment is that of the step, whatever the points had before.
 TEST(SofteningPasses, MixedWithSharesThatOverlapGivesTheIncrementOfTheStep)
 {
   Case c = softening_column("mpm_mixed");

@@ -266,7 +266,6 @@ TEST(Stages, MayCountDisplacementAnew)
   }
 }
 
-/// Times of the rows of each table.
 struct Times : Observer {
   void rows(const std::vector<TableRow>& rows) override
   {

@@ -146,7 +146,6 @@ TEST(Fragility, WhatLiesBeyondIsJudgedByItsUpperBoundToo)
   EXPECT_THAT(study_text(study, rows), HasSubstr("of its upper bound, come from loads beyond 0.4 to 1.6"));
 }
 
-/// A small dike with water on one side.
 std::string dike_case()
 {
   std::string text = changed(column_case, "size = [10.0, 3.0]\ncell = 1.0", "size = [8.0, 3.0]\ncell = 0.5");

@@ -15,7 +15,6 @@ namespace ranks_test {
 
 constexpr auto patience = std::chrono::seconds(20);
 
-/// A process that does something and ends.
 class Child {
  public:
   template <class Task>

@@ -51,7 +51,6 @@ volume = 1.0
 displacement = 0.3
 )";
 
-/// Text of a study whose soil has a field.
 inline const std::string field_study = R"(case = "column.toml"
 seed = 3
 [[field]]
@@ -67,7 +66,6 @@ volume = 1.0
 displacement = 0.3
 )";
 
-/// The study file with that text, beside its case, in a folder.
 inline std::string write_study(
     const std::string& folder, const std::string& study, const std::string& column = column_case)
 {

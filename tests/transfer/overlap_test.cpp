@@ -217,7 +217,6 @@ TEST(Overlap, BothWaysAreTransposesOfEachOther)
   }
 }
 
-/// Values at points by windows and by all slots.
 TEST(Overlap, WindowsGiveTheBitsOfAllSlots)
 {
   Cells cells;

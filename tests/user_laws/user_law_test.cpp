@@ -110,7 +110,6 @@ void soften_one(Simulation& s)
   for (const ActiveFollower& active : s.state.followers) active.follower->frame(s.model, s.state);
 }
 
-/// Share of the soil that has softened, if it is known.
 std::vector<Real> softened(Real residual_strength)
 {
   Simulation s = followed(cell_of_library(residual_strength));

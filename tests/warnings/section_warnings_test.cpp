@@ -140,7 +140,6 @@ TEST(SectionWarnings, ASideThatDoesNotLieWhereItsNameSaysIsTold)
       told(_, "the side `right` does not face to the right", HasSubstr("It faces to the left, 3 m long.")));
 }
 
-/// The rectangle without one cell.
 Mesh<2> without_cell(Index cell)
 {
   Mesh<2> mesh = make_rectangle({0.0, 0.0}, {16.0, 3.0}, {32, 6});
