@@ -39,8 +39,7 @@ std::vector<Real> areas_on_top(const std::vector<Polygon>& polygons)
   return areas;
 }
 
-/// Weight of the layers of a file, the smaller ones on top, less what is dug away [N/m]; soils weigh the same above the
-/// phreatic line.
+/// Weight of the layers, the smaller ones on top, less what is dug away [N/m]; the same above the phreatic line.
 Real weight_of_file(const StixProject& project, const StixStage& stage)
 {
   std::vector<StixLayer> layers = stage.layers;

@@ -6,8 +6,7 @@
 
 namespace terp::test {
 
-/// A dike of 4 m on ground of 1 m: crest of 4 m from x = 18 to 22 m, slopes of 1:2, in a mesh of 40 m x 8 m. Water to
-/// 4 m.
+/// A dike of 4 m on ground of 1 m: crest from x = 18 to 22 m, slopes of 1:2, in a mesh of 40 m x 8 m; water to 4 m.
 inline Case dike()
 {
   Case c = column("mpm_gp", 0.5);

@@ -3,8 +3,7 @@
 
 namespace sides_test {
 
-/// A box that flies to the right at 10 m/s, 1 m from the side; a cell is 0.25 m, its points are 0.025 m inside its
-/// face.
+/// A box that flies to the right at 10 m/s, 1 m from the side; cells of 0.25 m, points 0.025 m inside its face.
 Case flying_box()
 {
   Case c = free_box("mpm_gp", {2.0, 0.0}, {3.0, 1.0});

@@ -1,6 +1,5 @@
-// D-Stability files: any bytes give a project that can be evaluated, or an InputError. Bytes that begin with `=` are
-// the members of a file as plain text, each below a line `=NAME`; they are packed first, so that the fuzzer need not
-// find checksums.
+// D-Stability files: any bytes give a project that can be evaluated, or an InputError. After `=` they are the members
+// as plain text, each below a line `=NAME`, and packed first, so that the fuzzer need not find checksums.
 #include "base/errors.hpp"
 #include "dstability/listing.hpp"
 #include "dstability/read_stix.hpp"

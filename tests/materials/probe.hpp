@@ -19,8 +19,7 @@ using Stress = SymTensor<Real, 2>;
 class Probe {
  public:
   Probe(const MaterialType& type, const std::vector<Real>& parameters) : Probe(type, parameters, {}, {}) {}
-  /// Parameters that are left out have their defaults. varying: numbers of the parameters that the point brings along;
-  /// own: their values.
+  /// Parameters left out have their defaults. varying: numbers of those that the point brings along; own: their values.
   Probe(const MaterialType& type, const std::vector<Real>& parameters, const std::vector<int>& varying,
       std::vector<Real> own)
       : own_parameters(std::move(own)), type_(&type), law_(type.make_varying(type.complete(parameters), varying))

@@ -252,8 +252,7 @@ std::vector<Soil> hard_soils()
   return soils;
 }
 
-/// Hard soils, states, radii from 1 + 1e-9 to 11 times the strength, middle
-/// stresses from the major to the minor one; calls f(soil, eps_eq_p, strength, trial).
+/// f(soil, eps_eq_p, strength, trial) of hard soils, radii from 1 + 1e-9 to 11 times the strength, any middle stress.
 template <class F>
 void for_each_hard_trial(F&& f)
 {
@@ -290,8 +289,7 @@ TEST(TrescaSoftening, SolvesItsImplicitEquationsForEverySofteningThatIsAdmitted)
         on_edge ? std::sqrt(square) - 2.0 * soil.G * d_e : 0.5 * (t[0] - t[2] - s[0] + s[2]) - 2.0 * soil.G * d_e;
     const Real yield = 0.5 * (s[0] - s[2]) - soil.su_after(e, d_e);
     const Real residual = std::max(std::abs(flow), std::abs(yield));
-    // Of the numbers that this check itself subtracts: where little strain came to much, d_e and its rate have few
-    // digits.
+    // Of the numbers that this check subtracts: of little strain beside much, d_e and its rate have few digits.
     const Real of_rate = d_e > 0.0 ? soil.rate_mu * strength * point.state[0] / d_e : 0.0;
     const Real round_off = 8e-16 * (t[0] + soil.G * point.state[0] + of_rate);
     Real& worst = on_edge ? worst_edge : worst_face;

@@ -132,8 +132,7 @@ std::array<Vec<2>, 4> hard_square(Real share, int k, Random& random)
   return corners;
 }
 
-/// Largest distance [of the side] between a position and what its local coordinates map back to, up to `reach` in xi
-/// and eta.
+/// Largest distance [of the side] from a position to what its local coordinates, up to `reach`, map back to.
 template <class Inverse>
 Real worst_return(Real share, Real reach, Inverse&& inverse)
 {

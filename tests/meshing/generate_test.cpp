@@ -33,8 +33,7 @@ PolygonMesh slope()
   return mesh;
 }
 
-/// A clay dike, 5 m high, 1:3 outside and 1:2 inside, with berm and ditch, on two layers; the outlines share no thin
-/// wedge.
+/// A clay dike, 5 m high, 1:3 outside and 1:2 inside, with berm and ditch, on two layers; no thin wedge is shared.
 PolygonMesh dike()
 {
   PolygonMesh mesh;

@@ -91,8 +91,7 @@ TEST(ShareOut, IsNotConfusedByLinesThatCoincideButForRoundOff)
   EXPECT_NEAR(area_of(parts, 1), 1.8, 1e-14);
 }
 
-/// A ring of n random corners in the square from -1.5 to 1.5, or on a lattice of 0.25 in it, where lines meet and
-/// coincide.
+/// A ring of n random corners in the square from -1.5 to 1.5, or on a lattice of 0.25, where lines meet and coincide.
 Polygon random_ring(int n, bool on_lattice, Random& random)
 {
   Polygon ring;

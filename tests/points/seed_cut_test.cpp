@@ -153,8 +153,7 @@ TEST(SeedCutBodies, KeepTheirPointsApartAndInProportion)
   }
 }
 
-/// Distance from the slope to the nearest point beneath it, least and most over windows of two spacings along the slope
-/// [m].
+/// Least and most distance [m] from the slope to the nearest point beneath it, over windows of two spacings along it.
 std::pair<Real, Real> depth_of_surface(const std::vector<Seed>& seeds)
 {
   const Vec<2> top = embankment[4], foot = embankment[3];

@@ -190,8 +190,7 @@ TEST(CutCellsWithAKink, StrainTheSoilThatShearsAndNotTheOther)
 
 constexpr Real layer_length = 20.0, layer_strength = 8.0e3, layer_speed = 0.04;
 
-/// A weak layer of 2 m, or less, on cells of 1 m that are turned by 30 degrees, between blocks of ten times its
-/// strength.
+/// A weak layer of 2 m, or less, on cells of 1 m turned by 30 degrees, between blocks of ten times its strength.
 Case sheared_layer(const Way& way, CutCells cut_cells, Real thickness = 2.0)
 {
   constexpr Real half = 15.0, angle = std::numbers::pi / 6.0;

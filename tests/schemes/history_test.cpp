@@ -4,8 +4,7 @@
 
 namespace history_test {
 
-/// Plastic strain of two points of equal volume in one sub-cell, the only ones of their cell, after a step in which
-/// nothing deforms.
+/// Plastic strain of two points of equal volume in one sub-cell, alone in their cell, after a step without strain.
 std::vector<Real> eps_eq_p_after_one_step(const char* scheme, const std::vector<Real>& before)
 {
   Case c = clamped_cell(scheme);

@@ -2,9 +2,8 @@
 
 namespace mpm_mixed_test {
 
-/// Two points on top of each other in each sub-cell of a full clamped cell, the second with three times the volume of
-/// the first. Stress and state of the pair in sub-cell g: 100 (g + 1) and 500 (g + 1), times one factor for each
-/// component.
+/// Two points on top of each other in each sub-cell of a full clamped cell, the second with three times the volume.
+/// Stress and state of the pair in sub-cell g: 100 (g + 1) and 500 (g + 1), times one factor for each component.
 constexpr std::array<Real, 4> factor{-3.0, -1.0, -2.0, 0.5};
 
 /// averaging: of the state variables, in place of what their law declares.

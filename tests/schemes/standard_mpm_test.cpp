@@ -21,8 +21,7 @@ TEST(StandardMpm, LocksInNearlyIncompressibleSoilWhereTheOthersSlide)
   EXPECT_GT(path_of_front("mpm_gp"), 0.8);
 }
 
-/// Root mean square difference between the pressure of a point and the mean of its cell, after 0.5 s of the softening
-/// column [Pa].
+/// Root mean square of the pressure of points less the mean of their cell, after 0.5 s of the softening column [Pa].
 Real pressure_noise(const char* scheme)
 {
   Simulation s(column(scheme));

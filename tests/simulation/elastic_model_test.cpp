@@ -4,8 +4,7 @@
 
 namespace elastic_model_test {
 
-/// A vertical cut of 2 m on a rough base, on cells of 0.5 m: its factor of safety is 0.92 to 0.94 (decision 0035). It
-/// cannot stand at full strength.
+/// A vertical cut of 2 m on a rough base, cells of 0.5 m: its factor of safety is 0.92 to 0.94 (decision 0035).
 Case cut(Real at_strength)
 {
   Case c = column_without_softening("mpm_mixed");

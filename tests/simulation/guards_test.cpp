@@ -83,8 +83,7 @@ TEST(Guards, EnergyThatNoWorkExplainsIsAFaultOnceItIsAsMuchAsAllThatWasExchanged
           row["numerical"], 0.5 * row["numerical"], row["kinetic"], row["elastic"], row["v_999"]));
 }
 
-// An elastic layer that swings under its weight: once in a period gravity has done no work on the whole, and 28 J to
-// and fro.
+// Once in a period gravity has done no work on the whole of an elastic layer that swings, and 28 J to and fro.
 TEST(Guards, WorkThatSwingsToAndFroWasExchanged)
 {
   Case c = free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.0}, elastic(1e7, 0.3, 2000.0));

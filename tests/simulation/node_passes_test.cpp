@@ -104,8 +104,7 @@ TEST(NodePasses, NodesLighterThanTheLimitAreNotAcceleratedButMoveWithTheirPoints
   EXPECT_LT(heavier.work.node[0].dv[1], 0.0);
 }
 
-/// A block of four cells with one point each, all at the local coordinate xi or eta = `place` of their cell, moving
-/// along that side.
+/// Four cells with one point each, all at the local coordinate xi or eta = `place`, moving along that side.
 Simulation block_on_sides(const std::string& scheme, int across, Real place)
 {
   Case c = free_box(scheme, {1.0, 0.5}, {1.5, 1.0}, elastic(2e6, 0.3, 2000.0));

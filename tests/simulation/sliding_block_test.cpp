@@ -107,8 +107,7 @@ TEST_P(SlidingBlock, SoilAtRestOnAnAdhesiveSlopeGainsNoEnergy)
   EXPECT_LT(kinetic_energy(points_by_id(s.state)), 0.01);
 }
 
-/// A block that slides under pure FLIP rings, and a bilateral base meets only the pushes with friction: 10 % PIC keeps
-/// it quiet.
+/// Under pure FLIP a sliding block rings, and a bilateral base rubs under pushes only: 10 % PIC keeps it quiet.
 Case rubbing_block(const char* scheme, SideKind kind, Real friction, Real degrees)
 {
   Case c = block(scheme, base(kind, 0.0, friction), tilted(degrees));

@@ -21,9 +21,8 @@ StabilityResult search(Real cell, Real from, Real to, const TrialTold& told = {}
   return find_factor_of_safety(cut(cell), {.search = {from, to, 0.02}, .rules = {}, .threads = 1}, go, told);
 }
 
-// A mesh carries no less than the soil, and too much by an order between 1/2 and 1 of its cells
-// (cases/verification/vertical_cut): the limit of two meshes by the order 1/2 lies below the exact factor, by the order
-// 2 above it.
+// A mesh carries too much by an order between 1/2 and 1 of its cells (cases/verification/vertical_cut): the limit of
+// two meshes by the order 1/2 lies below the exact factor, by the order 2 above it.
 TEST(FactorOfSafety, OfAVerticalCutTendsToTheLimitLoad)
 {
   int told = 0;

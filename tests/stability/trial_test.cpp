@@ -16,8 +16,7 @@ std::vector<TrialWindow> moving(std::initializer_list<Real> displacements)
   return windows;
 }
 
-/// Scales of soil that is as far as 0.05 m at rho g H^2/E, and moves 10 m more in each window where nothing holds it: 1
-/// mm is rest.
+/// Soil that is as far as 0.05 m at rho g H^2/E, and moves 10 m more per window where nothing holds it: 1 mm is rest.
 ElasticStart scales()
 {
   ElasticStart start;
@@ -97,8 +96,7 @@ TEST(Trial, IsTheSameEachTime)
   EXPECT_EQ(a.windows.back().displacement, b.windows.back().displacement);
 }
 
-// Stresses do not depend on the stiffening, strains go with one over it: the soil comes to the same place in the same
-// scales.
+// Stresses do not depend on the stiffening, strains go with one over it: the same place in the same scales.
 TEST(Trial, DoesNotDependOnHowSmallTheDisplacementsAre)
 {
   const Column little(1e2), much(1e4);

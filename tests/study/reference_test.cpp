@@ -1,7 +1,6 @@
-// A probability that is known: the undrained slope of 2:1 on a foundation layer as deep as the slope is high, with one
-// lognormal strength everywhere. It fails below c_u = 0.17 gamma H (Taylor 1937), so that P = Phi((ln 0.17 -
-// mu)/sigma); Griffiths & Fenton, J. Geotech. Geoenviron. Eng. 130 (2004) 507-518, with a correlation length without
-// end.
+// A known probability: the undrained slope of 2:1 on a foundation layer as deep as the slope is high, of one lognormal
+// strength everywhere, fails below c_u = 0.17 gamma H (Taylor 1937), so that P = Phi((ln 0.17 - mu)/sigma); Griffiths &
+// Fenton, J. Geotech. Geoenviron. Eng. 130 (2004) 507-518, with a correlation length without end.
 #include "study/engine.hpp"
 
 #include "study/samples.hpp"

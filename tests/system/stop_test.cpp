@@ -11,8 +11,7 @@ struct Sent {
   int wait_ms;  ///< before it is sent
 };
 
-/// Sends signals to a process that listens, and ends by itself after them. Returns the signal that ended it; 0: it
-/// lived, and was asked to stop; -1: it was not asked.
+/// The signal that ended a process which gets these and then ends itself; 0: it was asked to stop; -1: it was not.
 int end_of_listener(const std::vector<Sent>& signals)
 {
   int ms = 200;

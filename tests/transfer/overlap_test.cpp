@@ -176,8 +176,7 @@ TEST(Overlap, SumsLoseNothingAndFoldingMovesThemToSubCellsWithSoil)
   EXPECT_NE(sums.values[15 * Sums::width + patch_volume], 0.0);  // the corner is reached by way of the upper cell
 }
 
-/// The sum over points of Omega_p times the value that they take is the sum over sub-cells of what they gave times the
-/// value there: with folded shares too.
+/// Omega_p times what points take sums to what sub-cells were given times the value there, with folded shares too.
 TEST(Overlap, BothWaysAreTransposesOfEachOther)
 {
   for (const bool alone : {false, true}) {

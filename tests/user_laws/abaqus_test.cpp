@@ -1,5 +1,4 @@
-// What a UMAT written for Abaqus needs: its utility routines, which lie beside the example (cases/user_law/abaqus.f90),
-// and arrays of six components.
+// A UMAT for Abaqus needs its utility routines, beside the example (cases/user_law/abaqus.f90), and six components.
 #include "parallel/shared_library.hpp"
 #include "support/law_cases.hpp"
 
@@ -128,8 +127,7 @@ TEST(Umat, ThatCountsToSixIsElasticToo)
   }
 }
 
-/// six_components.f90 in soil that falls. only: NTENS that the law takes, 0: any. oblique: its stress 13 over that of
-/// the strain 12.
+/// six_components.f90 in soil that falls. only: NTENS that it takes, 0: any. oblique: its stress 13 over strain 12.
 MaterialCase of_components(LawInterface interface, Index n_components, Real only, Real oblique = 0.0)
 {
   return of_library(library_case("six_components.so", interface, {shear, poisson, 4e3, 1e5, only, oblique},

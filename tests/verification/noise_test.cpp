@@ -1,6 +1,5 @@
-// Noise of the pressure in clay that fails, nearly incompressible, on a distorted mesh: the distance of points from the
-// plane that fits the pressure of their neighbourhood. Integration at the points locks and gives a checkerboard; the
-// mixed schemes do not.
+// Noise of the pressure in clay that fails, nearly incompressible, on a distorted mesh: distance of points from the
+// plane through the pressures around. Integration at the points locks and gives a checkerboard; mixed schemes do not.
 #include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
@@ -43,8 +42,7 @@ Real pressure_noise(const std::vector<Point>& points)
   return std::sqrt(square / count);
 }
 
-/// Its mean over 16 moments of the slide, 0.3 s to 0.9 s: one moment may be three times as noisy as another, when
-/// points change cells.
+/// Its mean over 16 moments, 0.3 s to 0.9 s: one may be three times as noisy as another, when points change cells.
 Real mean_pressure_noise(const std::string& scheme)
 {
   constexpr int moments = 16;
