@@ -1,10 +1,7 @@
 #include "simulation/frame.hpp"
 #include "simulation/frame_fields.hpp"
-#include "support/paths.hpp"
-#include "support/process.hpp"
 #include "support/simulations.hpp"
 #include <tuple>
-#include <fmt/format.h>
 
 namespace frame_test {
 
@@ -119,22 +116,6 @@ TEST(FrameFields, OfARunAreAmongThoseThatACaseMayName)
   }
   const auto peak = std::ranges::find(known, "parameter_su_peak", &FrameField::name);
   EXPECT_EQ(peak->label, "peak undrained shear strength S_u");
-}
-
-TEST(Formats, HaveTheFieldsOfTheFrames)
-{
-  std::string block = "| field | unit | components | meaning |\n|---|---|---|---|\n";
-  for (const FrameField& field : all_frame_fields()) {
-    const auto is_it = [&](const FrameField& of_law) { return of_law.name == field.name; };
-    if (std::ranges::any_of(all_materials(),
-            [&](const MaterialType* law) { return std::ranges::any_of(frame_fields_of(*law), is_it); }))
-      break;  // those of the laws follow in one row
-    const char* components = field.n_components == 3 ? "x y z (z = 0) " : field.n_components == 4 ? "xx yy zz xy " : "";
-    block += fmt::format("| `{}` | {} | {}| {} |\n", field.name, field.unit, components, field.meaning);
-  }
-  EXPECT_TRUE(text_of(source_path("docs/formats.md")).find(block) != std::string::npos)
-      << "the table of the frames must read\n"
-      << block;
 }
 
 TEST(DeviatoricStrain, IsTheNormOfTheDeviatorByHand)
