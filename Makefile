@@ -13,8 +13,8 @@ ZIP      = $(BUILD)/terp_$(VERSION)_windows_x86_64.zip
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test package windows wheel test-web vtk verify verify-paper kill test-cluster fuzz
-.PHONY: sanitize lint accept clean
+.PHONY: help install build demo test test-long package windows wheel test-web vtk verify verify-paper kill
+.PHONY: test-cluster fuzz sanitize lint accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -43,7 +43,10 @@ demo: build      ## run the paper's models with both schemes, draw figures 1 to 
 test: install    ## install, build and run the tests
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
 	@cmake --build $(BUILD)
-	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 3 -LE verify
+	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 3 -LE 'verify|long'
+
+test-long:       ## after `make test`: the tests that take more than ten seconds each; CI runs both
+	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 3 -L long
 
 package: build   ## a Debian package: program, Python package, documents, cases, manual page, completion
 	@cmake --build $(BUILD) --target manual
