@@ -6,9 +6,9 @@
 #include "input/case_record.hpp"
 #include "output/summary_json.hpp"
 #include "run_files.hpp"
-#include "warnings/setup_warnings.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/stages.hpp"
+#include "warnings/setup_warnings.hpp"
 
 #include <atomic>
 #include <pybind11/numpy.h>

@@ -72,7 +72,7 @@ std::vector<DrawnLine> lines_of(const std::vector<DrawnRegion>& drawn, const std
 class Assignment {
  public:
   Assignment(const std::vector<DrawnRegion>& drawn, const PlanarGraph& graph, const PlanarFaces& faces)
-      : drawn_(drawn), n_(static_cast<int>(drawn.size())), graph_(graph), faces_(faces), owners_(faces.rings.size())
+      : n_(static_cast<int>(drawn.size())), graph_(graph), faces_(faces), owners_(faces.rings.size())
   {
     for (const DrawnRegion& region : drawn) outline_areas_.push_back(std::abs(signed_area(region.polygon)));
     for (const auto& rings : faces.rings) face_areas_.push_back(area_of_face(graph, rings));
@@ -196,7 +196,6 @@ class Assignment {
     return best;
   }
 
-  const std::vector<DrawnRegion>& drawn_;
   int n_;
   const PlanarGraph& graph_;
   const PlanarFaces& faces_;

@@ -207,7 +207,7 @@ class GroundFill {
   {
     std::array<std::array<Real, 3>, 2> part;
     for (std::size_t d = 0; d < 2; ++d) {
-      const auto [low, high] = std::ranges::minmax({x[0][d], x[1][d], x[2][d], x[3][d]});
+      const auto [low, high] = std::minmax({x[0][d], x[1][d], x[2][d], x[3][d]});
       const Real place = (block.row(Rows::x + static_cast<int>(d))[lane] - low) / (high - low);
       const Real below = std::clamp(0.5 - place / size, 0.0, 1.0);
       const Real beyond = std::clamp(0.5 - (1.0 - place) / size, 0.0, 1.0 - below);
@@ -230,7 +230,7 @@ class GroundFill {
 void enter_cell(const std::array<Vec<2>, 4>& corners, const CellContent& content, StandingGround& ground)
 {
   const Real top = is_upright(corners) ? -none : content.top;  // of a cell cut askew the share says little
-  const auto [left, right] = std::ranges::minmax({corners[0][0], corners[1][0], corners[2][0], corners[3][0]});
+  const auto [left, right] = std::minmax({corners[0][0], corners[1][0], corners[2][0], corners[3][0]});
   const Columns& columns = ground.columns;
   const Real full = std::min(1.0, content.volume / area_of(corners));
   if (!(full > 1e-9)) return;  // round-off

@@ -113,7 +113,7 @@ void set_values(const std::string& path, const Node& set, Node& root, std::vecto
 {
   const Node values = set;  // the list of stages is a part of the tree that changes
   for (const auto& [key, value] : leaves_of(values)) {
-    const auto refuse = [&](const std::vector<std::string>& parts) -> std::optional<Problem> {
+    const auto refuse = [&, key = key](const std::vector<std::string>& parts) -> std::optional<Problem> {
       const bool is_list = parts[0] == "load" || parts[0] == "body";
       const bool by_number = parts.size() > 1 && parts[1].find_first_not_of("[]0123456789") == std::string::npos;
       if (is_list && parts.size() > 1 && !by_number)

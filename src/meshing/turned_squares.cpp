@@ -72,7 +72,7 @@ void part_at_corners(std::set<Spot>& squares)
     removed = false;
     for (auto at = squares.begin(); at != squares.end();) {
       const auto [i, j] = *at;
-      const auto touches = [&](Index d) {
+      const auto touches = [&, i = i, j = j](Index d) {
         return squares.contains({i + d, j + 1}) && !squares.contains({i + d, j}) && !squares.contains({i, j + 1});
       };
       const bool alone = touches(1) || touches(-1);

@@ -16,8 +16,7 @@ std::vector<Real> distinct(const std::vector<PlacedValue>& values, int axis)
   std::vector<Real> all;
   for (const PlacedValue& value : values) all.push_back(value.x[axis]);
   std::ranges::sort(all);
-  const auto rest = std::ranges::unique(all);
-  all.erase(rest.begin(), rest.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 

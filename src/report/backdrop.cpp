@@ -110,7 +110,7 @@ std::vector<float> phreatic_line(
     for (const Vec<2>& x : *line)
       if (x[0] > first[0] && x[0] < last[0]) places.push_back(x[0]);
   std::ranges::sort(places);
-  places.erase(std::ranges::unique(places).begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   std::vector<float> out;
   for (const Real x : places) {
     const Real left = std::lerp(elevation_left_of(from, x), elevation_left_of(to, x), share);

@@ -6,10 +6,10 @@
 
 #include "base/errors.hpp"
 #include "mesh/mesh_error.hpp"
-#include "simulation/setup_points.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/point_parameters.hpp"
+#include "simulation/setup_points.hpp"
 
 #include <algorithm>
 #include <cmath>

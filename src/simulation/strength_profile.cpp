@@ -118,8 +118,8 @@ std::vector<Real> usual_profiles(const Model& model, const State& state)
     }
   std::vector<Real> lines{low + 0.25 * (high - low), 0.5 * (from + to), low + 0.75 * (high - low)};
   std::ranges::sort(lines);
-  const auto rest = std::ranges::unique(lines, [&](Real a, Real b) { return b - a < size; });
-  lines.erase(rest.begin(), rest.end());
+  const auto is_close = [&](Real a, Real b) { return b - a < size; };
+  lines.erase(std::unique(lines.begin(), lines.end(), is_close), lines.end());
   return lines;
 }
 

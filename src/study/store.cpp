@@ -62,7 +62,7 @@ StoreHead check_head(const Study& study, const std::string& path, std::string_vi
 SolvedUnder& solved_under(const StoreHead& head, StoredStudy& stored)
 {
   const auto there = std::ranges::find(stored.solvers, head, &SolvedUnder::head);
-  return there != stored.solvers.end() ? *there : stored.solvers.emplace_back(head);
+  return there != stored.solvers.end() ? *there : stored.solvers.emplace_back(SolvedUnder{head});
 }
 
 void take(const std::string& path, Realisation row, StoredStudy& stored)

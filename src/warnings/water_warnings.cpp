@@ -432,7 +432,7 @@ void find_odd_water(const Model& model, const State& state, std::vector<Problem>
   for (const Index cell : state.points.occupied())
     nodes.insert(nodes.end(), model.mesh->cells[cell].begin(), model.mesh->cells[cell].end());
   std::ranges::sort(nodes);
-  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   if (model.water->is_dry(nodes))
     warnings.push_back({"water", "the water touches no soil",
         "Its pressure is zero in all soil, in every situation. Elevations are in m, in the frame of the mesh.",
