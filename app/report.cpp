@@ -82,7 +82,8 @@ int export_run(const ExportCommand& command)
   const std::string folder = command.folder.empty() ? path_in(command.run, command.format) : command.folder;
   const auto paths = export_frames(frames, {command.fields, command.frames, folder});
   for (const auto& warning : frames.warnings()) fmt::print(stderr, "warning: {}\n", warning.en);
-  fmt::print("{} frames in {}, listed in {}\n", paths.size() - 1, folder, paths.back());
+  const std::size_t n = paths.size() - 1;
+  fmt::print("{} frame{} in {}, listed in {}\n", n, n == 1 ? "" : "s", folder, paths.back());
   return solved;
 }
 

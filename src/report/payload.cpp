@@ -436,7 +436,7 @@ std::string text_for_a_page(const Json& document)
 
 std::string note_on(const std::string& name, const ShownRun& shown)
 {
-  std::string note = fmt::format("{}: {} frames", name, shown.frames.size());
+  std::string note = fmt::format("{}: {} frame{}", name, shown.frames.size(), shown.frames.size() == 1 ? "" : "s");
   if (shown.frames.size() < shown.n_frames_in_run) note += fmt::format(" of {}", shown.n_frames_in_run);
   note += fmt::format(", {} points", shown.ids.size());
   if (std::ssize(shown.ids) < shown.n_points) note += fmt::format(" of {}", shown.n_points);

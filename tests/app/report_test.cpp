@@ -119,6 +119,8 @@ TEST(Export, WritesTheFramesAndSaysWhere)
   EXPECT_EQ(succeeded(test::terp({"export", runs().gp, "--field", "su", "--frames", "0,last", "-o", folder})).out,
       "2 frames in " + folder + ", listed in " + folder + "/frames.csv\n");
   EXPECT_TRUE(std::filesystem::exists(folder + "/frame_00002.csv"));
+  EXPECT_THAT(succeeded(test::terp({"export", runs().gp, "--frames", "last", "-o", folder})).out,
+      StartsWith("1 frame in " + folder + ", listed in "));
   EXPECT_THAT(error_with(2, test::terp({"export", runs().gp, "--format", "vtu"})),
       StartsWith("error: there is no format `vtu`\n  Formats: csv. The frames of a run are VTKHDF files"));
 }

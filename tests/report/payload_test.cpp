@@ -212,7 +212,9 @@ TEST(Payload, LeavesDamagedFramesOutAndNamesThem)
   }
   const Payload payload = make_payload({folder}, {});
   EXPECT_THAT(payload.warnings, ElementsAre(HasSubstr(path + " is left out")));
-  EXPECT_THAT(payload.notes[0], HasSubstr("2 frames"));
+  EXPECT_THAT(payload.notes[0], StartsWith("run: 2 frames, "));
+  std::filesystem::remove(path_in(folder, frame_file(point_frames, 2)));
+  EXPECT_THAT(make_payload({folder}, {}).notes[0], StartsWith("run: 1 frame, "));
 }
 
 }  // namespace payload_test
