@@ -109,12 +109,12 @@ struct StudyWithStores {
     make_folder(path);
     return path;
   }
-  /// Solves what is missing there.
+  /// Solves what is missing there, and reads all that is there then.
   Realisations run(const std::string& store, const EngineOptions& options = {}) const
   {
     Realisations rows = read_store(study, of(store)).rows;
     run_realisations(study, of(store), options, never_stop, rows);
-    return rows;
+    return read_store(study, of(store)).rows;
   }
 };
 

@@ -118,17 +118,21 @@ bool same_array(const NamedArray& a, const NamedArray& b)
 void expect_same_bits(
     const Case& c, const std::vector<int>& threads, const std::vector<Real>& times, std::int64_t n_steps)
 {
-  const auto end_of = [n_steps](Simulation&& s) {
+  const auto end_on = [&](int n_threads, const StateImage* from) {
+    Simulation s = followed(c, n_threads);
+    EXPECT_EQ(s.work.threads.count(), n_threads);
+    if (from) s.restore(*from);
     n_steps > 0 ? s.step(n_steps - s.state.step) : s.run();
     return s.save();
   };
-  const StateImage whole = end_of(followed(c));
-  for (const int n : threads) EXPECT_EQ(first_difference(whole, end_of(followed(c, n))), "") << n << " threads";
+  const StateImage whole = end_on(1, nullptr);
+  for (const int n : threads) EXPECT_EQ(first_difference(whole, end_on(n, nullptr)), "") << n << " threads";
   for (const Real time : times) {
-    Simulation first = followed(c), second = followed(c);
+    Simulation first = followed(c);
     first.advance_to(time);
-    second.restore(first.save());
-    EXPECT_EQ(first_difference(whole, end_of(std::move(second))), "") << "from " << time << " s on";
+    const StateImage image = first.save();
+    EXPECT_EQ(first_difference(whole, end_on(threads.empty() ? 1 : threads.back(), &image)), "")
+        << "from " << time << " s on";
   }
 }
 

@@ -65,8 +65,8 @@ std::vector<Real> row_by_id(const State& state, int row);
 /// Draws the soil anew: each point at place(where it was at t = 0) [m]. Nothing else of it changes.
 void draw_points(Simulation& s, const std::function<Vec<2>(Vec<2>)>& place);
 
-/// Expects that a run, with all followers, ends in the same bits on other numbers of threads, and where it goes on from
-/// a checkpoint at any of the times [s]. n_steps: that it makes; 0: to its end.
+/// Expects that a run, with all followers, ends in the same bits on other numbers of threads, and where it goes on, on
+/// the last of them, from a checkpoint of one thread at any of the times [s]. n_steps: that it makes; 0: to its end.
 void expect_same_bits(
     const Case& c, const std::vector<int>& threads, const std::vector<Real>& times = {}, std::int64_t n_steps = 0);
 
