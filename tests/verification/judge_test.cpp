@@ -33,52 +33,49 @@ Row judge_one(const Sample& s, const Finding& f)
   return judge("case", s.file, {{&s.file, &s.coarse, "mpm_gp"}}, {{.findings = {f}, .fault = ""}}).front();
 }
 
-TEST(Judge, ANumberWithinItsToleranceOfTheReferencePasses)
+TEST(Judge, ANumberIsHeldAgainstItsToleranceOrBound)
 {
   Sample s;
   const Quantity& q = s.add("width");
-  EXPECT_EQ(judge_one(s, finding(q, 2.1, 2.0, 0.11)).verdict, Verdict::pass);
-  const Row row = judge_one(s, finding(q, 2.1, 2.0, 0.09));
-  EXPECT_EQ(row.verdict, Verdict::fail);
+  struct Case {
+    Real value, reference;
+    Real Finding::*kind;
+    Real limit;
+    Verdict verdict;
+    Real used;
+  };
+  using enum Verdict;
+  for (const Case& c : std::vector<Case>{{2.1, 2.0, &Finding::tolerance, 0.11, pass, 0.1 / 0.11},
+           {2.1, 2.0, &Finding::tolerance, 0.09, fail, 0.1 / 0.09},
+           {-1.9, -2.0, &Finding::relative, 0.051, pass, 0.05 / 0.051},
+           {-1.9, -2.0, &Finding::relative, 0.049, fail, 0.05 / 0.049}, {2.0, NAN, &Finding::at_least, 2.0, pass, 1.0},
+           {2.0, NAN, &Finding::at_least, 1.0, pass, 0.5}, {1.99, NAN, &Finding::at_least, 2.0, fail, 2.0 / 1.99},
+           {1.99, NAN, &Finding::at_most, 1.98, fail, 1.99 / 1.98}}) {
+    Finding f = finding(q, c.value, c.reference, NAN);
+    f.*c.kind = c.limit;
+    const Row row = judge_one(s, f);
+    EXPECT_EQ(row.verdict, c.verdict) << c.value << ' ' << c.limit;
+    EXPECT_NEAR(row.used, c.used, 1e-12) << c.value << ' ' << c.limit;
+  }
+  Finding f = finding(q, 2.0, NAN, NAN);
+  f.at_least = -1.0;
+  EXPECT_LT(judge_one(s, f).used, 0.0) << "a bound without size";
+}
+
+TEST(Judge, ARowSaysTheErrorInTheUnitOfItsTolerance)
+{
+  Sample s;
+  Finding f = finding(s.add("width"), 2.1, 2.0, 0.09);
+  const Row row = judge_one(s, f);
   EXPECT_EQ(row.run, "coarse, mpm_gp");
   EXPECT_EQ(row.terp, "2.1");
   EXPECT_EQ(row.error, "0.1");
   EXPECT_EQ(row.tolerance, "0.09");
-  EXPECT_NEAR(row.used, 0.1 / 0.09, 1e-12);
-}
-
-TEST(Judge, ARelativeToleranceIsOfTheReference)
-{
-  Sample s;
-  Finding f = finding(s.add("width"), -1.9, -2.0, NAN);
-  f.relative = 0.051;
-  EXPECT_EQ(judge_one(s, f).verdict, Verdict::pass);
+  f.tolerance = NAN, f.relative = 0.1;
   EXPECT_EQ(judge_one(s, f).error, "5 %");
-  EXPECT_NEAR(judge_one(s, f).used, 0.05 / 0.051, 1e-12);
-  f.relative = 0.049;
-  EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
 }
 
-TEST(Judge, BoundsHoldOnOneSide)
-{
-  Sample s;
-  Finding f = finding(s.add("width"), 2.0, NAN, NAN);
-  f.at_least = 2.0;
-  EXPECT_EQ(judge_one(s, f).verdict, Verdict::pass);
-  EXPECT_EQ(judge_one(s, f).used, 1.0);
-  f.at_least = 1.0;
-  EXPECT_EQ(judge_one(s, f).used, 0.5);
-  f.at_least = -1.0;
-  EXPECT_LT(judge_one(s, f).used, 0.0);  // a bound without size
-  f.at_least = 2.0;
-  f.value = 1.99;
-  EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
-  f.at_least = NAN, f.at_most = 1.98;
-  EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
-  EXPECT_EQ(judge_one(s, f).used, 1.99 / 1.98);
-}
-
-TEST(Judge, WhatIsNoNumberNeverPasses)
+TEST(Judge, WhatIsNoFiniteNumberNeverPasses)
 {
   Sample s;
   Finding f = finding(s.add("time"), NAN, 2.0, 1e9);
@@ -86,16 +83,11 @@ TEST(Judge, WhatIsNoNumberNeverPasses)
   EXPECT_EQ(judge_one(s, f).terp, "never");
   EXPECT_EQ(judge_one(s, f).remark, "the formula, or a quantity in it, is not a finite number");
   f.tolerance = NAN, f.at_most = 1.0;
-  EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
-}
-
-TEST(Judge, WhatIsInfiniteNeverPasses)
-{
-  Sample s;
-  Finding f = finding(s.add("width"), INFINITY, NAN, NAN);
-  f.at_least = 1.0;
-  EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
-  f.value = -INFINITY, f.at_least = NAN, f.at_most = 1.0;
+  for (const Real value : {Real{NAN}, -Real{INFINITY}}) {
+    f.value = value;
+    EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
+  }
+  f.value = INFINITY, f.at_most = NAN, f.at_least = 1.0;
   EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
 }
 
