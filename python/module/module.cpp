@@ -147,6 +147,8 @@ class PythonSimulation {
   {
     if (views_.use_count() > 1)
       throw py::buffer_error("views from blocks() are still in use: delete them before restore()");
+    if (files_)  // rows and frames after the saved state would stay in them
+      throw CaseError("this run writes files, which do not go back: restore() a Simulation without `output`");
     alone([&] { run_->restore(image); });
     has_fault_ = false;
   }

@@ -158,7 +158,8 @@ class Simulation:
         return self._run.save()
 
     def restore(self, state: _core.SavedState) -> None:
-        """Back to a saved state of this case, also of another Simulation of it. Laws may have other parameters."""
+        """Back to a saved state of this case, also of another Simulation of it. Laws may have other parameters. Raises
+        CaseError in a run with files, which do not go back."""
         self._run.restore(state)
 
     def close(self) -> None:

@@ -161,6 +161,16 @@ class SimulationInMemory(unittest.TestCase):
         run.run()
         self.same_bits(run)
 
+    def test_a_run_with_files_does_not_go_back(self):
+        with tempfile.TemporaryDirectory() as folder, terp.Simulation(self.case, output=folder) as run:
+            run.step(3)
+            saved = run.save()
+            with self.assertRaisesRegex(terp.CaseError, "files, which do not go back"):
+                run.restore(saved)
+            other = terp.Simulation(self.case)
+            other.restore(saved)
+            self.assertEqual(other.time, run.time)
+
     def test_fields_can_be_set(self):
         run = terp.Simulation(self.case)
         run.start()
