@@ -1,6 +1,7 @@
 #include "support/twin.hpp"
 
-#include "simulation/kernels.hpp"
+#include "materials/material.hpp"
+#include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/paths.hpp"
 
@@ -58,72 +59,33 @@ Mesh<2> make_mesh(const Json& j)
 /// One number for all nodes of the contact; 0 without contact.
 Real common_value(const Json& list) { return list.empty() ? 0.0 : list.at(0).get<Real>(); }
 
-Boundary make_boundary(const Mesh<2>& mesh, const Json& contact)
-{
-  SideCondition slab = test::side("slab", SideKind::contact_bilateral);
-  slab.adhesion = common_value(contact.at("adhesion")), slab.friction = common_value(contact.at("friction"));
-  return Boundary(mesh, {test::side("wall", SideKind::roller), test::side("base", SideKind::roller), slab});
-}
-
-const NodeSide* find_side_at(const Boundary& boundary, Index node, SideKind kind, int direction)
-{
-  const NodeCondition* c = boundary.at(node);
-  for (int k = 0; c != nullptr && k < c->n; ++k)
-    if (c->sides[k].action == info_of(kind).action && std::abs(c->sides[k].normal[direction]) > 0.5)
-      return &c->sides[k];
-  return nullptr;
-}
-
-/// The JSON's flags and contact lists against what the sides gave.
-void check_boundary(const Boundary& boundary, const Json& mesh)
-{
-  const auto require = [](bool is_so, const std::string& what) {
-    if (!is_so) throw std::runtime_error("the scenario's boundary is not that of the sides: " + what);
-  };
-  const Json &fixed = mesh.at("fixed"), &contact = mesh.at("contact");
-  for (std::size_t i = 0; i < fixed.size(); ++i)
-    for (int d = 0; d < 2; ++d)
-      require((find_side_at(boundary, static_cast<Index>(i), SideKind::roller, d) != nullptr) == (fixed[i][d] == 1),
-          "fixed");
-  for (std::size_t k = 0; k < contact.at("nodes").size(); ++k) {
-    const NodeSide* side = find_side_at(boundary, contact.at("nodes")[k], SideKind::contact_bilateral, 1);
-    const Real force = contact.at("adhesion")[k].get<Real>() * contact.at("length")[k].get<Real>();
-    require(side != nullptr && std::abs(side->adhesion_force - force) < 1e-12 * force, "adhesion");
-    require(side->friction == contact.at("friction")[k].get<Real>(), "friction");
-  }
-}
-
-SoilMaterial make_material(const Json& j)
+MaterialCase make_material(const Json& j)
 {
   const MaterialType* type = find_material(j.at("law").get<std::string>());
   std::vector<Real> values;
   for (const ParameterInfo& p : type->parameters)
     values.push_back(j.value(std::string(p.name), std::numeric_limits<Real>::quiet_NaN()));  // what it does not have
-  return {"soil", type, type->make(type->complete(values)), j.at("density").get<Real>(), {}};
+  return {"soil", std::string(type->name), j.at("density"), type->complete(values)};
 }
 
-Model make_model(const Json& j)
+/// The scenario's points are no body of the case: make_state has them.
+Case make_case(const Json& j)
 {
-  const Json& o = j.at("options");
-  Model model;
-  model.mesh = std::make_shared<const Mesh<2>>(make_mesh(j.at("mesh")));
-  model.materials.push_back(make_material(j.at("material")));
-  model.method.filled_fraction = o.at("filled_fraction");
-  model.method.b_bar = o.at("force_operator") == "b_bar";
-  model.method.objective_rate = o.at("objective_rate") == "jaumann" ? ObjectiveRate::jaumann : ObjectiveRate::none;
-  model.method.shares = o.at("shares") == "overlap" ? Shares::overlap : Shares::point;
-  model.gravity = o.at("gravity").get<Vec<2>>();
-  model.damping.local = o.at("local_damping");
-  const Real g = std::hypot(model.gravity[0], model.gravity[1]);
-  model.damping.down = {model.gravity[0] / g, model.gravity[1] / g};
-  model.scheme = find_scheme(j.at("scheme").get<std::string>());
-  model.step = kernels().step;
-  model.dt = j.at("dt");
-  model.largest_density = model.materials[0].density;
-  add_rows(0, model.materials[0], model.rows);
-  if (model.method.shares == Shares::overlap)
-    model.inverse_extent = model.rows.add({.name = "inverse_extent", .unit = "1/m", .meaning = "", .owner = "method"});
-  return model;
+  const Json &o = j.at("options"), &contact = j.at("mesh").at("contact");
+  Case c;
+  c.scheme = j.at("scheme");
+  c.method.filled_fraction = o.at("filled_fraction");
+  c.method.b_bar = o.at("force_operator") == "b_bar";
+  c.method.objective_rate = o.at("objective_rate") == "jaumann" ? ObjectiveRate::jaumann : ObjectiveRate::none;
+  c.method.shares = o.at("shares") == "overlap" ? Shares::overlap : Shares::point;
+  c.forces.gravity = o.at("gravity").get<Vec<2>>();
+  c.forces.local_damping = o.at("local_damping");
+  c.materials = {make_material(j.at("material"))};
+  c.bodies = {body("soil", {0.0, 0.0}, {1.0, 1.0})};
+  c.sides = {side("wall", SideKind::roller), side("base", SideKind::roller), side("slab", SideKind::contact_bilateral)};
+  c.sides[2].adhesion = common_value(contact.at("adhesion")),
+  c.sides[2].friction = common_value(contact.at("friction"));
+  return c;
 }
 
 void put_row(const Json& value, int row, std::vector<Real>& values)
@@ -187,9 +149,12 @@ std::vector<std::string> scenario_names()
 Scenario load_scenario(const std::string& name)
 {
   const Json& j = find_scenario(name);
-  Scenario s{.name = name, .n_steps = j.at("n_steps"), .model = make_model(j), .state = {}, .expected = {}};
-  s.model.boundary = make_boundary(*s.model.mesh, j.at("mesh").at("contact"));
-  check_boundary(s.model.boundary, j.at("mesh"));
+  Scenario s{.name = name,
+      .n_steps = j.at("n_steps"),
+      .model = build_model(make_case(j), std::make_shared<const Mesh<2>>(make_mesh(j.at("mesh"))), 1),
+      .state = {},
+      .expected = {}};
+  s.model.dt = j.at("dt");
   s.state = make_state(s.model, j.at("points"));
   for (const char* field : {"x", "v", "volume", "sigma", "strain", "eps_eq_p"})
     s.expected.push_back({field, flat(j.at("expected").at(field))});

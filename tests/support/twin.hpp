@@ -23,7 +23,6 @@ struct Scenario {
 };
 
 std::vector<std::string> scenario_names();
-/// Throws std::runtime_error if the boundary that the sides of the mesh give is not the scenario's, node by node.
 Scenario load_scenario(const std::string& name);
 /// The same points without boundaries and damping.
 Scenario load_free_scenario(const std::string& name);
