@@ -1,18 +1,11 @@
 #include "output/run_folder.hpp"
 #include "output/files.hpp"
 #include "output/samples.hpp"
+#include "support/process.hpp"
 #include "support/scratch.hpp"
 #include "support/test.hpp"
 
 namespace run_folder_test {
-
-std::vector<std::string> files_in(const std::string& folder)
-{
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    names.push_back(entry.path().filename().string());
-  return names;
-}
 
 using RunFolder = ScratchTest;
 
@@ -46,7 +39,7 @@ TEST_F(RunFolder, ForceRemovesTheFilesOfARunAndNoOthers)
   prepare_run_folder(folder, true);
   auto left = foreign;
   left.push_back("case.toml.d");
-  EXPECT_THAT(files_in(folder), testing::UnorderedElementsAreArray(left));
+  EXPECT_THAT(names_in(folder), testing::UnorderedElementsAreArray(left));
 }
 
 TEST_F(RunFolder, ForceKeepsAFolderOfFramesThatHoldsAnythingElse)
@@ -55,7 +48,7 @@ TEST_F(RunFolder, ForceKeepsAFolderOfFramesThatHoldsAnythingElse)
   for (const char* name : {"frames/points_00000.vtkhdf", "frames/notes.txt"})
     write_file_atomically(path_in(folder, name), "");
   prepare_run_folder(folder, true);
-  EXPECT_THAT(files_in(folder + "/frames"), ElementsAre("notes.txt"));
+  EXPECT_THAT(names_in(folder + "/frames"), ElementsAre("notes.txt"));
 }
 
 TEST_F(RunFolder, HoldsCopiesOfTheFilesThatTheCaseNamesEvenIfTheyAreThoseOfTheRunBefore)

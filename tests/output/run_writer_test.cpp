@@ -200,13 +200,6 @@ TEST_F(RunWriterTest, TheSummaryNamesTheCase)
   EXPECT_THAT(read_file(folder + "/summary.json"), HasSubstr("\"case_name\": \"model_2\""));
 }
 
-TEST_F(RunWriterTest, AFolderBelowAFileIsRefusedBeforeAnythingRuns)
-{
-  write_file_atomically(folder + "/file", "");
-  EXPECT_THAT(file_error_of([&] { RunWriter::start(settings_for(folder + "/file/sub"), false); }),
-      AllOf(HasSubstr(folder + "/file/sub"), HasSubstr("Not a directory")));
-}
-
 TEST_F(RunWriterTest, OnAFullDiskEveryWriteFailsAndNothingEarlierIsHarmed)
 {
   const SmallDisk disk(2 << 20);

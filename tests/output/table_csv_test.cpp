@@ -7,7 +7,8 @@ namespace table_csv_test {
 
 struct TableCsv : testing::Test {
   const ScratchFolder scratch;
-  const std::string path = scratch.path() + "/ledger.csv";
+  const std::string path = scratch.path() + "/ledger.csv", ledger_header = header_of(*sample_ledger_table()),
+                    history_header = header_of(*history_table());
 };
 
 TEST_F(TableCsv, AHistoryRowIsWrittenWithShortestNumbersAndNan)
@@ -36,34 +37,31 @@ TEST_F(TableCsv, ALedgerRowFollowsItsHeader)
   EXPECT_EQ(csv_lines(sample_ledger(0.5)),
       "0.5,100,2,1.25,0.75,2.5,3.75,4.5,-5.5,-6.5,0.375,0.875,-0.5,-0.25,0.125,1e-12,31840,640,320,7.5,-8.5,3,0,"
       "6.25,5.75,13.1,nan,1.75,nan,3.5,1.5,4.25,3.25,5.125,4.5\n");
-  const std::string header = header_of(*sample_ledger_table());
-  EXPECT_TRUE(header.starts_with("time,step,stage,kinetic,kinetic_nodal,elastic,")) << header;
-  EXPECT_EQ(std::count(header.begin(), header.end(), ','), 34);
+  EXPECT_THAT(ledger_header, StartsWith("time,step,stage,kinetic,kinetic_nodal,elastic,"));
+  EXPECT_EQ(std::ranges::count(ledger_header, ','), 34);
 }
 
 TEST_F(TableCsv, OpeningWritesTheHeaderOnce)
 {
-  TableFile(path, header_of(*history_table())).append(csv_lines(sample_history(0.1)));
-  TableFile(path, header_of(*history_table())).append(csv_lines(sample_history(0.2)));
-  EXPECT_EQ(read_file(path),
-      header_of(*history_table()) + "\n" + csv_lines(sample_history(0.1)) + csv_lines(sample_history(0.2)));
+  TableFile(path, history_header).append(csv_lines(sample_history(0.1)));
+  TableFile(path, history_header).append(csv_lines(sample_history(0.2)));
+  EXPECT_EQ(read_file(path), history_header + "\n" + csv_lines(sample_history(0.1)) + csv_lines(sample_history(0.2)));
 }
 
 TEST_F(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
 {
   const Real exact = 0.1 + 0.2;  // not 0.3: only the exact bits keep the row
-  TableFile table(path, header_of(*sample_ledger_table()));
+  TableFile table(path, ledger_header);
   for (const Real time : {0.1, exact, std::nextafter(exact, 1.0)}) table.append(csv_lines(sample_ledger(time)));
-  drop_rows_after(path, header_of(*sample_ledger_table()), exact);
-  EXPECT_EQ(read_file(path),
-      header_of(*sample_ledger_table()) + "\n" + csv_lines(sample_ledger(0.1)) + csv_lines(sample_ledger(exact)));
+  drop_rows_after(path, ledger_header, exact);
+  EXPECT_EQ(read_file(path), ledger_header + "\n" + csv_lines(sample_ledger(0.1)) + csv_lines(sample_ledger(exact)));
 }
 
 TEST_F(TableCsv, ALastRowThatWasCutShortIsDropped)
 {
-  TableFile(path, header_of(*sample_ledger_table())).append(csv_lines(sample_ledger(0.1)) + "0.2,100,1.2");
-  drop_rows_after(path, header_of(*sample_ledger_table()), 5.0);
-  EXPECT_EQ(read_file(path), header_of(*sample_ledger_table()) + "\n" + csv_lines(sample_ledger(0.1)));
+  TableFile(path, ledger_header).append(csv_lines(sample_ledger(0.1)) + "0.2,100,1.2");
+  drop_rows_after(path, ledger_header, 5.0);
+  EXPECT_EQ(read_file(path), ledger_header + "\n" + csv_lines(sample_ledger(0.1)));
 }
 
 /// A table is begun when its first row comes, which may be after the checkpoint that a run goes on from.
@@ -83,44 +81,41 @@ TEST_F(TableCsv, OneThatWasCutWithinItsHeaderIsBegunAgain)
 
 TEST_F(TableCsv, CountsTheWholeRowsUpToATime)
 {
-  EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 1.0).n_rows, 0);
-  EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 1.0).checksum, "");
-  TableFile table(path, header_of(*sample_ledger_table()));
+  EXPECT_EQ(read_part_until(path, ledger_header, 1.0).n_rows, 0);
+  EXPECT_EQ(read_part_until(path, ledger_header, 1.0).checksum, "");
+  TableFile table(path, ledger_header);
   for (const Real time : {0.1, 0.2, 0.3}) table.append(csv_lines(sample_ledger(time)));
   table.append("0.4,100,1.2");
-  EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 0.2).n_rows, 2);
-  EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 0.4).n_rows, 3);
+  EXPECT_EQ(read_part_until(path, ledger_header, 0.2).n_rows, 2);
+  EXPECT_EQ(read_part_until(path, ledger_header, 0.4).n_rows, 3);
 }
 
 TEST_F(TableCsv, TheChecksumOfAGrowingTableIsThatOfItsPartUpToThere)
 {
   std::string first, second;
   {
-    TableFile table(path, header_of(*sample_ledger_table()));
+    TableFile table(path, ledger_header);
     table.append(csv_lines(sample_ledger(0.1)));
     first = table.checksum();
   }
-  TableFile again(path, header_of(*sample_ledger_table()));
+  TableFile again(path, ledger_header);
   EXPECT_EQ(again.checksum(), first);
   again.append(csv_lines(sample_ledger(0.2)));
   second = again.checksum();
   again.append(csv_lines(sample_ledger(0.3)));
-  EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 0.1).checksum, first);
-  EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 0.2).checksum, second);
+  EXPECT_EQ(read_part_until(path, ledger_header, 0.1).checksum, first);
+  EXPECT_EQ(read_part_until(path, ledger_header, 0.2).checksum, second);
   EXPECT_NE(first, second);
 }
 
 TEST_F(TableCsv, ATableOfOtherColumnsIsRefused)
 {
   write_file_atomically(path, "time,x\n0.1,2\n");
-  EXPECT_EQ(file_error_of([&] { drop_rows_after(path, header_of(*history_table()), 1.0); }),
+  EXPECT_EQ(file_error_of([&] { drop_rows_after(path, history_header, 1.0); }),
       "cannot continue " + path + ": its columns are not those of terp " TERP_VERSION);
 }
 
-TEST_F(TableCsv, WithoutATableThereIsNothingToDrop)
-{
-  EXPECT_NO_THROW(drop_rows_after(path, header_of(*history_table()), 1.0));
-}
+TEST_F(TableCsv, WithoutATableThereIsNothingToDrop) { EXPECT_NO_THROW(drop_rows_after(path, history_header, 1.0)); }
 
 TEST_F(TableCsv, OneLinePerFooting)
 {
