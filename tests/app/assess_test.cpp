@@ -70,8 +70,7 @@ TEST_F(Assess, SolvesAReachAndKeepsWhatIsSolved)
 
   // Changed by hand: the trigger stays in the one, and the other is no longer held.
   std::ofstream(folder + "/example-2020.03-v1/case.toml", std::ios::app) << "# by hand\n";
-  const std::string path = folder + "/berm-fragility-2023/case.toml";
-  replace_in(path, "at_strength = 0.5", "at_strength = 1.0");
+  replace_in(folder + "/berm-fragility-2023/case.toml", "at_strength = 0.5", "at_strength = 1.0");
   auto checked = words;
   checked.push_back("--estimate");
   EXPECT_EQ(test::terp(checked).status, 3);
@@ -151,8 +150,7 @@ TEST_F(Assess, KeepsACaseThatWasChangedByHandAfterItWasSolvedToo)
   EXPECT_THAT(text_of(section + "/case.toml"), HasSubstr("# by hand"));
 
   fs::remove(section + "/section.json");  // nothing is known of the case that is there
-  const Finished unknown = test::terp(assess_command(folder, {example}));
-  EXPECT_THAT(unknown.out, HasSubstr("case.toml is not as terp wrote it"));
+  EXPECT_THAT(test::terp(assess_command(folder, {example})).out, HasSubstr("case.toml is not as terp wrote it"));
   EXPECT_THAT(text_of(section + "/case.toml"), HasSubstr("# by hand"));
 }
 
@@ -199,9 +197,8 @@ TEST_F(Assess, KnowsItsOwnCaseHoweverItsFolderIsSpelled)
 
 TEST_F(Assess, HoldsOnlySoilThatSlidesAsItIsDrawn)
 {
-  const std::string path = folder + "/example-2020.03-v1/case.toml";
   succeeded(test::terp(assess_command(folder, {example}, {"--estimate"})));
-  replace_in(path, "[initial]\n", "[initial]\nmax_steps = 20\n");
+  replace_in(folder + "/example-2020.03-v1/case.toml", "[initial]\n", "[initial]\nmax_steps = 20\n");
   EXPECT_EQ(test::terp(assess_command(folder, {example})).status, 3);
   const auto record = reach_in(folder)["sections"][0];
   EXPECT_EQ(record["state"], "failed");
@@ -262,8 +259,7 @@ TEST_F(Assess, AReportInAnotherLanguageIsMadeAnew)
   const std::string section = folder + "/example-2020.03-v1";
   succeeded(test::terp(assess_command(folder, {example})));
   const std::string ledger = text_of(section + "/run/ledger.csv"), english = text_of(section + "/run/report.html");
-  const Finished dutch = test::terp(assess_command(folder, {example}, {"--language", "nl"}));
-  EXPECT_THAT(dutch.out, testing::Not(HasSubstr("kept")));
+  EXPECT_THAT(test::terp(assess_command(folder, {example}, {"--language", "nl"})).out, testing::Not(HasSubstr("kept")));
   EXPECT_NE(text_of(section + "/run/report.html"), english);
   EXPECT_EQ(text_of(section + "/run/ledger.csv"), ledger);
   std::string record = text_of(section + "/section.json");

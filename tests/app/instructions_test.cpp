@@ -68,8 +68,7 @@ std::vector<NamedArray> rows_of_short_column(const std::string& instructions)
   const Variable variable("TERP_INSTRUCTIONS", instructions);
   const ScratchFolder folder;
   EXPECT_EQ(run_column(folder.path() + "/run", {"--set", "forces.damping.local=0"}).status, 0);
-  const CheckpointSearch end = newest_good_checkpoint(folder.path() + "/run");
-  std::vector<NamedArray> rows = end.image.value().arrays;
+  std::vector<NamedArray> rows = newest_good_checkpoint(folder.path() + "/run").image.value().arrays;
   std::erase_if(rows, [](const NamedArray& array) {
     return !array.name.starts_with("points/") || !std::holds_alternative<std::vector<Real>>(array.values);
   });

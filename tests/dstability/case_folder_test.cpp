@@ -104,8 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Files, Sample,
 const CaseFolder& tutorial()
 {
   static const CaseFolder folder = [] {
-    const StixProject project = read_stix(sample_path("tutorial-2023"));
-    return case_folder_of(project, {.scenario = 1, .stage = 1, .kinds = kinds()});
+    return case_folder_of(read_stix(sample_path("tutorial-2023")), {.scenario = 1, .stage = 1, .kinds = kinds()});
   }();
   return folder;
 }
@@ -164,8 +163,7 @@ TEST(CaseFolder, CutsASoilThatDiffersAboveThePhreaticLine)
 TEST(CaseFolder, HasTheColoursAndSlipPlanesOfTheFile)
 {
   const Case description = read_folder(tutorial()).values;
-  const StixProject project = read_stix(sample_path("tutorial-2023"));
-  std::vector<StixCalculation> stored = project.scenarios[1].calculations;
+  std::vector<StixCalculation> stored = read_stix(sample_path("tutorial-2023")).scenarios[1].calculations;
   std::erase_if(stored, [](const StixCalculation& c) { return c.result->slip_plane.empty(); });  // probabilistic
   ASSERT_EQ(stored.size(), 3u);
   ASSERT_EQ(description.slip_planes.size(), stored.size());
@@ -340,8 +338,7 @@ TEST(HandSection, FitsATableOfStrengthToTheDeepestPieceInWhateverOrder)
 
 TEST(HandSection, SaysThatALineIsLevelBeyondItsEnds)
 {
-  const StixLine phreatic{{2, -1}, {8, -1}, {12, -2}};
-  const Case described = case_of(project_of({stage_of(clay_on_sand().layers, phreatic)}));
+  const Case described = case_of(project_of({stage_of(clay_on_sand().layers, StixLine{{2, -1}, {8, -1}, {12, -2}})}));
   EXPECT_THAT(
       described.water.start.phreatic_line, ElementsAre(Vec<2>{2, -1}, Vec<2>{8, -1}, Vec<2>{12, -2}, Vec<2>{20, -2}));
 }

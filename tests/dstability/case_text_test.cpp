@@ -56,8 +56,7 @@ TEST(SectionTextOf, PlacesBreakBeforeTheMargin)
 {
   std::vector<Vec<2>> places;
   for (int k = 0; k < 40; ++k) places.push_back({0.125 * k, 1.5});
-  const std::string text = "polygon  = " + places_text(places, 2, 11);
-  std::istringstream lines(text);
+  std::istringstream lines("polygon  = " + places_text(places, 2, 11));
   int n = 0;
   for (std::string line; std::getline(lines, line); ++n) EXPECT_LE(line.size(), 120u);
   EXPECT_EQ(n, 5);

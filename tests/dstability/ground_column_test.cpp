@@ -68,8 +68,7 @@ TEST(GroundColumn, AgreesWithTheOutlinesAtRandomPlaces)
         if (contains(layer.outline, place) &&
             (expected == nullptr || std::abs(signed_area(layer.outline)) < std::abs(signed_area(expected->outline))))
           expected = &layer;
-      const auto bands = soil_bands(stage, place[0]);
-      EXPECT_EQ(&stage.layers[band_at(bands, place[1])->layer], expected);
+      EXPECT_EQ(&stage.layers[band_at(soil_bands(stage, place[0]), place[1])->layer], expected);
     }
   }
 }

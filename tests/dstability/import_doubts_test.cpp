@@ -53,8 +53,7 @@ TEST(ImportDoubts, SayWhichLayerHasNoPop)
 
 TEST(ImportDoubts, SayWhichStateIsBelowWhatTheSoilCarries)
 {
-  const StixPreload half{.kind = StixPreload::Kind::ocr, .ocr = 0.5};
-  EXPECT_THAT(notes_of(project_of({with_state(half)})),
+  EXPECT_THAT(notes_of(project_of({with_state(StixPreload{.kind = StixPreload::Kind::ocr, .ocr = 0.5})})),
       Contains("Stage `daily`, state `SP` of the layer `clay (clay)`: its OCR is 0.5, below 1: it counts as 1, "
                "normally consolidated."));
   const StixPreload low{.kind = StixPreload::Kind::yield_stress, .yield_stress = 20e3};
@@ -65,8 +64,7 @@ TEST(ImportDoubts, SayWhichStateIsBelowWhatTheSoilCarries)
 
 TEST(ImportDoubts, SayWhichStateIsTooLargeOrOutsideOfItsLayer)
 {
-  const StixPreload huge{.kind = StixPreload::Kind::pop, .pop = {.value = 10e6}};
-  EXPECT_THAT(notes_of(project_of({with_state(huge)})),
+  EXPECT_THAT(notes_of(project_of({with_state(StixPreload{.kind = StixPreload::Kind::pop, .pop = {.value = 10e6}})})),
       ElementsAre("Stage `daily`, state `SP` of the layer `clay (clay)`: its POP is 10000 kPa; soft soil has tens of "
                   "kPa."));
   StixStage outside = with_state(pop_10);
@@ -128,8 +126,7 @@ TEST(ImportDoubts, SayWhichPointOfTheEmbankmentIsWrong)
   StixStage stage = with_state(pop_10);
   stage.embankment.toe_land = 99.0;
   const auto doubts = [](const StixStage& of) {
-    const StixProject project = project_of({of});
-    return in_english(doubts_of_embankment(StixSection(project, 0, 0, StixBasis::deterministic), "", {}));
+    return in_english(doubts_of_embankment(StixSection(project_of({of}), 0, 0, StixBasis::deterministic), "", {}));
   };
   EXPECT_THAT(
       doubts(stage), ElementsAre("The file has the toe at the land side of its embankment at x = 99.00 m, where "

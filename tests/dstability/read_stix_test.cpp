@@ -80,8 +80,7 @@ TEST(ReadStix, TakesAByteOrderMarkAndEmptyNumbers)
   for (auto& [name, text] : members)
     if (name == "soils.json") text = "\xEF\xBB\xBF" + text;
   members = changed(members, "soils.json", "\"Dilatancy\":0.0", "\"Dilatancy\":\"-\"");
-  const StixProject project = read_stix_bytes(zip_of(members), "x.stix");
-  EXPECT_TRUE(std::isnan(project.soils[0].advanced.dilatancy.value));
+  EXPECT_TRUE(std::isnan(read_stix_bytes(zip_of(members), "x.stix").soils[0].advanced.dilatancy.value));
 }
 
 TEST(ReadStix, SaysWhichLinkLeadsNowhere)

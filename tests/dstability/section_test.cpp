@@ -165,8 +165,7 @@ TEST(StixSection, TakesDesignValuesOfStrengthAndOfPop)
 
 TEST(StixSection, IsEmptyAboveTheGround)
 {
-  const StixProject project = project_of({clay_on_sand()});
-  EXPECT_FALSE(StixSection(project, 0, 0, StixBasis::deterministic).at({10.0, 0.1}).has_value());
+  EXPECT_FALSE(StixSection(project_of({clay_on_sand()}), 0, 0, StixBasis::deterministic).at({10.0, 0.1}).has_value());
 }
 
 TEST(StixSection, RefusesLayersWithoutSoilOrWeight)

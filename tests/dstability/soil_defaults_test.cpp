@@ -31,8 +31,7 @@ TEST(SoilDefaults, RefuseWhatNoSoilHas)
   const std::string said = refusal<CsvError>([&] { read_soil_defaults("mine.csv", text); });
   EXPECT_THAT(said, HasSubstr("mine.csv:6: weight is 108; allowed is 9 to 30"));
   EXPECT_THAT(said, HasSubstr("terp import --soil-defaults-table prints the table that holds without it"));
-  const std::string none = text.substr(0, text.find("peat,peat"));
-  EXPECT_THAT(refusal<CsvError>([&] { read_soil_defaults("mine.csv", none); }),
+  EXPECT_THAT(refusal<CsvError>([&] { read_soil_defaults("mine.csv", text.substr(0, text.find("peat,peat"))); }),
       HasSubstr("no rows below the names of the columns"));
 }
 

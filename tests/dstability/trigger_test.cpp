@@ -16,8 +16,7 @@ constexpr RiverInStage river{.at_left = true, .ends = {-20.0, 40.0}, .level = 2.
 
 TEST(Trigger, TheRiverRisesToTheShoreAndHeadsInProportion)
 {
-  const StixProject project = dike();
-  const StixStage stage = with_river_at(StixSection(project, 0, 0, StixBasis::deterministic), river, 3.2);
+  const StixStage stage = with_river_at(StixSection(dike(), 0, 0, StixBasis::deterministic), river, 3.2);
   const StixLine& phreatic = stage.water.head_lines[0].line;
   ASSERT_EQ(phreatic.size(), 4u);
   EXPECT_EQ(phreatic[0], (Vec<2>{-20.0, 3.2}));
@@ -101,9 +100,8 @@ TEST(Trigger, WaterThatIsLevelDoesNotSayHowHeadsFollow)
 
 TEST(Trigger, ARiverThatNoGroundHoldsIsRefused)
 {
-  const StixProject project = dike();
   EXPECT_EQ(
-      refusal<InputError>([&] { with_river_at(StixSection(project, 0, 0, StixBasis::deterministic), river, 4.5); }),
+      refusal<InputError>([&] { with_river_at(StixSection(dike(), 0, 0, StixBasis::deterministic), river, 4.5); }),
       "daily: a river at 4.50 m would flood the whole section\n  Its highest ground is at 4.00 m. Give a lower level.");
 }
 

@@ -12,8 +12,7 @@ SectionLayout layout()
 
 WaterText text_of(const StixStage& stage)
 {
-  const StixProject project = project_of({stage});
-  return water_text({project, 0, 0, StixBasis::deterministic}, layout(), "water", false);
+  return water_text({project_of({stage}), 0, 0, StixBasis::deterministic}, layout(), "water", false);
 }
 
 std::string value_of_key(const WaterText& text, const std::string& key) { return test::value_of_key(text.lines, key); }
@@ -73,8 +72,7 @@ TEST(WaterText, HasGridsThatKeepTheirPlacesFarFromTheOrigin)
     for (Vec<2>& x : layer.outline) x[0] += 155000.25;
   SectionLayout far = layout();
   far.low[0] += 155000.25, far.high[0] += 155000.25, far.crest[0] += 155000.25;
-  const StixProject project = project_of({stage});
-  EXPECT_THAT(water_text({project, 0, 0, StixBasis::deterministic}, far, "water", false).grid,
+  EXPECT_THAT(water_text({project_of({stage}), 0, 0, StixBasis::deterministic}, far, "water", false).grid,
       HasSubstr("\n155000.75,-9.75,87500.0\n"));
 }
 

@@ -86,8 +86,7 @@ TEST(Barrier, IsNotHigherThanTheGroundWhereCellsLieAskew)  // by the shares of c
   const std::vector<std::uint8_t> ground{1, 0};
   const StandingGround found = look_at_ground(
       askew, points, {.columns = {.left = -5.0, .width = size, .n = 20}, .ground = ground, .level = 3.0});
-  const Barrier barrier = find_barrier(found, columns_of_barrier(found, std::nullopt));
-  EXPECT_NEAR(barrier.height, 4.0, 1e-9);
+  EXPECT_NEAR(find_barrier(found, columns_of_barrier(found, std::nullopt)).height, 4.0, 1e-9);
 }
 
 TEST(Barrier, OfASlopeIsCutWhereTheLineBetweenColumnsMeetsTheLevel)

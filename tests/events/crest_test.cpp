@@ -218,8 +218,7 @@ std::vector<Real> crests(const std::vector<Real>& first, const std::vector<Real>
 
 TEST(Crest, StartsAtTheRightEdgeOfTheBody)
 {
-  const auto points = ground({1.5, 1.5, 1.5, 1.5});
-  const Section section = look_at_section(mesh, points, eight);
+  const Section section = look_at_section(mesh, ground({1.5, 1.5, 1.5, 1.5}), eight);
   const auto slopes = find_slopes(section);
   ASSERT_EQ(slopes.size(), 1);
   const Standing standing = find_standing(section, slopes[0], true, section.heights);

@@ -69,8 +69,7 @@ TEST(TopPoints, FollowASlope)
 
 TEST(TopPoints, OfAStepAreThoseOfBothLevels)
 {
-  const auto step = [](Real x) { return x < 4.0 ? 4.0 : 2.0; };
-  EXPECT_LT(deepest(0.1, 0.1, 0.0, step), 0.51);
+  EXPECT_LT(deepest(0.1, 0.1, 0.0, [](Real x) { return x < 4.0 ? 4.0 : 2.0; }), 0.51);
 }
 
 TEST(TopPoints, AreSortedAndWithinTheStretch)

@@ -29,8 +29,7 @@ TEST(ReachedSides, TheFirstPointInACellAtTheSideIsNoted)
   ASSERT_EQ(reached.size(), 1u);
   EXPECT_EQ(reached[0].side, "right");
   EXPECT_NEAR(reached[0].time, 0.0775, 0.0775 * 0.01 + s.model.dt);
-  const auto later = run_until(0.095, s);
-  EXPECT_EQ(later[0].time, reached[0].time);
+  EXPECT_EQ(run_until(0.095, s)[0].time, reached[0].time);
 }
 
 /// Ground of 0.5 m, two cells, to the right side, and a box of four cells that slides over it against that side.

@@ -53,8 +53,7 @@ TEST(Damping, AddsBothKinds) { EXPECT_DOUBLE_EQ(damping_force({.local = 0.1, .vi
 
 TEST(Damping, OfAVectorActsByComponentsAlongAndAcrossGravity)
 {
-  const Damping upright{.local = 0.1};
-  const Vec<2> straight = damping_force(upright, Vec<2>{30.0, -50.0}, 3.0, Vec<2>{-1.0, -2.0});
+  const Vec<2> straight = damping_force(Damping{.local = 0.1}, Vec<2>{30.0, -50.0}, 3.0, Vec<2>{-1.0, -2.0});
   EXPECT_DOUBLE_EQ(straight[0], 3.0);
   EXPECT_DOUBLE_EQ(straight[1], 5.0);
 }

@@ -27,10 +27,8 @@ std::string refusal_of(const CaseFile& file, Real cell)
 
 TEST(CellSize, OfARectangleIsItsCell)
 {
-  const CaseFile square = rectangle({0.1, 0.1});
-  EXPECT_THAT(changes_to_cell_size(square, 0.25), ElementsAre("mesh.cell=0.25"));
-  const CaseFile flat = rectangle({0.2, 0.1});
-  EXPECT_THAT(changes_to_cell_size(flat, 1.0), ElementsAre("mesh.cell=[1, 0.5]"));
+  EXPECT_THAT(changes_to_cell_size(rectangle({0.1, 0.1}), 0.25), ElementsAre("mesh.cell=0.25"));
+  EXPECT_THAT(changes_to_cell_size(rectangle({0.2, 0.1}), 1.0), ElementsAre("mesh.cell=[1, 0.5]"));
 }
 
 TEST(CellSize, ThatDoesNotDivideARectangleIsRefusedWithTheNearestThatDo)

@@ -68,9 +68,8 @@ TEST(FieldKinds, PointsCarryWhatTheFormulaOfShansepSays)
   const Case c =
       read_case_text(wet("stiffness_ratio = 100\nsu_peak = { shansep = " + shansep + " }\n"), "c.toml").values;
   Model model = build_model(c, 1);
-  const State state = build_state(model);
   Real mean = 0.0;
-  const auto points = points_by_id(state);
+  const auto points = points_by_id(build_state(model));
   for (const Point& p : points) {
     const Real stress = 1990.0 * 9.81 * (2.0 - p.x[1]) - 9810.0 * std::max(1.5 - p.x[1], 0.0);
     const Real yield = stress + 20e3 - 5e3 * (2.0 - p.x[1]);

@@ -82,9 +82,8 @@ TEST(ModifiedCamClay, FollowsItsLinesOfIsotropicCompressionInStepsOfAnySize)
 
 TEST(ModifiedCamClay, HasTheUndrainedStrengthOfItsOverconsolidation)
 {
-  const Real share = 1.0 - kappa / lambda;
   for (const Real ocr : {1.0, 1.5, 2.0, 4.0, 10.0}) {
-    const Real p0 = p_c0 / ocr, p_f = p0 * std::pow(0.5 * ocr, share);
+    const Real p0 = p_c0 / ocr, p_f = p0 * std::pow(0.5 * ocr, 1.0 - kappa / lambda);
     Probe plane = at_pressure(p0), triaxial = at_pressure(p0);
     strain(plane, {{0.5, -0.5, 0.0, 0.0}}, 4000);
     strain(triaxial, {{0.25, -0.5, 0.25, 0.0}}, 4000);

@@ -88,8 +88,7 @@ TEST(MohrCoulomb, PathsOfTheLaboratoryFailAtThePassiveOrActiveStressAndDilate)
       EXPECT_GT(point.sigma[2], point.sigma[1] + 1e3) << name;
     }
     if (triaxial || compressed) {
-      const Real dilatancy = 2.0 * sin_psi / (compressed ? 1.0 - sin_psi : 1.0 + sin_psi);
-      EXPECT_NEAR(trace(d_eps) / 5e-4, dilatancy, 1e-9) << name;
+      EXPECT_NEAR(trace(d_eps) / 5e-4, 2.0 * sin_psi / (compressed ? 1.0 - sin_psi : 1.0 + sin_psi), 1e-9) << name;
     }
   }
 }
@@ -138,8 +137,7 @@ TEST(MohrCoulomb, Eq5_IsTheCurveThatSimpleShearFollows)  // c and phi soften tog
 
 TEST(MohrCoulomb, ShowsTheStrengthThatIsLeft)
 {
-  const Soil soil = softening_soil();
-  Probe point = soil.probe();
+  Probe point = softening_soil().probe();
   point.state[0] = 0.02;
   EXPECT_NEAR(point.derived(0), 1e3 + 4e3 * std::exp(-0.8), 1e-9);
   EXPECT_NEAR(point.derived(1), 28.0 + 7.0 * std::exp(-0.8), 1e-12);
@@ -181,8 +179,7 @@ TEST(MohrCoulomb, ThatHasComeApartGivesNoPressureBeforeItHasClosed)
 
 TEST(MohrCoulomb, WithCohesionComesApartAtTheApexAndClosesWithoutTension)
 {
-  const Soil soil{.cutoff = 2e3};
-  Probe point = soil.probe();
+  Probe point = Soil{.cutoff = 2e3}.probe();
   for (int k = 0; k < 20; ++k) point.strain({{1e-3, 1e-3, 1e-3, 0.0}});
   EXPECT_NEAR(trace(point.sigma) / 3.0, 2e3, 1e-9) << "perfectly plastic while it opens";
   EXPECT_NEAR(point.plastic_work, 2e3 * 3e-3, 1e-12);
@@ -250,8 +247,7 @@ TEST(MohrCoulomb, EndsEveryStepOnOrInsideTheSurfaceOfItsOwnStrainAndDissipates)
           d_eps[c] = random.between(-size, size) - (c < 3 ? random.between(0.0, 0.1 * size) : 0.0);
         const Real before = point.state[0];
         point.strain(d_eps);
-        const auto s = sorted_principal(point.sigma);
-        worst = std::max(worst, excess_of(soil, point) / (1.0 + std::abs(s[2])));
+        worst = std::max(worst, excess_of(soil, point) / (1.0 + std::abs(sorted_principal(point.sigma)[2])));
         ASSERT_GE(point.plastic_work, 0.0);
         ASSERT_GE(point.state[0], before);
       }

@@ -119,8 +119,7 @@ TEST(Nonlocal, SoilThatCannotSoftenTakesNoPart)
 
 TEST(Nonlocal, MohrCoulombKeepsAllThatSoftens)
 {
-  const MaterialType& type = *find_material("mohr_coulomb")->nonlocal;
-  Probe point(type, {2e6, 0.3, 8e3, 30.0, 8.0, INFINITY, 2e3, 20.0, 0.0, 40.0});
+  Probe point(*find_material("mohr_coulomb")->nonlocal, {2e6, 0.3, 8e3, 30.0, 8.0, INFINITY, 2e3, 20.0, 0.0, 40.0});
   point.state = {0.0, 0.0, 0.0, 0.02, 0.0};
   const Real decay = std::exp(-0.8);
   EXPECT_NEAR(point.derived(0), 2e3 + 6e3 * decay, 1e-9);

@@ -88,8 +88,7 @@ TEST(Locate, GivesAPlaceOnACornerToOneOfFourCells)
 {
   const auto mesh = exact_mesh();
   EXPECT_THAT(owners_from_every_guess(mesh, {0.5, 0.25}), ElementsAre(6));
-  const Location at = locate(mesh, {0.5, 0.25}, 1);
-  EXPECT_THAT(at.local, ElementsAre(-1.0, -1.0));
+  EXPECT_THAT(locate(mesh, {0.5, 0.25}, 1).local, ElementsAre(-1.0, -1.0));
 }
 
 TEST(Locate, ClosesTheOuterBoundary)

@@ -279,8 +279,7 @@ TEST_F(GenerateMesh, TakesItsMeshFromTheCache)
 
 TEST_F(GenerateMesh, TakesItsMeshFromTheCacheWhereGmshIsNotInstalled)
 {
-  const std::string path = file_of(rectangle());
-  const Index n = put_another(rectangle(), path);
+  const Index n = put_another(rectangle(), file_of(rectangle()));
   const Variable nowhere("PATH", scratch_.path());
   EXPECT_EQ(mesh_of(rectangle()).n_cells(), n);
 }

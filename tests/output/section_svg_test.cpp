@@ -10,8 +10,7 @@ namespace section_svg_test {
 std::string drawing_of(const Case& c)
 {
   Model model = build_model(c, 1);
-  const State state = build_state(model);
-  return draw_section(model, state);
+  return draw_section(model, build_state(model));
 }
 
 TEST(SectionSvg, NamesBodiesSidesPointsAndGravity)

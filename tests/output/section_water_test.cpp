@@ -8,8 +8,7 @@ namespace section_water_test {
 std::string drawing_of(const Case& c, const SectionOverlay& overlay = {})
 {
   Model model = build_model(c, 1);
-  const State state = build_state(model);
-  return draw_section(model, state, overlay);
+  return draw_section(model, build_state(model), overlay);
 }
 
 std::size_t count_of(const std::string& text, const std::string& part)
@@ -76,9 +75,8 @@ TEST(SectionWater, DrawsTheWaterOfAGrid)
   c.water.start.formula = [](Vec<2> x, Real) { return 9810.0 * std::max(1.5 - x[1], 0.0); };
   c.water.situations = {{.name = "flood"}};
   c.water.situations[0].formula = [](Vec<2> x, Real) { return 9810.0 * std::max(1.8 - x[1], 0.0); };
-  const std::string svg = drawing_of(c);
-  EXPECT_THAT(svg, AllOf(HasSubstr(">phreatic line at the start</text>"), HasSubstr(">flood</text>"),
-                       HasSubstr(">phreatic line of another situation</text>")));
+  EXPECT_THAT(drawing_of(c), AllOf(HasSubstr(">phreatic line at the start</text>"), HasSubstr(">flood</text>"),
+                                 HasSubstr(">phreatic line of another situation</text>")));
 }
 
 }  // namespace section_water_test

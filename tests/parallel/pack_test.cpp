@@ -120,8 +120,7 @@ TEST(Exponential, IsWithin1eMinus15OverItsWholeRange)
   long double worst = 0.0L;
   for (int k = 0; k < 400000; ++k) {
     const Real x = k % 2 ? random.between(-700.0, 700.0) : random.between(-30.0, 1.0);
-    const long double exact = std::exp(static_cast<long double>(x));
-    worst = std::max(worst, std::abs(exponential(x) / exact - 1.0L));
+    worst = std::max(worst, std::abs(exponential(x) / std::exp(static_cast<long double>(x)) - 1.0L));
   }
   EXPECT_LT(worst, 3e-16L);  // promised 1e-15; measured 1.4e-16, and 3.6e-16 without the last term of the polynomial
 }

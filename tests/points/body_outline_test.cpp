@@ -58,8 +58,7 @@ TEST(CheckOutline, FindsNothingWrongWithASoundBody)
   EXPECT_THAT(
       check_outline(body(box({0.0, 0.0}, {6.0, 2.0}), {box({1.0, 0.5}, {2.0, 1.25}), box({2.0, 0.5}, {3.0, 1.25})})),
       IsEmpty());
-  const Polygon closed_by_hand{{0.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {0.0, 0.0}};
-  EXPECT_THAT(check_outline(body(closed_by_hand)), IsEmpty());
+  EXPECT_THAT(check_outline(body(Polygon{{0.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {0.0, 0.0}})), IsEmpty());
   EXPECT_THAT(check_outline({{}, {5, 5}, {}, {3, 4}}), IsEmpty());
 }
 
@@ -93,8 +92,7 @@ TEST(CheckOutline, LetsAPolygonTouchItself)
 
 TEST(CheckOutline, RefusesAHoleOutsideItsBody)
 {
-  const Polygon ground = box({0.0, 0.0}, {6.0, 2.0});
-  EXPECT_THAT(check_outline(body(ground, {box({7.0, 0.5}, {8.0, 1.0})})),
+  EXPECT_THAT(check_outline(body(box({0.0, 0.0}, {6.0, 2.0}), {box({7.0, 0.5}, {8.0, 1.0})})),
       ElementsAre("hole 1 lies outside its body: its corner (7, 0.5) m"));
   const Polygon notched{{0.0, 0.0}, {6.0, 0.0}, {6.0, 2.0}, {4.0, 2.0}, {3.0, 0.5}, {2.0, 2.0}, {0.0, 2.0}};
   EXPECT_THAT(check_outline(body(notched, {box({1.0, 1.0}, {5.0, 1.5})})),

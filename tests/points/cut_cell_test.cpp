@@ -69,8 +69,7 @@ TEST(CutCell, MergesBelowAFifthAndNotAbove)
 
 TEST(CutCell, LetsASliverStayWhereNothingCanTakeIt)
 {
-  const Overlay overlay{-1, {{box({-3.0, -3.0}, {-0.9, -0.9}), 0, false}}};
-  const auto pieces = cut_cell({square, {2, 2}}, overlay, 0);
+  const auto pieces = cut_cell({square, {2, 2}}, Overlay{-1, {{box({-3.0, -3.0}, {-0.9, -0.9}), 0, false}}}, 0);
   ASSERT_THAT(pieces, SizeIs(1));
   expect_piece(pieces[0], {-0.95, -0.95}, 0.01, false);
   EXPECT_TRUE(pieces[0].stays_alone);
@@ -88,8 +87,7 @@ TEST(CutCell, DoesNotMergeAcrossAGap)
 
 TEST(CutCell, TakesAnOutlineAlongTheLatticeForWhatItIsMeant)
 {
-  const Overlay overlay{-1, {{box({-3.0, -3.0}, {1e-12, 1.0 - 1e-12}), 0, false}}};
-  const auto pieces = cut_cell({square, {2, 2}}, overlay, 0);
+  const auto pieces = cut_cell({square, {2, 2}}, Overlay{-1, {{box({-3.0, -3.0}, {1e-12, 1.0 - 1e-12}), 0, false}}}, 0);
   ASSERT_THAT(pieces, SizeIs(2));
   expect_piece(pieces[0], {-0.5, -0.5}, 1.0, true);
   expect_piece(pieces[1], {-0.5, 0.5}, 1.0, true);

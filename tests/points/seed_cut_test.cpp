@@ -200,9 +200,8 @@ TEST(SeedCutBodies, GiveASliverInACellOfItsOwnToTheCellNextDoor)
 
 TEST(SeedCutBodies, GiveNoSliverToTheCellNextDoorAcrossADitch)
 {
-  const auto mesh = make_rectangle({0.0, 0.0}, {3.0, 1.0}, {3, 1});
   const std::vector<BodyOutline> bodies{{box({0.0, 0.0}, {1.05, 1.0}), {1, 1}}, {box({0.9, 0.0}, {1.0, 1.0}), {1, 1}}};
-  const auto seeds = seed_points(mesh, bodies);
+  const auto seeds = seed_points(make_rectangle({0.0, 0.0}, {3.0, 1.0}, {3, 1}), bodies);
   ASSERT_EQ(seeds.size(), 3u);
   EXPECT_NEAR(seeds[0].x[0], 0.45, 1e-15);
   EXPECT_EQ(seeds[1].body, 1);

@@ -17,9 +17,8 @@ Real total_volume(const std::vector<Seed>& seeds, Index body = -1)
 
 TEST(SeedPoints, FillABoxAlignedWithTheMeshToTheLastDrop)
 {
-  const auto mesh = make_rectangle({0.0, 0.0}, {16.0, 3.0}, {160, 30});
   const std::vector<BodyOutline> bodies{{box({0.0, 0.0}, {8.0, 2.0}), {5, 5}}};
-  const auto seeds = seed_points(mesh, bodies);
+  const auto seeds = seed_points(make_rectangle({0.0, 0.0}, {16.0, 3.0}, {160, 30}), bodies);
   EXPECT_EQ(seeds.size(), 80u * 20u * 25u);
   EXPECT_NEAR(total_volume(seeds), 16.0, 16.0 * 1e-12);
   for (const auto& seed : seeds) {
@@ -31,9 +30,8 @@ TEST(SeedPoints, FillABoxAlignedWithTheMeshToTheLastDrop)
 
 TEST(SeedPoints, LieAtTheMiddlesOfALatticeRowByRow)
 {
-  const auto mesh = make_rectangle({1.0, 2.0}, {0.6, 0.4}, {1, 1});
   const std::vector<BodyOutline> bodies{{box({0.0, 0.0}, {9.0, 9.0}), {3, 2}}};
-  const auto seeds = seed_points(mesh, bodies);
+  const auto seeds = seed_points(make_rectangle({1.0, 2.0}, {0.6, 0.4}, {1, 1}), bodies);
   ASSERT_EQ(seeds.size(), 6u);
   EXPECT_THAT(seeds[0].x, ElementsAre(DoubleNear(1.1, 1e-15), DoubleNear(2.1, 1e-15)));
   EXPECT_THAT(seeds[1].x, ElementsAre(DoubleNear(1.3, 1e-15), DoubleNear(2.1, 1e-15)));
@@ -68,18 +66,16 @@ TEST(SeedPoints, LieWhereTheirLocalCoordinatesSay)
 
 TEST(SeedPoints, LeaveOutWhatLiesOutsideTheBody)
 {
-  const auto mesh = make_rectangle({0.0, 0.0}, {2.0, 1.0}, {2, 1});
   const std::vector<BodyOutline> bodies{{{{0.0, 0.0}, {2.0, 0.0}, {0.0, 1.0}}, {10, 10}}};  // a triangle
-  const auto seeds = seed_points(mesh, bodies);
+  const auto seeds = seed_points(make_rectangle({0.0, 0.0}, {2.0, 1.0}, {2, 1}), bodies);
   for (const auto& seed : seeds) EXPECT_LT(seed.x[0] / 2.0 + seed.x[1], 1.0 + 1e-12);
   EXPECT_NEAR(total_volume(seeds), 1.0, 1e-14);
 }
 
 TEST(SeedPoints, GiveAPlaceToTheBodyDrawnLast)
 {
-  const auto mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {4, 2});
   const std::vector<BodyOutline> bodies{{box({0.0, 0.0}, {4.0, 2.0}), {4, 4}}, {box({1.0, 0.0}, {2.0, 1.0}), {2, 2}}};
-  const auto seeds = seed_points(mesh, bodies);
+  const auto seeds = seed_points(make_rectangle({0.0, 0.0}, {4.0, 2.0}, {4, 2}), bodies);
   EXPECT_NEAR(total_volume(seeds, 0), 7.0, 1e-13);
   EXPECT_NEAR(total_volume(seeds, 1), 1.0, 1e-13);
   for (const auto& seed : seeds) EXPECT_EQ(seed.body, seed.cell == 1 ? 1 : 0);
@@ -87,9 +83,8 @@ TEST(SeedPoints, GiveAPlaceToTheBodyDrawnLast)
 
 TEST(SeedPoints, AreInOrderOfCells)
 {
-  const auto mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {4, 2});
   const std::vector<BodyOutline> bodies{{box({2.0, 0.0}, {4.0, 2.0}), {2, 2}}, {box({0.0, 0.0}, {2.0, 2.0}), {2, 2}}};
-  const auto seeds = seed_points(mesh, bodies);
+  const auto seeds = seed_points(make_rectangle({0.0, 0.0}, {4.0, 2.0}, {4, 2}), bodies);
   EXPECT_TRUE(std::is_sorted(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.cell < b.cell; }));
   EXPECT_EQ(seeds.size(), 32u);
 }

@@ -33,8 +33,7 @@ TEST(Backdrop, ABodyOfCellsHasTheirOutline)
   Case c;
   c.bodies.resize(1);
   c.bodies[0].region = "clay";
-  const auto line = first_outline(c, mesh);
-  EXPECT_EQ(line.size() / 2, 6 * 2 + 5);  // six sides, five gaps
+  EXPECT_EQ(first_outline(c, mesh).size() / 2, 6 * 2 + 5);  // six sides, five gaps
 }
 
 TEST(Backdrop, TheSurfaceIsTheHighestPointPerColumnWithoutSoilThatLeft)

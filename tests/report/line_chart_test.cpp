@@ -19,8 +19,7 @@ TEST(LineChart, HasRoomForLongNumbers)
 {
   const auto left_of = [](Real y) {
     const std::string svg = draw_chart({.title = "t", .lines = {{"", {{0.0, 0.0}, {1.0, y}}}}});
-    const std::size_t at = svg.find("<path d=\"M") + 10;
-    return std::stod(svg.substr(at));
+    return std::stod(svg.substr(svg.find("<path d=\"M") + 10));
   };
   EXPECT_EQ(left_of(1.0), 66.0);
   EXPECT_NEAR(left_of(1.85e-7), 27.0 + 6.6 * 7.0, 1e-9);  // "1.5e-07" and the label beside it

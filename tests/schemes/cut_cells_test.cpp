@@ -145,8 +145,7 @@ TEST(CutCellsWithAKink, StrainTheSoilThatShearsAndNotTheOther)
   c.materials[1] = elastic(soft, 0.3, 2000.0);
   c.materials[1].name = "hard rock";
   Simulation s(c);
-  const auto cells = s.state.points.occupied();
-  const auto n_cells = static_cast<Index>(cells.size());
+  const auto n_cells = static_cast<Index>(s.state.points.occupied().size());
   const Vec<2> t{std::cos(std::numbers::pi / 6.0), std::sin(std::numbers::pi / 6.0)}, n{-t[1], t[0]};
   int n_cut = 0;
   for (Index first = 0; first < n_cells; first += pack_width) {

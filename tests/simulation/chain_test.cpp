@@ -91,8 +91,7 @@ TEST(Chain, HasTheTimeStepOfItsStiffestStage)
     c.time.end = 0.1;
     const Real dt = build_model(c, 1).dt;
     stiffen_field(c, 2e6);
-    const Case chain = staged(c, {{stage("a", 0.06), {}}, {stage("b", 0.04), [](Case& n) { stiffen_field(n, 32e6); }}});
-    Simulation s(chain);
+    Simulation s(staged(c, {{stage("a", 0.06), {}}, {stage("b", 0.04), [](Case& n) { stiffen_field(n, 32e6); }}}));
     EXPECT_EQ(s.model.dt, dt);
     s.advance_to(0.06);
     const Real time = s.state.time;

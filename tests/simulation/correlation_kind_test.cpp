@@ -84,8 +84,7 @@ TEST(CorrelationKind, AChainKeepsItsCovariance)
 
 TEST(CorrelationKind, AMovingAverageEndsWhereItsWeightsAreNothing)
 {
-  const CorrelationKind& gaussian = correlation_kinds().back();
-  const std::vector<Real> weights = moving_average(gaussian, spacing);
+  const std::vector<Real> weights = moving_average(correlation_kinds().back(), spacing);
   ASSERT_EQ(weights.size(), 31U) << "15 nodes on both sides: exp(-2 pi (16/8)^2) is 1.2e-11";
   Real squares = 0.0;
   for (const Real weight : weights) squares += weight * weight;

@@ -99,8 +99,7 @@ TEST(AtStrength, BeginsInTheSectionAsDrawn)
 TEST(AtStrength, ASearchThatWasStoppedBeginsAnew)
 {
   Simulation stopped(cut(0.95)), whole(cut(0.95));
-  const std::atomic<bool> stop{true};
-  EXPECT_EQ(stopped.start(stop), Outcome::interrupted);
+  EXPECT_EQ(stopped.start(std::atomic<bool>{true}), Outcome::interrupted);
   EXPECT_EQ(stopped.state.equilibrium_steps, 0);
   EXPECT_EQ(stopped.start(), Outcome::finished);
   EXPECT_EQ(whole.start(), Outcome::finished);

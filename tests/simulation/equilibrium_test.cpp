@@ -8,8 +8,7 @@ constexpr Real g = 9.81;
 
 std::string seek(Simulation& s, bool stopped = false)
 {
-  const std::atomic<bool> stop{stopped};
-  return find_equilibrium(s.model, s.state, stop).fault;
+  return find_equilibrium(s.model, s.state, std::atomic<bool>{stopped}).fault;
 }
 
 /// The column on a fixed base, of which the strength is so many times what it needs.
@@ -199,8 +198,7 @@ TEST(Equilibrium, ARunThatIsStoppedInTheSearchGoesOnToTheSameBits)
   const StateImage expected = last.image;
   Simulation first(c);
   first.observers = {&last};
-  const std::atomic<bool> stop{true};
-  EXPECT_EQ(first.run(stop), Outcome::interrupted);
+  EXPECT_EQ(first.run(std::atomic<bool>{true}), Outcome::interrupted);
   EXPECT_EQ(last.image.step, 0);
   Simulation second(build_model(c, 1), restore(first.model, last.image));
   second.observers = {&last};
@@ -246,8 +244,7 @@ TEST(Settle, SoilThatLeavesEndsIt)
   c.materials = {elastic(1e5, 0.3, 2000.0)};  // soft: it bulges by more than half the distance between points
   c.sides[1].kind = SideKind::open;
   Simulation s(c);
-  const std::atomic<bool> stop{false};
-  EXPECT_EQ(settle(s.model, s.state, s.work, 1.0, stop).fault,
+  EXPECT_EQ(settle(s.model, s.state, s.work, 1.0, std::atomic<bool>{false}).fault,
       "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\"");
 }
 
@@ -256,8 +253,7 @@ TEST(Settle, AValueThatIsNotANumberEndsIt)
   Case c = confined_box(InitialStress::equilibrium);
   c.bodies[0].velocity = {NAN, 0.0};
   Simulation s(c);
-  const std::atomic<bool> stop{false};
-  EXPECT_THAT(settle(s.model, s.state, s.work, 1.0, stop).fault,
+  EXPECT_THAT(settle(s.model, s.state, s.work, 1.0, std::atomic<bool>{false}).fault,
       StartsWith("in the search for equilibrium: step 0, t = 0.0000 s: the "));
 }
 

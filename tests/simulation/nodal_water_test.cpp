@@ -109,8 +109,7 @@ TEST(NodalWater, APointHasThePressureOfItsPlace)
   PorePressure pore;
   pore = water_at(s.model, 0.0);
   for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
-    const Real y = block.row(Rows::x + 1)[lane];
-    EXPECT_NEAR(pore_pressure_at(s.model, pore, block, lane), gamma_w * (1.5 - y), 1e-8);
+    EXPECT_NEAR(pore_pressure_at(s.model, pore, block, lane), gamma_w * (1.5 - block.row(Rows::x + 1)[lane]), 1e-8);
   });
 }
 

@@ -53,8 +53,7 @@ std::string square(Vec<2> low, Real side, int n)
 
 TEST(PointsOfFiles, ThatCrowdTogetherAreTold)
 {
-  const Problem p = problem_of(square({2.5, 1.0}, 0.75, 12) + square({2.51, 1.01}, 0.75, 12));
-  EXPECT_THAT(p,
+  EXPECT_THAT(problem_of(square({2.5, 1.0}, 0.75, 12) + square({2.51, 1.01}, 0.75, 12)),
       told(_, "the points hold more volume than there is room",
           AllOf(HasSubstr(": the point of 0.003906 m^2 at ("),
               HasSubstr(" or beside it. All points there hold 1.125 m^2,\nthese 9 cells have 0.5625 m^2. Allowed"))));

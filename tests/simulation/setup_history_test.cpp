@@ -11,8 +11,7 @@ std::vector<Problem> warnings_for(std::vector<std::pair<std::string, Vec<2>>> pl
   Case c = column("mpm_gp");  // 8 m x 2 m of soil in cells of 0.5 m, 5 x 5 points each
   c.output.history_points = std::move(places);
   Model model = build_model(c, 1);
-  const State state = build_state(model);
-  return find_far_history_points(model, state);
+  return find_far_history_points(model, build_state(model));
 }
 
 TEST(SetupHistory, APlaceInTheSoilOrUpToACellFromItsPointsIsWell)

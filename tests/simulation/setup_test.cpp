@@ -164,9 +164,8 @@ TEST(Setup, AMeshThatIsNoWholeNumberOfCellsIsRefused)
 {
   Case c = free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
   c.mesh.cell = {0.25, 0.3};
-  const Problem p = problem_of(c);
-  EXPECT_THAT(p, told("mesh.cell", "the mesh is not a whole number of cells",
-                     "size 2 m over cell 0.3 m is 6.66667 cells. Use 0.285714 m."));
+  EXPECT_THAT(problem_of(c), told("mesh.cell", "the mesh is not a whole number of cells",
+                                 "size 2 m over cell 0.3 m is 6.66667 cells. Use 0.285714 m."));
 }
 
 TEST(Setup, AMeshOfTooManyCellsIsRefused)

@@ -100,8 +100,7 @@ TEST_P(SlidingBlock, SoilAtRestOnAnAdhesiveSlopeGainsNoEnergy)
   Case c = block(GetParam(), base(SideKind::contact_bilateral, 20000.0, 0.0), {5.0, -9.81});
   c.initial.stress = InitialStress::equilibrium;
   Simulation s(c);
-  const std::atomic<bool> stop{false};
-  ASSERT_TRUE(find_equilibrium(s.model, s.state, stop).reached);
+  ASSERT_TRUE(find_equilibrium(s.model, s.state, std::atomic<bool>{false}).reached);
   s.step(static_cast<std::int64_t>(4.0 / s.model.dt));
   EXPECT_LT(std::abs(s.state.work.boundary), 1e-6);
   EXPECT_LT(kinetic_energy(points_by_id(s.state)), 0.01);

@@ -24,8 +24,7 @@ TEST(Stages, InWhichNothingChangesGiveTheBitsOfOneRun)
 
 TEST(Stages, EndAtWholeStepsNearestToTheirTimes)
 {
-  const Case chain = staged(settling(), {{stage("a", 1.0), {}}, {stage("b", 2.5), {}}, {stage("c", 0.5), {}}});
-  Simulation s(chain);
+  Simulation s(staged(settling(), {{stage("a", 1.0), {}}, {stage("b", 2.5), {}}, {stage("c", 0.5), {}}}));
   s.advance_to(2.0);
   const std::vector<StageSummary> so_far = summarise(s.model, s.state).stages;
   ASSERT_EQ(so_far.size(), 2u);

@@ -230,8 +230,7 @@ TEST(StateImage, SaysNothingOfBodiesWhereThereIsOne)
 
 TEST(StateImage, TellsHowManyPointsTheRunBeganWith)
 {
-  const Simulation s = followed(column("mpm_gp"));
-  EXPECT_EQ(count_points(make_image(s.state)), 1600);
+  EXPECT_EQ(count_points(make_image(followed(column("mpm_gp")).state)), 1600);
   EXPECT_THROW(count_points(StateImage{}), FileError);
 }
 

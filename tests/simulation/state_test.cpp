@@ -6,8 +6,7 @@ namespace state_test {
 TEST(State, CountsThePointsOfTheStart)
 {
   EXPECT_EQ(State{}.n_ids(), 0);
-  const Simulation simulation(free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}));
-  EXPECT_EQ(simulation.state.n_ids(), 100);
+  EXPECT_EQ(Simulation(free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0})).state.n_ids(), 100);
 }
 
 TEST(State, PointsThatLeaveKeepTheirIds)

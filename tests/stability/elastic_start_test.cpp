@@ -21,8 +21,7 @@ Case filled_box()
 
 ElasticStart settle(const Case& c, Real stiffening = 1.0)
 {
-  const std::atomic<bool> stop{false};
-  return settle_elastically(c, std::make_shared<const Mesh<2>>(build_mesh(c)), stiffening, 1, stop);
+  return settle_elastically(c, std::make_shared<const Mesh<2>>(build_mesh(c)), stiffening, 1, std::atomic<bool>{false});
 }
 
 TEST(ElasticStart, ScalesAreThoseOfTheHandCalculation)
@@ -124,8 +123,7 @@ TEST(QuietCase, HasTheWaterAtTheEndOfTheLastStage)
 
 TEST(QuietCase, ItsWaterStandsFromTheStartOn)
 {
-  const Case quiet = quiet_case(staged_box());
-  Simulation s(quiet);
+  Simulation s(quiet_case(staged_box()));
   PorePressure pore;
   pore = water_at(s.model, 0.0);
   const auto at_base = std::ranges::find(s.model.mesh->nodes, Vec<2>{0.0, 0.0}) - s.model.mesh->nodes.begin();

@@ -118,8 +118,7 @@ TEST(Estimates, SoilThatMovesAtTheEndMaySlideLater)
 
 TEST(Estimates, BoundsAndStopRulesSayWhatTheyAreWorth)
 {
-  const Study cov = study_with("number = 600\ncov = 0.3");
-  EXPECT_THAT(study_text(cov, rows_of(600)), HasSubstr("(k - 1)/(n - 1) = "));
+  EXPECT_THAT(study_text(study_with("number = 600\ncov = 0.3"), rows_of(600)), HasSubstr("(k - 1)/(n - 1) = "));
   const Study cube = study_of(changed(column_study, "monte_carlo", "latin_hypercube"));
   const std::string page = page_of_study(cube, rows_of(12), "now");
   EXPECT_THAT(page, HasSubstr("as far as independent realisations would say, with 95 % confidence"));
@@ -211,8 +210,7 @@ values = [6e3, 7e3, 8e3]
 
 TEST(Estimates, APageOfSamplesShowsHistogramsAndFields)
 {
-  const Study study = study_of(field_study);
-  const std::string page = page_of_samples(study, 6, "now");
+  const std::string page = page_of_samples(study_of(field_study), 6, "now");
   EXPECT_THAT(page, HasSubstr("Field of <code>material.clay.su_peak</code>"));
   EXPECT_THAT(page, HasSubstr("realisation 3, over the trend: dark 0.5, bright 2"));
   EXPECT_THAT(page, HasSubstr(">clay.su_peak, field</text>"));

@@ -53,8 +53,7 @@ TEST(Fragility, SamplesAreTheSameAtAllLevels)
     EXPECT_EQ(draw.inputs[0], study.settings.fragility->levels[static_cast<std::size_t>(k % 3)]);
     EXPECT_EQ(draw.inputs[1], draw_realisation(plain, k / 3).inputs[0]) << "that of the study without a load";
   }
-  const Draw second = draw_realisation(study, 1);
-  EXPECT_DOUBLE_EQ(case_of(study, second).values.forces.gravity[1], -9.81 * 0.8);
+  EXPECT_DOUBLE_EQ(case_of(study, draw_realisation(study, 1)).values.forces.gravity[1], -9.81 * 0.8);
 }
 
 TEST(Fragility, WeightsIntegrateALineExactly)

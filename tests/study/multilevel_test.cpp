@@ -206,8 +206,7 @@ TEST(Multilevel, PairsComeFirstAndHaveTheSameInput)
 TEST(Multilevel, TheTableHasTheSameBitsOnThreadsInPartsAndAfterAKill)
 {
   const StudyWithStores place(two_levels);
-  const Realisations rows = place.run("one");
-  const std::string table = study_csv(place.study, rows);
+  const std::string table = study_csv(place.study, place.run("one"));
   EXPECT_THAT(table, StartsWith("realisation,solved,sample,resolution,slide,flood,\"material.clay.su_peak\","));
   EXPECT_THAT(table, HasSubstr("\n0,1,0,coarse,"));
   EXPECT_THAT(table, HasSubstr("\n1,1,0,fine,"));

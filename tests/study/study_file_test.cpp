@@ -81,8 +81,7 @@ TEST(StudyFile, KeysThatUndoEachOtherAreRefusedWithBothNames)
     const auto table = [](const std::string& key) {
       return "[[random]]\nkey = \"" + key + "\"\ndistribution = \"uniform\"\nlowest = 2\nhighest = 8\n";
     };
-    const std::string more = table(first) + table(second) + "[estimator]";
-    return message_on(column_study, {"[estimator]", more});
+    return message_on(column_study, {"[estimator]", table(first) + table(second) + "[estimator]"});
   };
   EXPECT_THAT(message("material.clay.sensitivity", "material.clay.su_residual"),
       HasSubstr("`material.clay.sensitivity` and `material.clay.su_residual` set the same value"));

@@ -31,8 +31,7 @@ TEST(MapLoad, ActsHalfASizeAboveThePoint)
 
 TEST(MapLoad, ActsOnTheUpperSideWhereThePointLiesAtIt)
 {
-  const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {1.0, 1.0}, {1, 1});
-  const auto force = force_of(mesh, {0.4, 0.9}, 0.25);
+  const auto force = force_of(make_rectangle({0.0, 0.0}, {1.0, 1.0}, {1, 1}), {0.4, 0.9}, 0.25);
   EXPECT_EQ(force[1][0], 0.0);
   EXPECT_EQ(force[1][1], 0.0);
   EXPECT_NEAR(force[1][2], -700.0, 1e-9);

@@ -46,8 +46,7 @@ Real pressure_noise(const std::vector<Point>& points)
 Real mean_pressure_noise(const std::string& scheme)
 {
   constexpr int moments = 16;
-  const Case c = column(scheme, h);
-  Simulation s = simulate_on(distorted_rectangle(80, 15, h, 0.2, 4), c);
+  Simulation s = simulate_on(distorted_rectangle(80, 15, h, 0.2, 4), column(scheme, h));
   Real sum = 0.0;
   for (int k = 0; k < moments; ++k) {
     s.step(static_cast<std::int64_t>((k == 0 ? 0.3 : 0.04) / s.model.dt));

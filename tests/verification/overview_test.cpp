@@ -18,8 +18,7 @@ CaseRows rows_of(const std::string& name, const std::string& remark)
 
 TEST(Overview, HasOneLinePerCaseAndEachReasonOnce)
 {
-  const Overview overview = overview_of({rows_of("bar", "too coarse")});
-  EXPECT_THAT(overview_page(overview, "How to read it."),
+  EXPECT_THAT(overview_page(overview_of({rows_of("bar", "too coarse")}), "How to read it."),
       EndsWith("5 rows: 2 pass, 3 red.\n\nHow to read it.\n| case | | rows | red | nearest to its bound |\n"
                "|---|---|---|---|---|\n| [bar](../cases/verification/bar/README.md) | A bar | 5 | 3 (1 FAIL) | "
                "70 % of 0.2: strain, h = 1 m, mpm_gp |\n"

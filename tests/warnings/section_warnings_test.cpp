@@ -50,8 +50,7 @@ TEST(SectionWarnings, AGapAboveTheBottomIsTold)
 {
   Case c = column("mpm_gp");
   c.bodies = {body("clay", {0.0, 0.02}, {8.0, 2.0})};
-  const auto warnings = warnings_of(c);
-  EXPECT_THAT(warnings, ElementsAre(told(_, "a gap between body 0 (`clay`) and the side `bottom`")));
+  EXPECT_THAT(warnings_of(c), ElementsAre(told(_, "a gap between body 0 (`clay`) and the side `bottom`")));
 }
 
 TEST(SectionWarnings, OutlinesThatMeetUnderAnAngleHaveNoGap)
@@ -152,8 +151,7 @@ Mesh<2> without_cell(Index cell)
 
 TEST(SectionWarnings, ACellThatIsMissingInsideABodyIsTold)
 {
-  const Case c = column("mpm_gp");
-  const auto warnings = warnings_on(c, without_cell(32 + 4));  // of 64 under the body
+  const auto warnings = warnings_on(column("mpm_gp"), without_cell(32 + 4));  // of 64 under the body
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_THAT(warnings[0], told(_, "a part of the soil lies outside of the mesh",
                                HasSubstr("drawn with 16 m^2, their points stand for 15.75 m^2: 1.6 % is missing. It "

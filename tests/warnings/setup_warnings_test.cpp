@@ -11,8 +11,7 @@ std::vector<Problem> warnings_of(Case c)
 {
   c.forces.gravity = {0.0, -9.81};  // without it nothing would move, which is a warning of its own
   Model model = build_model(c, 1);
-  const State state = build_state(model);
-  return find_warnings(model, state);
+  return find_warnings(model, build_state(model));
 }
 
 TEST(SetupWarnings, ABodyUnderLaterOnesIsTold)
@@ -22,8 +21,7 @@ TEST(SetupWarnings, ABodyUnderLaterOnesIsTold)
   c.bodies.push_back(body("rock", {1.5, 0.5}, {2.0, 1.0}));
   EXPECT_TRUE(warnings_of(c).empty());
   c.bodies[1].polygon = {{0.75, 0.5}, {2.5, 0.5}, {2.5, 1.0}, {0.75, 1.0}};
-  const auto warnings = warnings_of(c);
-  EXPECT_THAT(warnings, ElementsAre(told("body[0]", "body 0 of `clay` has no material points")));
+  EXPECT_THAT(warnings_of(c), ElementsAre(told("body[0]", "body 0 of `clay` has no material points")));
 }
 
 TEST(SetupWarnings, AFaceOfFewCellsThatIsDugAwayIsTold)
@@ -86,8 +84,7 @@ TEST(SetupWarnings, ASideThatMovesMoreThanACellIsTold)
   c.sides[0].velocity = {0.24, 0.0};
   EXPECT_TRUE(warnings_of(c).empty());
   c.sides[0].velocity = {0.3, 0.0};
-  const auto warnings = warnings_of(c);
-  EXPECT_THAT(warnings,
+  EXPECT_THAT(warnings_of(c),
       ElementsAre(told("boundary.\"left\".velocity", "the side stays in place: it pushes soil over one cell at most",
           StartsWith("Its velocity times time.end is 0.6 m, the smallest cell is 0.5 m high."))));
 }

@@ -22,8 +22,7 @@ TEST(SharedCells, AreThoseWithPointsOfTwoMaterials)
 {
   const auto share = [](Real low, Real high) {
     Model model = build_model(layer_between(low, high), 1);
-    const State state = build_state(model);
-    return shares_in_shared_cells(model, state)[0];
+    return shares_in_shared_cells(model, build_state(model))[0];
   };
   EXPECT_EQ(share(0.25, 0.75), 0.0);             // along the cells
   EXPECT_NEAR(share(0.375, 0.875), 0.5, 1e-12);  // one whole row, and half of two
@@ -34,8 +33,7 @@ TEST(SharedCells, AThinLayerOfSoilThatYieldsIsTold)
 {
   const auto warnings_of = [](const Case& c) {
     Model model = build_model(c, 1);
-    const State state = build_state(model);
-    return find_warnings(model, state);
+    return find_warnings(model, build_state(model));
   };
   EXPECT_THAT(warnings_of(layer_between(0.25, 0.875)), ElementsAre());  // a fifth
   Case thin = layer_between(0.375, 0.625);
