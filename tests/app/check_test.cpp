@@ -14,8 +14,7 @@ TEST(Check, TellsWhatWouldRun)
           "  softening      no length, no reference width: the result will depend on the cells (docs/convergence.md)\n",
           "  time step      0.00303 s\n", "  steps          66 to t = 0.2 s\n", "nothing was run\n"})
     EXPECT_THAT(f.out, HasSubstr(line));
-  EXPECT_THAT(f.out, HasSubstr("  smallest cell  0.5 m high, "));
-  EXPECT_THAT(f.out, ContainsRegex("  memory         [0-9]+ MB\n"));
+  EXPECT_THAT(f.out, AllOf(HasSubstr("  smallest cell  0.5 m high, "), ContainsRegex("  memory         [0-9]+ MB\n")));
   EXPECT_THAT(f.out, ContainsRegex("  expected time  [0-9.]+ s on 1 thread, [0-9.]+ s of it for output "
                                    "[(][0-9.]+ M point-steps/s in a trial[)]\n"));
   EXPECT_TRUE(names_in(folder.path()).empty());

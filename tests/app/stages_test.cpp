@@ -80,9 +80,8 @@ TEST(StagesOfARun, LeaveTheirNamesAndTheirEnds)
 {
   const Files files(stages + soil);
   const Finished f = succeeded(files.solve("run"));
-  EXPECT_THAT(f.out, HasSubstr("  stage settle     0 to "));
-  EXPECT_THAT(f.out, HasSubstr("steps, at rest\n"));
-  EXPECT_THAT(f.out, HasSubstr("load: t = "));
+  EXPECT_THAT(
+      f.out, AllOf(HasSubstr("  stage settle     0 to "), HasSubstr("steps, at rest\n"), HasSubstr("load: t = ")));
   EXPECT_TRUE(std::filesystem::exists(files.run("run") + "/stage_01_settle.h5"));
   EXPECT_TRUE(std::filesystem::exists(files.run("run") + "/stage_02_load.h5"));
   const auto list = summary_of(files.run("run")).at("stages");
@@ -101,13 +100,11 @@ TEST(StagesOfARun, AreListedByCheck)
   EXPECT_THAT(f.out, HasSubstr("  stage settle   t = 0 to at most 10 s, solved in at most "));
   EXPECT_THAT(f.out, HasSubstr("  stage load     t = 10 to 10.5 s, solved in "));
   EXPECT_THAT(f.out, HasSubstr(": load.q.pressure = 5000.0\n"));
-  EXPECT_THAT(f.out, HasSubstr("  load q         0 kPa, 5 kPa in `load` on x = 1 to 3 m, 0 kN per m, on "));
-  EXPECT_THAT(f.out, HasSubstr(" points at y = "));
-  EXPECT_THAT(f.out, Not(HasSubstr("judged at")));
+  EXPECT_THAT(f.out, AllOf(HasSubstr("  load q         0 kPa, 5 kPa in `load` on x = 1 to 3 m, 0 kN per m, on "),
+                         HasSubstr(" points at y = "), Not(HasSubstr("judged at"))));
   const Finished flood = test::terp(
       {"check", files.run("a.toml"), "-j", "1", "--set", "flood.water_level=0.4", "--set", "flood.river=\"left\""});
-  EXPECT_THAT(flood.out, HasSubstr("  flood          judged at 0.4 m, "));
-  EXPECT_THAT(flood.out, HasSubstr(", river on the left\n"));
+  EXPECT_THAT(flood.out, AllOf(HasSubstr("  flood          judged at 0.4 m, "), HasSubstr(", river on the left\n")));
 }
 
 TEST(StagesOfARun, GoOnWithinAnyStageWithTheSameBits)

@@ -86,8 +86,7 @@ TEST(StudyRun, FourRanksMakeOneTableAndRankZeroSpeaks)
   const ScratchFolder folder;
   const std::string study = write_study(folder.path(), column_study);
   succeeded(test::terp({"study", "run", study, "-q", "-o", "one"}, folder.path()));
-  Launch launch(folder.path(), {"study", "run", study});
-  const std::vector<Finished> all = launch.wait();
+  const std::vector<Finished> all = Launch(folder.path(), {"study", "run", study}).wait();
   EXPECT_THAT(all[0].out, AllOf(HasSubstr("12 realisations, 12 solved"), HasSubstr("page in runs/demo/report.html")));
   for (int rank = 0; rank < n_ranks; ++rank) {
     EXPECT_EQ(all[static_cast<std::size_t>(rank)].status, 0) << all[static_cast<std::size_t>(rank)].err;
@@ -175,8 +174,7 @@ TEST(StudyRun, ARankWithOtherBitsDoesNotTakePart)
 TEST(StudyRun, AWrongStudyIsRefusedOnce)
 {
   const ScratchFolder folder;
-  Launch launch(folder.path(), {"study", "run", "none.toml"});
-  const std::vector<Finished> all = launch.wait();
+  const std::vector<Finished> all = Launch(folder.path(), {"study", "run", "none.toml"}).wait();
   EXPECT_EQ(all[0].status, 2);
   EXPECT_THAT(all[0].err, HasSubstr("none.toml: there is no such file"));
   for (int rank = 1; rank < n_ranks; ++rank) EXPECT_EQ(all[static_cast<std::size_t>(rank)].err, "") << rank;

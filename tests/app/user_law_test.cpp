@@ -30,9 +30,8 @@ class UserLawProgram : public testing::Test {
 TEST_F(UserLawProgram, SaysWhatTheLawCosts)
 {
   const Finished check = succeeded(test::terp({"check", case_with(0, 0.0)}));
-  EXPECT_THAT(check.out, HasSubstr("  law of clay    law.so: "));
-  EXPECT_THAT(check.out, HasSubstr(" us per point and step, "));
-  EXPECT_THAT(check.out, HasSubstr("one thread at a time (thread_safe = false)"));
+  EXPECT_THAT(check.out, AllOf(HasSubstr("  law of clay    law.so: "), HasSubstr(" us per point and step, "),
+                             HasSubstr("one thread at a time (thread_safe = false)")));
 }
 
 TEST_F(UserLawProgram, SaysWhatTheLawIsGiven)
@@ -191,9 +190,8 @@ TEST_F(UserLawProgram, KeepsTheCheckpointsOfARunWhoseLawCrashes)
 {
   const std::string run = error_with(3, test::terp({"run", case_with(3, 0.12), "-q", "-o", path("run")}));
   EXPECT_THAT(run, HasSubstr("the law used memory that is not its own (SIGSEGV)"));
-  EXPECT_THAT(run, HasSubstr("material `clay`, material point "));
-  EXPECT_THAT(run, HasSubstr("left     the checkpoint at t = 0.1"));
-  EXPECT_THAT(run, HasSubstr("terp run CASE.toml --from " + path("run") + " -o NEW_FOLDER"));
+  EXPECT_THAT(run, AllOf(HasSubstr("material `clay`, material point "), HasSubstr("left     the checkpoint at t = 0.1"),
+                       HasSubstr("terp run CASE.toml --from " + path("run") + " -o NEW_FOLDER")));
   succeeded(test::terp({"run", case_with(0, 0.0), "-q", "--from", path("run"), "-o", path("mended")}));
 }
 

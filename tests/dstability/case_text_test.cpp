@@ -79,9 +79,7 @@ TEST(CaseText, HasNoControlCharactersAndOnlyUtf8)
   SectionText text;
   text.title = "a\x01 \xEF";
   text.head = {"code a\rb\x1B[31m \xEFlayer"};
-  const std::string toml = text_of(text);
-  EXPECT_THAT(toml, StartsWith("# code a?b?[31m ?layer\n"));
-  EXPECT_THAT(toml, HasSubstr("title  = \"a  \xEF\xBF\xBD\""));
+  EXPECT_THAT(text_of(text), AllOf(StartsWith("# code a?b?[31m ?layer\n"), HasSubstr("title  = \"a  \xEF\xBF\xBD\"")));
 }
 
 TEST(CaseText, WrapsBetweenLettersAndLosesNone)

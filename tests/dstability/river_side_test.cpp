@@ -101,9 +101,7 @@ TEST(RiverSide, OfTwoEqualWatersIsNotKnown)
   EXPECT_EQ(river.side, "");
   EXPECT_THAT(
       river.doubt.en, testing::StartsWith("Water stands equally high on the ground at both ends of the section (2.00"));
-  const std::string text = text_of(dike(level));
-  EXPECT_THAT(text, HasSubstr("water_level = 2.0"));
-  EXPECT_THAT(text, testing::Not(ContainsRegex("\nriver +=")));
+  EXPECT_THAT(text_of(dike(level)), AllOf(HasSubstr("water_level = 2.0"), testing::Not(ContainsRegex("\nriver +="))));
 }
 
 TEST(RiverSide, ARiverAboveTheCrestKeepsItsLevel)

@@ -185,8 +185,7 @@ TEST(Trigger, OfWaterNeedsARiverBelowTheCrest)
   polder.scenarios[0].stages[0].embankment.top_water = 4.0;
   polder.scenarios[0].stages[0].embankment.top_land = 8.0;
   const std::string text = folder_with({.kind = TriggerKind::water}, polder).files.front().second;
-  EXPECT_THAT(text, ContainsRegex("river +=  *\"left\""));
-  EXPECT_THAT(text, HasSubstr("water_level = 3.9"));
+  EXPECT_THAT(text, AllOf(ContainsRegex("river +=  *\"left\""), HasSubstr("water_level = 3.9")));
 }
 
 }  // namespace trigger_test

@@ -79,9 +79,8 @@ TEST(Render, CountsTheRestBeyondTen)
   std::string text;
   for (int k = 0; k < 12; ++k) text += "wrong_" + std::to_string(k) + " = 1\n";
   const std::string seen = message_for(text + small_case);
-  EXPECT_THAT(seen, HasSubstr("unknown key `wrong_9`"));
-  EXPECT_THAT(seen, Not(HasSubstr("unknown key `wrong_10`")));
-  EXPECT_THAT(seen, HasSubstr("and 2 more\n\n12 errors; nothing was run.\n"));
+  EXPECT_THAT(seen, AllOf(HasSubstr("unknown key `wrong_9`"), Not(HasSubstr("unknown key `wrong_10`")),
+                        HasSubstr("and 2 more\n\n12 errors; nothing was run.\n")));
 }
 
 TEST(Render, GoesInTheOrderOfTheFile)

@@ -342,9 +342,8 @@ TEST(GenerateMeshWithoutGmsh, SaysHowToGetItAndWhatElseToDo)
   const ScratchFolder empty;
   const Variable path("PATH", empty.path()), cache("XDG_CACHE_HOME", empty.path());
   const std::string text = error_of(rectangle());
-  EXPECT_THAT(text, HasSubstr("gmsh is not installed"));
-  EXPECT_THAT(text, HasSubstr("apt-get install gmsh"));
-  EXPECT_THAT(text, HasSubstr("[mesh] file = "));
+  EXPECT_THAT(
+      text, AllOf(HasSubstr("gmsh is not installed"), HasSubstr("apt-get install gmsh"), HasSubstr("[mesh] file = ")));
 }
 
 TEST(GenerateMeshWithoutGmsh,

@@ -63,9 +63,7 @@ TEST(SectionWater, ShowsWithAResultOnlyWhatHoldsThen)
 {
   SectionOverlay overlay;
   overlay.subtitle = "at failure";
-  const std::string svg = drawing_of(two_layers(), overlay);
-  EXPECT_THAT(svg, Not(HasSubstr("head")));
-  EXPECT_THAT(svg, HasSubstr(">phreatic line</text>"));
+  EXPECT_THAT(drawing_of(two_layers(), overlay), AllOf(Not(HasSubstr("head")), HasSubstr(">phreatic line</text>")));
 }
 
 TEST(SectionWater, DrawsTheWaterOfAGrid)

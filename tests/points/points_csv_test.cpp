@@ -92,11 +92,8 @@ TEST(PointsCsv, ShowsTenFaultsAndCountsTheRest)
 {
   std::string text = "x,y,volume,material\n";
   for (int k = 0; k < 13; ++k) text += "1,2,0,clay\n";
-  const std::string message = message_for(text);
-  EXPECT_THAT(message, HasSubstr("the table of points has 13 faults:\n"));
-  EXPECT_THAT(message, HasSubstr("points.csv:11: "));
-  EXPECT_THAT(message, Not(HasSubstr("points.csv:12: ")));
-  EXPECT_THAT(message, HasSubstr("\n  and 3 more\n"));
+  EXPECT_THAT(message_for(text), AllOf(HasSubstr("the table of points has 13 faults:\n"), HasSubstr("points.csv:11: "),
+                                     Not(HasSubstr("points.csv:12: ")), HasSubstr("\n  and 3 more\n")));
 }
 
 TEST(PointsCsv, RefusesATableWithoutPoints)

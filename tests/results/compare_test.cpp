@@ -90,9 +90,8 @@ TEST(CompareRuns, HasNoNumbersOfASummaryThatIsBehind)
 TEST_F(CompareTest, PrintsColumnsWithADashForWhatIsNotDefined)
 {
   const std::string table = comparison_table(comparison);
-  EXPECT_THAT(table, HasSubstr("mixed       gp\n"));
-  EXPECT_THAT(table, ContainsRegex("x of the crest at the end \\[m\\] +- +4.00\n"));
-  EXPECT_THAT(table, ContainsRegex("points whose eps_eq_p ever fell +2 +0\n"));
+  EXPECT_THAT(table, AllOf(HasSubstr("mixed       gp\n"), ContainsRegex("x of the crest at the end \\[m\\] +- +4.00\n"),
+                         ContainsRegex("points whose eps_eq_p ever fell +2 +0\n")));
 }
 
 TEST_F(CompareTest, IsTheSameAsJson)

@@ -38,8 +38,7 @@ TEST(BorderOfTwoSoils, HasTheDirectionOfAStraightCut)
 
 TEST(BorderOfTwoSoils, IsNoneWhereTheyAreMixed)
 {
-  Case c = two_soils("mpm_gp", Shares::overlap, {2.625, 2.375}, 0.0);
-  Simulation s(c);
+  Simulation s(two_soils("mpm_gp", Shares::overlap, {2.625, 2.375}, 0.0));
   draw_points(s, [](Vec<2> x) {  // the upper soil falls between the points of the lower
     return x[1] > 2.375 ? Vec<2>{x[0] + 0.03, 4.75 - x[1] + 0.01} : x;
   });
@@ -150,8 +149,7 @@ TEST(BandInACell, MovesTheCornersByItsOwnPartOfTheHeight)
 
 TEST(BorderInACell, LiesWhereItLeavesEachSoilItsShareOfTheArea)
 {
-  Case c = two_soils("mpm_gp", Shares::point, {2.625, 2.375}, 30.0);
-  Simulation s(c);
+  Simulation s(two_soils("mpm_gp", Shares::point, {2.625, 2.375}, 30.0));
   const Mesh<2>& mesh = *s.model.mesh;
   const Index cell = s.state.points.occupied()[0];
   const Vec<2>& centre = mesh.centres[cell];

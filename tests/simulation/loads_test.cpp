@@ -133,8 +133,7 @@ TEST(Loads, StopTheRunWhereTheGroundHasGone)
   Case c = loaded("mpm_gp");
   c.bodies[0].velocity = {2.0, 0.0};
   c.loads[0].start = 0.4;
-  Simulation s(c);
-  EXPECT_THAT([&] { s.advance_to(0.5); },
+  EXPECT_THAT([&] { Simulation(c).advance_to(0.5); },
       testing::ThrowsMessage<RunError>(HasSubstr("there is no ground under the load `strip`, which begins now")));
 }
 

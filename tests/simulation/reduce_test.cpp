@@ -95,8 +95,7 @@ TEST(Reduce, WhatOnlyFastShearingGivesIsLeftOutByItself)
   Case c = column("mpm_gp");
   c.materials[0].parameters =
       find_material("tresca_softening")->complete(std::vector<Real>{2e6, 0.4, 8e3, 2e3, 50.0, 400.0, 2.0, 0.1, 1e-6});
-  EXPECT_THAT(keys(c), Contains("material.clay.su_remoulded"));
-  EXPECT_THAT(keys(c), Not(Contains("material.clay.rate_mu")));
+  EXPECT_THAT(keys(c), AllOf(Contains("material.clay.su_remoulded"), Not(Contains("material.clay.rate_mu"))));
   const MaterialCase reduced = reduce_strength(c, 1.25).materials[0];
   EXPECT_DOUBLE_EQ(parameter(reduced, "su_remoulded"), 320.0);
   EXPECT_EQ(parameter(reduced, "rate_mu"), 0.1);

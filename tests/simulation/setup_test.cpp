@@ -18,8 +18,7 @@ Problem problem_of(const Case& c)
 
 TEST(Setup, TheTimeStepIsTheCourantNumberTimesTheSmallestAltitudeOverTheWaveSpeed)
 {
-  Case c = column("mpm_gp", 0.1);
-  const Model model = build_model(c, 1);
+  const Model model = build_model(column("mpm_gp", 0.1), 1);
   // K = 49.33 MPa, G = 2 MPa, rho = 1990 kg/m^3: c_p = 161.65 m/s (reading R19).
   const Real stable = 0.98 * 0.1 / std::sqrt((2.0 * 2e6 * 1.48 / (3.0 * 0.04) + 4.0 / 3.0 * 2e6) / 1990.0);
   EXPECT_EQ(model.n_steps, 6598);
@@ -250,8 +249,7 @@ TEST(Setup, ASideThatTheMeshDoesNotHaveIsRefusedWhateverItsCondition)
 
 TEST(Setup, ATimeStepThatHasCollapsedIsRefused)
 {
-  Case c = free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}, elastic(1e23, 0.25, 1000.0));
-  const Problem p = problem_of(c);
+  const Problem p = problem_of(free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}, elastic(1e23, 0.25, 1000.0)));
   EXPECT_THAT(p, told("time.end", "the time step has collapsed"));
   // c_p = sqrt(3 G / rho) = 1.732e10 m/s at nu = 0.25
   EXPECT_EQ(

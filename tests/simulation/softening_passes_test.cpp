@@ -76,8 +76,7 @@ TEST(SofteningPasses, MixedWithSharesThatOverlapGivesTheIncrementOfTheStep)
 
 TEST(SofteningPasses, TheDriverNeverFallsAndTheStrengthNeverRises)
 {
-  Case c = softening_column("mpm_gp");
-  Simulation s = followed(c);
+  Simulation s = followed(softening_column("mpm_gp"));
   keep_ledger(s.model, s.state, s.work);
   for (int n = 0; n < 30; ++n) {
     make_steps(s, 10);

@@ -183,9 +183,8 @@ TEST(Fragility, IsSaidInTextTableAndPageAndForDStability)
   EXPECT_THAT(table, StartsWith("level,solved,failed,slides,floods,P_I,P_I_low,P_I_high,beta_I,P_F,"));
   EXPECT_THAT(table, HasSubstr("\n0.8,8,0,2,1,0.25,"));
   const std::string page = page_of_study(study, rows, "now");
-  EXPECT_THAT(page, HasSubstr("<h2>Fragility</h2>"));
-  EXPECT_THAT(page, HasSubstr("slide, P(I|h)"));
-  EXPECT_THAT(page, HasSubstr("over the distribution of the weight"));
+  EXPECT_THAT(page, AllOf(HasSubstr("<h2>Fragility</h2>"), HasSubstr("slide, P(I|h)"),
+                        HasSubstr("over the distribution of the weight")));
   EXPECT_THAT(page, Not(HasSubstr("P(I) over the realisations"))) << "a mean over levels is nobody's probability";
   const auto json = nlohmann::json::parse(dstability_curve(study, curve, false));
   ASSERT_EQ(json["Calculations"].size(), 1u) << "beta is not finite where nothing happened, or all";

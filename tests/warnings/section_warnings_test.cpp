@@ -161,8 +161,7 @@ TEST(SectionWarnings, ACellThatIsMissingInsideABodyIsTold)
 
 TEST(SectionWarnings, AMeshInMillimetresIsTold)
 {
-  Case c = column("mpm_gp");
-  EXPECT_THAT(warnings_on(c, make_rectangle({0.0, 0.0}, {16000.0, 3000.0}, {32, 6})),
+  EXPECT_THAT(warnings_on(column("mpm_gp"), make_rectangle({0.0, 0.0}, {16000.0, 3000.0}, {32, 6})),
       Contains(testing::Field(&Problem::what, "all bodies together are smaller than a cell")));
 }
 
