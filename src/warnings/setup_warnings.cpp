@@ -61,7 +61,8 @@ void find_low_excavations(const Model& model, std::vector<Problem>& warnings)
     const auto [low, high] = std::ranges::minmax(bodies[b].polygon, {}, [](const Vec<2>& x) { return x[1]; });
     const auto [from, to] = std::ranges::minmax(bodies[b].polygon, {}, [](const Vec<2>& x) { return x[0]; });
     const Real height = high[1] - low[1], middle = 0.5 * (high[1] + low[1]);
-    const auto stands = [&](Real x) { return overburden.ground(x).value_or(low[1]) > middle; };  // beside it: a face
+    // beside it: a face
+    const auto stands = [&, bottom = low[1]](Real x) { return overburden.ground(x).value_or(bottom) > middle; };
     if (!stands(from[0] - 0.5 * cell) && !stands(to[0] + 0.5 * cell)) continue;
     if (height >= least * cell * (1.0 - 1e-9)) continue;
     warnings.push_back({fmt::format("body[{}]", b),

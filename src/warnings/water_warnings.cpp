@@ -100,7 +100,7 @@ void find_short_lines(const Model& model, const State& state, std::vector<Proble
   const Real most = std::max(little * (high - low), typical_cell_size(*model.mesh));
   for (const NamedLine& line : lines_of(model.description.water)) {
     const Vec<2>&first = line.places.front(), &last = line.places.back();
-    const auto warn = [&](std::string what, const std::string& where) {
+    const auto warn = [&, low = low, high = high](std::string what, const std::string& where) {
       warnings.push_back({line.key, std::move(what),
           fmt::format("It runs from x = {:.4g} to {:.4g} m, the soil from {:.4g} to {:.4g} m. {}", first[0], last[0],
               low, high, where),
