@@ -192,18 +192,13 @@ void RunWriter::write_checkpoint_part(const StateImage& part)
   remove_old_checkpoints(settings_.folder, settings_.checkpoint_keep);
 }
 
-std::string RunWriter::write_failed(const StateImage& image)
-{
-  finish();
-  std::string path = path_in(settings_.folder, failed_file(image.step));
-  CheckpointWriter(path, settings_.case_record).append(image);
-  return path;
-}
-
 std::string RunWriter::save_failed(const StateImage& image)
 {
   try {
-    return write_failed(image);
+    finish();
+    std::string path = path_in(settings_.folder, failed_file(image.step));
+    CheckpointWriter(path, settings_.case_record).append(image);
+    return path;
   } catch (const FileError& error) {
     return fmt::format("nothing: {}", error.what());
   }

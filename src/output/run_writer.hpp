@@ -67,9 +67,8 @@ class RunWriter : public Observer {
   /// Returns when all is on the disk.
   void finish();
 
-  /// Keeps the state of a run that stopped itself, for a look at it; `resume` does not use it. Returns its path.
-  std::string write_failed(const StateImage& image);
-  /// The same for a run that is about to say why it stopped: does not throw, but returns why nothing was kept.
+  /// Keeps the state of a run that stopped itself, for a look at it; `resume` does not use it. Returns its path, or why
+  /// nothing was kept.
   std::string save_failed(const StateImage& image) override;
 
   /// summary.json. finished: the run reached its end time.

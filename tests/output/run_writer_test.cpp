@@ -168,19 +168,13 @@ TEST_F(RunWriterTest, TwoAtOnceInOneFolderAreRefused)
   EXPECT_THAT(file_error_of([&] { resume_in(folder, {}); }), HasSubstr("another terp"));
 }
 
-TEST_F(RunWriterTest, AFailedStateIsKeptBesideTheCheckpoints)
-{
-  const auto writer = RunWriter::start(settings_for(folder), false);
-  const std::string path = writer->write_failed(sample_image(104));
-  EXPECT_EQ(path, folder + "/failed_000000104.h5");
-  EXPECT_EQ(read_checkpoint(path).step, 104);
-  EXPECT_FALSE(newest_good_checkpoint(folder).image);
-}
-
-TEST_F(RunWriterTest, AFailedStateThatCannotBeKeptSaysWhy)
+TEST_F(RunWriterTest, AFailedStateIsKeptBesideTheCheckpointsOrSaysWhyNot)
 {
   const auto writer = RunWriter::start(settings_for(folder + "/run"), false);
-  EXPECT_EQ(writer->save_failed(sample_image(104)), folder + "/run/failed_000000104.h5");
+  const std::string path = folder + "/run/failed_000000104.h5";
+  EXPECT_EQ(writer->save_failed(sample_image(104)), path);
+  EXPECT_EQ(read_checkpoint(path).step, 104);
+  EXPECT_FALSE(newest_good_checkpoint(folder + "/run").image);
   std::filesystem::remove_all(folder + "/run");
   EXPECT_THAT(writer->save_failed(sample_image(105)), StartsWith("nothing: cannot write " + folder));
 }
