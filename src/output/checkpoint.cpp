@@ -222,11 +222,6 @@ void CheckpointWriter::append(const StateImage& part)
   place_.move_into_place();
 }
 
-void write_checkpoint(const std::string& path, const StateImage& image)
-{
-  CheckpointWriter(path, image.case_record, image.tables).append(image);
-}
-
 StateImage read_checkpoint(const std::string& path)
 {
   const Hdf5File file(path, Hdf5File::Mode::read);

@@ -35,9 +35,6 @@ class CheckpointWriter {
   Fnv1a checksum_;
 };
 
-/// Writes a checkpoint from a whole image, with its case record and tables.
-void write_checkpoint(const std::string& path, const StateImage& image);
-
 /// Throws FileError with the file and what is wrong unless every bit is as it was written.
 StateImage read_checkpoint(const std::string& path);
 

@@ -26,7 +26,7 @@ bool same(const StateImage& a, const StateImage& b)
 std::string write_sample(const std::string& folder, std::int64_t step)
 {
   const std::string path = path_in(folder, checkpoint_file(step));
-  write_checkpoint(path, sample_image(step));
+  CheckpointWriter(path).append(sample_image(step));
   return path;
 }
 
@@ -132,7 +132,7 @@ TEST_F(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
   StateImage image = sample_image(3);
   image.case_record = "time.end = 0.2\nmaterial.clay.eta = 4.5\n";
   image.tables = "ledger.csv = 85944171f73967e8\n";
-  write_checkpoint(path, image);
+  CheckpointWriter(path, image.case_record, image.tables).append(image);
   EXPECT_EQ(read_checkpoint(path).case_record, image.case_record);
   EXPECT_EQ(read_checkpoint(path).tables, image.tables);
   const std::string bytes = text_of(path);
@@ -147,8 +147,8 @@ TEST_F(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
 TEST_F(Checkpoint, AnArrayWhoseShapeDoesNotFitIsRefused)
 {
   const StateImage image{0.0, 0, {{"x", {3}, std::vector<Real>{1.0}}}};
-  EXPECT_THAT(
-      file_error_of([&] { write_checkpoint(path, image); }), HasSubstr("array `x` holds 1 values, its shape says 3"));
+  EXPECT_THAT(file_error_of([&] { CheckpointWriter(path).append(image); }),
+      HasSubstr("array `x` holds 1 values, its shape says 3"));
   EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
@@ -180,7 +180,7 @@ TEST_F(Checkpoint, WhoseArraysAreMoreThanItsFileCanHoldIsRefused)
 {
   StateImage image{0.0, 1, {{"x", {1000}, std::vector<Real>(1000, 1.5)}}};
   const std::string path = path_in(folder, checkpoint_file(1));
-  write_checkpoint(path, image);
+  CheckpointWriter(path).append(image);
   std::string names;
   for (int k = 0; k < 8000; ++k) names += "x\n";  // 64 MB
   Hdf5File(path, Hdf5File::Mode::change).set_text("/arrays", "names", names);
@@ -214,7 +214,7 @@ TEST_F(Checkpoint, AFullDiskLeavesTheEarlierOneAndNoHalfOne)
   if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
   const std::string earlier = write_sample(disk.path(), 1), later = path_in(disk.path(), checkpoint_file(2));
   const StateImage big{0.0, 2, {{"x", {100000}, std::vector<Real>(100000, 1.5)}}};
-  EXPECT_THAT(file_error_of([&] { write_checkpoint(later, big); }),
+  EXPECT_THAT(file_error_of([&] { CheckpointWriter(later).append(big); }),
       AllOf(HasSubstr(temporary_name(later)), HasSubstr(": No space left on device")));
   EXPECT_TRUE(same(read_checkpoint(earlier), sample_image(1)));
   EXPECT_FALSE(std::filesystem::exists(later));

@@ -70,8 +70,8 @@ TEST_F(RunResultsTest, WhoseTableWasAlteredBeforeItsNewestCheckpointIsRefused)
   write_file_atomically(path, table);
   StateImage image = sample_image(5);
   image.time = 0.25;
-  image.tables = table_line("history.csv", read_part_until(path, head, image.time).checksum);
-  write_checkpoint(folder + '/' + checkpoint_file(5), image);
+  const std::string tables = table_line("history.csv", read_part_until(path, head, image.time).checksum);
+  CheckpointWriter(folder + '/' + checkpoint_file(5), {}, tables).append(image);
   EXPECT_EQ(file_error_of([&] { read_run(folder); }), "");
   std::string altered = table;
   altered.replace(altered.find("\n0.1,A,7,1.5"), 12, "\n0.1,A,7,1.6");
