@@ -81,8 +81,8 @@ std::vector<SoilKind> soil_kinds(const ImportCommand& command)
 {
   if (command.soil_defaults.empty()) return read_soil_defaults("the table of terp", soil_defaults_table());
   try {
-    return read_soil_defaults(command.soil_defaults, text_of_csv(command.soil_defaults, "the table of soil defaults"));
-  } catch (const CsvError& error) {
+    return read_soil_defaults(command.soil_defaults, read_file(command.soil_defaults));
+  } catch (const FileError& error) {
     throw CaseError(printable(fmt::format("error: {}\n", error.what())));
   }
 }

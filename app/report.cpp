@@ -71,7 +71,7 @@ int export_run(const ExportCommand& command)
   if (!command.dxf.empty() || !command.profile.empty()) {
     const SectionExport section = export_section(read_run(command.run));
     for (const auto& [path, text] :
-        {std::pair{command.dxf, section.dxf}, std::pair{command.profile, section.profile}}) {
+        {std::pair{command.dxf, section.dxf}, std::pair{command.profile, section.profile_csv()}}) {
       if (path.empty()) continue;
       write_file_atomically(path, text);
       fmt::print("section in {}\n", path);

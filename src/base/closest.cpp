@@ -44,4 +44,10 @@ std::string closest(std::string_view word, const std::vector<std::string>& names
   return best;
 }
 
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& names)
+{
+  const std::string nearest = closest(word, names);
+  return nearest.empty() ? "" : "Did you mean `" + nearest + "`?\n";
+}
+
 }  // namespace terp

@@ -13,4 +13,7 @@ int edit_distance(std::string_view a, std::string_view b);
 /// The name nearest to `word`, the first of equals; empty if none is near (more than a third of its letters differ).
 std::string closest(std::string_view word, const std::vector<std::string>& names);
 
+/// "Did you mean `clay`?" and a line end for the nearest name; empty if none is near.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& names);
+
 }  // namespace terp

@@ -18,4 +18,13 @@ inline Real cross(Vec<2> a, Vec<2> b, Vec<2> c)
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
+/// Where the lines a-b and c-d cross, both in their interiors.
+inline bool lines_cross(Vec<2> a, Vec<2> b, Vec<2> c, Vec<2> d, Vec<2>& x)
+{
+  const Real at_a = cross(c, d, a), at_b = cross(c, d, b), at_c = cross(a, b, c), at_d = cross(a, b, d);
+  if (!(at_a * at_b < 0.0 && at_c * at_d < 0.0)) return false;
+  x = between(a, b, at_a / (at_a - at_b));
+  return true;
+}
+
 }  // namespace terp

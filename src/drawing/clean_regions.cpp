@@ -203,31 +203,6 @@ class Assignment {
   std::vector<Real> outline_areas_, face_areas_;
 };
 
-/// Faces of the simplified boundaries. Throws nothing: false if they do not give the regions back.
-bool collect_regions(const ChainMap& map, CleanSection& section)
-{
-  const PlanarGraph graph = graph_of(map);
-  if (!lines_are_apart(graph)) return false;
-  const PlanarFaces faces = find_faces(graph);
-  std::vector<int> region(faces.rings.size(), -2);
-  for (std::size_t k = 0; k < graph.edges.size(); ++k)
-    for (const bool left : {true, false}) {
-      int& known = region[left ? faces.left[k] : faces.right[k]];
-      const int here = graph.edges[k].owners[left ? 0 : 1];
-      if (known != -2 && known != here) return false;
-      known = here;
-    }
-  section.regions.clear();
-  for (std::size_t face = 1; face < faces.rings.size(); ++face) {
-    if (region[face] < 0) continue;
-    CleanRegion piece{region[face], corners_of(graph, faces.rings[face][0]), {}};
-    for (std::size_t k = 1; k < faces.rings[face].size(); ++k)
-      piece.holes.push_back(corners_of(graph, faces.rings[face][k]));
-    section.regions.push_back(std::move(piece));
-  }
-  return true;
-}
-
 /// A region that lies in a hole of another one comes after it; otherwise in the order of the drawing.
 void put_in_order(std::vector<CleanRegion>& regions)
 {
@@ -251,6 +226,24 @@ Real area_of(const CleanRegion& region)
 }
 
 }  // namespace
+
+std::optional<std::vector<CleanRegion>> regions_between(const ChainMap& map)
+{
+  const PlanarGraph graph = graph_of(map);
+  if (!lines_are_apart(graph)) return std::nullopt;
+  const PlanarFaces faces = find_faces(graph);
+  const std::optional<std::vector<int>> region = regions_by_edges(graph, faces);
+  if (!region) return std::nullopt;
+  std::vector<CleanRegion> regions;
+  for (std::size_t face = 1; face < faces.rings.size(); ++face) {
+    if ((*region)[face] < 0) continue;
+    CleanRegion& piece = regions.emplace_back(CleanRegion{(*region)[face], {}, {}});
+    for (const FaceRing& ring : faces.rings[face]) piece.holes.push_back(corners_of(graph, ring));
+    piece.polygon = std::move(piece.holes.front());
+    piece.holes.erase(piece.holes.begin());
+  }
+  return regions;
+}
 
 void check_outlines(const std::vector<DrawnRegion>& drawn)
 {
@@ -277,8 +270,12 @@ CleanSection clean_regions(const std::vector<DrawnRegion>& drawn, const std::vec
     if (simpler && options.tolerance > 0.0)
       simplify(map, {options.shortest_edge, options.tolerance, grid}, section.simplified);
     balance_areas(map, asked, std::max(options.tolerance, options.snap), section.simplified);
-    if (collect_regions(map, section)) break;
-    if (!simpler && !collect_regions(joined, section)) throw std::logic_error("the regions of a drawing overlap");
+    auto regions = regions_between(map);
+    if (!regions && !simpler) regions = regions_between(joined);
+    if (!regions && !simpler) throw std::logic_error("the regions of a drawing overlap");
+    if (!regions) continue;
+    section.regions = std::move(*regions);
+    break;
   }
   put_in_order(section.regions);
   for (const DrawnRegion& r : drawn) section.corners_drawn += static_cast<Index>(r.polygon.size());

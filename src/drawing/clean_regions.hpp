@@ -32,6 +32,9 @@ struct CleanRegion {
   std::vector<Polygon> holes;  ///< clockwise: filled by other regions, or empty [m]
 };
 
+/// The regions that chains part; nothing if lines touch each other, or if the chains of a region contradict each other.
+std::optional<std::vector<CleanRegion>> regions_between(const ChainMap& map);
+
 struct RegionChange {
   Real drawn_area;  ///< what its outline gives it, less the regions in it and what is dug away [m^2]
   Real area;        ///< of its clean pieces [m^2]

@@ -3,18 +3,18 @@
 #include "drawing/dxf_file.hpp"
 
 #include "base/errors.hpp"
+#include "base/utf8.hpp"
 #include "drawing/dxf_letters.hpp"
+#include "system/read_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <set>
-#include <sstream>
 
 namespace terp {
 namespace {
@@ -32,13 +32,6 @@ struct Unit {
 };
 constexpr Unit units[] = {
     {6, "m", 1.0}, {4, "mm", 1e-3}, {5, "cm", 1e-2}, {14, "dm", 0.1}, {2, "ft", 0.3048}, {1, "in", 0.0254}};
-
-std::string_view trimmed(std::string_view text)
-{
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
-  return text;
-}
 
 struct Pair {
   int code;
@@ -341,13 +334,7 @@ DxfDrawing read_dxf_text(const std::string& path, std::string_view text, Real un
   return DxfReader(path, text, unit).read();
 }
 
-DxfDrawing read_dxf(const std::string& path, Real unit)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!(file && text << file.rdbuf())) throw FileError(fmt::format("cannot read {}", path));
-  return read_dxf_text(path, text.str(), unit);
-}
+DxfDrawing read_dxf(const std::string& path, Real unit) { return read_dxf_text(path, read_file(path), unit); }
 
 std::string dxf_text(const std::vector<DxfLine>& lines)
 {

@@ -68,13 +68,6 @@ unsigned escaped_number(std::string_view text)
   return error == std::errc() && end == text.data() + 7 && !is_half_of_pair ? number : 0;
 }
 
-bool is_utf8(std::string_view text)
-{
-  for (std::size_t length = 0; !text.empty(); text.remove_prefix(length))
-    if ((length = utf8_length(text)) == 0) return false;
-  return true;
-}
-
 }  // namespace
 
 std::u16string_view letters_of_code_page(std::string_view name)
@@ -89,7 +82,7 @@ std::u16string_view letters_of_code_page(std::string_view name)
 std::string dxf_letters(std::string_view text, std::string_view code_page)
 {
   const std::u16string_view page = letters_of_code_page(code_page.empty() ? "ANSI_1252" : code_page);
-  const bool is_sound = is_utf8(text);
+  const bool is_sound = as_utf8(text) == text;
   std::string letters;
   for (std::size_t k = 0; k < text.size(); ++k) {
     const auto byte = static_cast<unsigned char>(text[k]);

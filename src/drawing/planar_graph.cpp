@@ -80,21 +80,6 @@ class EdgeTable {
   std::map<Ends, std::vector<int>> edges_;
 };
 
-struct Box {
-  Vec<2> low, high;
-};
-
-Box box_of(Vec<2> a, Vec<2> b, Real margin)
-{
-  return {{std::min(a[0], b[0]) - margin, std::min(a[1], b[1]) - margin},
-      {std::max(a[0], b[0]) + margin, std::max(a[1], b[1]) + margin}};
-}
-
-bool meet(const Box& a, const Box& b)
-{
-  return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] && b.low[1] <= a.high[1];
-}
-
 class Joiner {
  public:
   Joiner(const std::vector<DrawnLine>& lines, Real snap) : snap_(snap), table_(graph_.places, snap)
@@ -182,11 +167,11 @@ class Joiner {
     std::ranges::sort(by_x, {}, x_of);
     for (const auto& [i, j] : all) {
       const Vec<2> a = graph_.places[i], b = graph_.places[j];
-      const Box box = box_of(a, b, snap_);
-      for (auto k = std::ranges::lower_bound(by_x, box.low[0], {}, x_of); k != by_x.end() && x_of(*k) <= box.high[0];
-           ++k) {
+      const BoundingBox box = box_around(std::array{a, b});
+      for (auto k = std::ranges::lower_bound(by_x, box.low[0] - snap_, {}, x_of);
+           k != by_x.end() && x_of(*k) <= box.high[0] + snap_; ++k) {
         const Vec<2> x = graph_.places[*k];
-        if (*k == i || *k == j || x[1] < box.low[1] || x[1] > box.high[1]) continue;
+        if (*k == i || *k == j || x[1] < box.low[1] - snap_ || x[1] > box.high[1] + snap_) continue;
         const Real along = (x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1]);
         const Real length = distance(a, b), off = std::abs(cross(a, b, x)) / length;
         if (along <= 0.0 || along >= length * length || off > edge_reach * snap_) continue;
@@ -201,12 +186,12 @@ class Joiner {
   {
     const auto left = [&](const Ends& e) { return std::min(graph_.places[e.first][0], graph_.places[e.second][0]); };
     std::ranges::sort(all, {}, left);
-    std::vector<Box> boxes;
-    for (const auto& [i, j] : all) boxes.push_back(box_of(graph_.places[i], graph_.places[j], 0.0));
+    std::vector<BoundingBox> boxes;
+    for (const auto& [i, j] : all) boxes.push_back(box_around(std::array{graph_.places[i], graph_.places[j]}));
     for (std::size_t k = 0; k < all.size(); ++k)
       for (std::size_t other = k + 1; other < all.size() && boxes[other].low[0] <= boxes[k].high[0]; ++other) {
         Vec<2> x;
-        if (!meet(boxes[k], boxes[other])) continue;
+        if (!overlap(boxes[k], boxes[other])) continue;
         if (!lines_cross(graph_.places[all[k].first], graph_.places[all[k].second], graph_.places[all[other].first],
                 graph_.places[all[other].second], x))
           continue;
@@ -227,26 +212,14 @@ class Joiner {
 
   void drop_loose_ends()
   {
-    std::vector<int> uses(graph_.places.size(), 0);
-    for (const GraphEdge& e : graph_.edges) ++uses[e.a], ++uses[e.b];
-    const auto is_loose = [&](const GraphEdge& e) { return uses[e.a] == 1 || uses[e.b] == 1; };
     for (bool found = true; found;) {
-      found = false;
+      std::vector<int> uses(graph_.places.size(), 0);
+      for (const GraphEdge& e : graph_.edges) ++uses[e.a], ++uses[e.b];
+      const auto is_loose = [&](const GraphEdge& e) { return uses[e.a] == 1 || uses[e.b] == 1; };
       for (const GraphEdge& e : graph_.edges)
         if (is_loose(e) && ++graph_.counts.loose_ends == 1)
           graph_.counts.loose_at = graph_.places[uses[e.a] == 1 ? e.a : e.b];
-      std::vector<GraphEdge> kept;
-      std::vector<int> left(graph_.places.size(), 0);
-      for (GraphEdge& e : graph_.edges) {
-        if (is_loose(e)) {
-          found = true;
-          continue;
-        }
-        ++left[e.a], ++left[e.b];
-        kept.push_back(std::move(e));
-      }
-      graph_.edges = std::move(kept);
-      uses = std::move(left);
+      found = std::erase_if(graph_.edges, is_loose) > 0;
     }
   }
 
@@ -258,14 +231,6 @@ class Joiner {
 };
 
 }  // namespace
-
-bool lines_cross(Vec<2> a, Vec<2> b, Vec<2> c, Vec<2> d, Vec<2>& x)
-{
-  const Real at_a = cross(c, d, a), at_b = cross(c, d, b), at_c = cross(a, b, c), at_d = cross(a, b, d);
-  if (!(at_a * at_b < 0.0 && at_c * at_d < 0.0)) return false;
-  x = between(a, b, at_a / (at_a - at_b));
-  return true;
-}
 
 Vec<2> place_in(const Polygon& outline)
 {
@@ -286,6 +251,20 @@ PlanarFaces find_faces(const PlanarGraph& graph)
   std::vector<std::array<Index, 2>> ends;
   for (const GraphEdge& edge : graph.edges) ends.push_back({edge.a, edge.b});
   return find_faces(graph.places, ends);
+}
+
+std::optional<std::vector<int>> regions_by_edges(const PlanarGraph& graph, const PlanarFaces& faces)
+{
+  constexpr int unknown = -2;
+  std::vector<int> region(faces.rings.size(), unknown);
+  for (std::size_t k = 0; k < graph.edges.size(); ++k)
+    for (const bool left : {true, false}) {
+      int& known = region[left ? faces.left[k] : faces.right[k]];
+      const int here = graph.edges[k].owners[left ? 0 : 1];
+      if (known != unknown && known != here) return std::nullopt;
+      known = here;
+    }
+  return region;
 }
 
 Polygon corners_of(const PlanarGraph& graph, const FaceRing& ring)

@@ -6,6 +6,7 @@
 #include "meshing/planar_map.hpp"
 #include "points/polygon.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,10 @@ PlanarGraph join_lines(const std::vector<DrawnLine>& lines, Real snap);
 /// Its faces; sides of an edge are those looking from a to b.
 PlanarFaces find_faces(const PlanarGraph& graph);
 
+/// The region of each face, by the owners of its edges 0 to the left and 1 to the right; nothing if they contradict
+/// each other.
+std::optional<std::vector<int>> regions_by_edges(const PlanarGraph& graph, const PlanarFaces& faces);
+
 /// Corners of a ring [m].
 Polygon corners_of(const PlanarGraph& graph, const FaceRing& ring);
 
@@ -58,8 +63,5 @@ Real area_of_face(const PlanarGraph& graph, const std::vector<FaceRing>& rings);
 
 /// A place within an outline that runs counter-clockwise, beside the middle of its longest edge [m].
 Vec<2> place_in(const Polygon& outline);
-
-/// Where the lines a-b and c-d cross, both in their interiors.
-bool lines_cross(Vec<2> a, Vec<2> b, Vec<2> c, Vec<2> d, Vec<2>& x);
 
 }  // namespace terp

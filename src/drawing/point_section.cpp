@@ -88,31 +88,6 @@ PlanarGraph edges_of(const BoxRaster& raster)
   return graph;
 }
 
-std::vector<int> labels_of(const PlanarGraph& graph, const PlanarFaces& faces)
-{
-  std::vector<int> label(faces.rings.size(), -1);
-  for (std::size_t k = 0; k < graph.edges.size(); ++k) {
-    label[faces.left[k]] = graph.edges[k].owners[0];
-    label[faces.right[k]] = graph.edges[k].owners[1];
-  }
-  return label;
-}
-
-std::vector<CleanRegion> regions_of_graph(const PlanarGraph& graph)
-{
-  const PlanarFaces faces = find_faces(graph);
-  const std::vector<int> label = labels_of(graph, faces);
-  std::vector<CleanRegion> regions;
-  for (std::size_t face = 1; face < faces.rings.size(); ++face) {
-    if (label[face] < 0) continue;
-    CleanRegion region{label[face], corners_of(graph, faces.rings[face][0]), {}};
-    for (std::size_t k = 1; k < faces.rings[face].size(); ++k)
-      region.holes.push_back(corners_of(graph, faces.rings[face][k]));
-    regions.push_back(std::move(region));
-  }
-  return regions;
-}
-
 }  // namespace
 
 PointSection section_of_points(
@@ -123,10 +98,12 @@ PointSection section_of_points(
   PointSection section{raster.side, ground_of(raster), {}};
   const PlanarGraph graph = edges_of(raster);
   const PlanarFaces faces = find_faces(graph);
-  ChainMap chains = find_chains(graph, faces, labels_of(graph, faces), 1e-9 * raster.side);
+  const ChainMap boxes = find_chains(graph, faces, regions_by_edges(graph, faces).value(), 1e-9 * raster.side);
+  ChainMap simpler = boxes;
   ChainChanges changes;
-  simplify(chains, {0.0, 0.75 * raster.side, 1e-3 * raster.side}, changes);
-  section.regions = regions_of_graph(graph_of(chains));
+  simplify(simpler, {0.0, 0.75 * raster.side, 1e-3 * raster.side}, changes);
+  const auto regions = regions_between(simpler);
+  section.regions = regions ? *regions : regions_between(boxes).value();
   return section;
 }
 

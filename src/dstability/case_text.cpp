@@ -146,10 +146,10 @@ std::string key_of_name(const std::string& name, const std::string& otherwise)
     key += word;
   };
   const std::string text = as_utf8(name);
-  for (std::size_t at = 0, n = 0; at < text.size(); at += n) {
-    n = utf8_length(std::string_view(text).substr(at));
-    const std::string letter = text.substr(at, n);
-    const char next = at + n < text.size() ? text[at + n] : ' ', before = at == 0 ? ' ' : text[at - 1];
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t at = text.size() - rest.size();
+    const std::string letter(take_letter(rest).bytes);
+    const char next = rest.empty() ? ' ' : rest.front(), before = at == 0 ? ' ' : text[at - 1];
     const bool is_number_next = next >= '0' && next <= '9';
     const bool is_sign = is_number_next && (std::string_view(" (=:~").find(before) != std::string_view::npos ||
                                                key == "nap" || key.ends_with("_nap"));

@@ -6,6 +6,7 @@
 
 #include "dstability/section_layout.hpp"
 #include "dstability/told_texts.hpp"
+#include "points/body_outline.hpp"
 
 #include <fmt/format.h>
 
@@ -27,16 +28,8 @@ struct Interval {
 /// Where the vertical line at x lies in a region, from the bottom up.
 std::vector<Interval> intervals_at(const CleanRegion& region, Real x)
 {
-  std::vector<Real> heights;
-  const auto cross = [&](const Polygon& ring) {
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Vec<2>&a = ring[k], &b = ring[(k + 1) % ring.size()];
-      if ((a[0] > x) != (b[0] > x)) heights.push_back(a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]));
-    }
-  };
-  cross(region.polygon);
-  for (const Polygon& hole : region.holes) cross(hole);
-  std::ranges::sort(heights);
+  const std::vector<Side> sides = outline_sides({}, BodyOutline{region.polygon, {1, 1}, region.holes});
+  const std::vector<Real> heights = crossings_of_vertical(sides, x);
   std::vector<Interval> found;
   for (std::size_t k = 0; k + 1 < heights.size(); k += 2) found.push_back({heights[k], heights[k + 1]});
   return found;

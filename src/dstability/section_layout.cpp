@@ -30,11 +30,8 @@ Real ground_at(const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExc
 {
   Real high = -1e30;
   for (const DrawnRegion& region : drawn) {
-    const Polygon& p = region.polygon;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      const Vec<2>&a = p[k], &b = p[(k + 1) % p.size()];
-      if ((a[0] > x) != (b[0] > x)) high = std::max(high, a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]));
-    }
+    const std::vector<Side> sides = outline_sides({}, BodyOutline{region.polygon, {1, 1}});
+    for (const Real y : crossings_of_vertical(sides, x)) high = std::max(high, y);
   }
   for (const DrawnExcavation& pit : excavations) {
     auto line = pit.places;

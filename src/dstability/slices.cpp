@@ -4,6 +4,7 @@
 
 #include "dstability/slices.hpp"
 
+#include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "dstability/section.hpp"
 #include "dstability/stix_parts.hpp"
@@ -73,15 +74,6 @@ void widen(SliceDeviation& all, Real& largest, const Real (&pair)[2], Real unit)
   if (difference > largest) largest = difference;
 }
 
-/// As CSV has a text: in quotes where it has commas or quotes.
-std::string cell_text(const std::string& text)
-{
-  if (text.find_first_of(",\"") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 }  // namespace
 
 std::vector<ResultSlices> compare_slices(const StixProject& project)
@@ -115,7 +107,7 @@ std::string slices_csv(const std::vector<ResultSlices>& results)
   for (const ResultSlices& result : results)
     for (const SliceRow& row : result.rows) {
       text += fmt::format(
-          "{},{},{},{}", cell_text(printable(result.name)), row.place[0], row.place[1], result.stale.empty() ? 0 : 1);
+          "{},{},{},{}", csv_cell(printable(result.name)), row.place[0], row.place[1], result.stale.empty() ? 0 : 1);
       for (const auto* pair : {&row.total_stress, &row.pore_pressure, &row.yield_stress, &row.su})
         text += fmt::format(",{},{}", (*pair)[0], (*pair)[1]);
       text += "\n";

@@ -73,7 +73,7 @@ std::vector<SoilKind> read_soil_defaults(const std::string& path, const std::str
   std::vector<SoilKind> kinds;
   CsvFaults faults(path, "the table of soil defaults",
       "terp import --soil-defaults-table prints the table that holds without it, with its units.");
-  read_csv_rows(text, columns_of_defaults, faults, [&](std::span<const std::string_view> cells, Index line) {
+  read_csv_rows(text, columns_of_defaults, faults, [&](std::span<const std::string> cells, Index line) {
     SoilKind kind{};
     kind.kind = cells[0];
     kind.words = words_in(cells[1]);

@@ -12,15 +12,12 @@
 #include "input/reader.hpp"
 #include "input/render.hpp"
 #include "input/syntax_advice.hpp"
+#include "system/read_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace terp {
 namespace {
@@ -35,23 +32,15 @@ namespace fs = std::filesystem;
 
 std::string read_text(const std::string& path)
 {
+  const std::string fault = fault_of_file(path);
+  if (fault.empty()) return read_file(path);
   std::error_code ignored;
-  if (fs::is_directory(path, ignored))
-    refuse_file(path, "this is a folder, not a case file",
-        fs::exists(fs::path(path) / "ledger.csv", ignored)
-            ? fmt::format(
-                  "It holds a run. To go on with it: terp resume {0}. To solve its case anew: {0}/case.toml", path)
-            : "Give the .toml file in it.");
-  if (!fs::exists(path, ignored)) {
-    const std::string similar = similar_file(path, ".toml");
-    refuse_file(path, "there is no such file", similar.empty() ? "" : fmt::format("Did you mean `{}`?", similar));
-  }
-  if (!fs::is_regular_file(path, ignored)) refuse_file(path, "this is no ordinary file", "Give a .toml file.");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) refuse_file(path, fmt::format("the file cannot be read: {}", std::strerror(errno)), "");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  if (fs::exists(fs::path(path) / "ledger.csv", ignored))
+    refuse_file(path, fault,
+        fmt::format("It holds a run. To go on with it: terp resume {0}. To solve its case anew: {0}/case.toml", path));
+  if (fs::exists(path, ignored)) refuse_file(path, fault, "Give a .toml file.");
+  const std::string similar = similar_file(path, ".toml");
+  refuse_file(path, fault, similar.empty() ? "" : fmt::format("Did you mean `{}`?", similar));
 }
 
 Document parse_document(const std::string& text, const std::string& path)

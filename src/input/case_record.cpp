@@ -1,21 +1,21 @@
 // Each key of the table is asked for what the case has; velocities by formula are the exception, as functions have no
-// text. A value that the earlier record lacks is no change if it is the default: a newer Terp may have more keys. The
-// sections that may stand several times are listed in add_keys once more: without its line a new one is read as one.
+// text. A value that the earlier record lacks is no change if it is the default: a newer Terp may have more keys.
 
 #include "input/case_record.hpp"
 
 #include "base/checksum.hpp"
+#include "input/key_table.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
 #include "input/printable.hpp"
 #include "input/units.hpp"
 #include "points/points_csv.hpp"
+#include "system/read_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <sstream>
 
 namespace terp {
@@ -57,7 +57,6 @@ class Recorder {
 
  private:
   void add_key(const KeyInfo& key, const std::string& path, std::size_t number);
-  void add_list(const KeyInfo& key, std::string_view list, std::size_t n);
   void add_of_materials(const KeyInfo& key);
   void add_of_sides(const KeyInfo& key);
 
@@ -89,11 +88,6 @@ void Recorder::add_key(const KeyInfo& key, const std::string& path, std::size_t 
   add(path, value, key.default_text == value || key.default_text == value + ' ' + key.unit);
 }
 
-void Recorder::add_list(const KeyInfo& key, std::string_view list, std::size_t n)
-{
-  for (std::size_t k = 0; k < n; ++k) add_key(key, fmt::format("{}[{}].{}", list, k, last_part(key.path)), k);
-}
-
 /// The rest of the path may lead through a section of the material.
 void Recorder::add_of_materials(const KeyInfo& key)
 {
@@ -115,18 +109,10 @@ void Recorder::add_keys()
   for (const KeyInfo& key : all_keys()) {
     if (key.path == "mesh.file" || key.path == "body[].points") continue;    // add_files
     if (key.path == "body[].box" || key.path == "body[].polygon") continue;  // one place for two keys: add_outlines
-    if (key.path.starts_with("body[]"))
-      add_list(key, "body", values_.bodies.size());
-    else if (key.path.starts_with("mesh.refine[]"))
-      add_list(key, "mesh.refine", values_.mesh.refine.size());
-    else if (key.path.starts_with("water.situation[]"))
-      add_list(key, "water.situation", values_.water.situations.size());
-    else if (key.path.starts_with("footing[]"))
-      add_list(key, "footing", values_.footings.size());
-    else if (key.path.starts_with("stage[]"))
-      add_list(key, "stage", values_.stages.size());
-    else if (key.path.starts_with("load[]"))
-      add_list(key, "load", values_.loads.size());
+    const std::string section = parent_path(key.path);
+    if (const auto n = count_entries(values_, section, false))
+      for (std::size_t k = 0; k < *n; ++k)
+        add_key(key, fmt::format("{}[{}].{}", topic_of(section), k, last_part(key.path)), k);
     else if (key.path.starts_with("material.NAME"))
       add_of_materials(key);
     else if (key.path.starts_with("boundary.SIDE"))
@@ -157,18 +143,9 @@ void Recorder::add_orders()
   add("boundary (in order)", plain_list(sides));
 }
 
-std::string content_of_file(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  if (!file) throw FileError(fmt::format("cannot read {}, which the case names", path));
-  return digits_of(bytes.view());
-}
-
 /// Of the points that the solver takes from a table: comments, blanks and the order of its columns leave no trace.
 std::string points_key(const std::string& path)
-try {
+{
   std::string bytes;
   for (const CsvPoint& point : read_points_csv(path)) {
     for (const Real value : {point.x[0], point.x[1], point.volume})
@@ -176,21 +153,19 @@ try {
     bytes += point.material + '\n';
   }
   return digits_of(bytes);
-} catch (const CsvError& error) {
-  throw FileError(error.what());
 }
 
 void Recorder::add_files()
 {
   if (!values_.mesh.file.empty())
-    add("mesh.file (content)", content_of_file(path_of(values_.folder, values_.mesh.file)));
+    add("mesh.file (content)", digits_of(read_file(path_of(values_.folder, values_.mesh.file))));
   for (std::size_t k = 0; k < values_.bodies.size(); ++k)
     if (const std::string& name = values_.bodies[k].points_file; !name.empty())
       add(fmt::format("body[{}].points (content)", k), points_key(path_of(values_.folder, name)));
   for (const MaterialCase& material : values_.materials)
     if (material.from_library != nullptr)
       add(join_path(material_path(material), "library (content)"),
-          content_of_file(path_of(values_.folder, material.library.file)));
+          digits_of(read_file(path_of(values_.folder, material.library.file))));
 }
 
 std::string cells_key(const Mesh<2>& mesh)

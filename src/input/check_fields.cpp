@@ -18,9 +18,8 @@ void check_situations(const ParameterField& field, const std::string& path, cons
     if (!situation.name.empty()) names.push_back(situation.name);
   for (const std::string& name : field.needs.situations) {
     if (std::ranges::find(names, name) != names.end()) continue;
-    const std::string nearest = closest(name, names);
     problems.push_back({path, fmt::format("there is no water situation `{}`", name),
-        (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
+        did_you_mean(name, names) +
             (names.empty()
                     ? "Give a [[water.situation]] that name, or leave it out: then the water at the start counts."
                     : fmt::format(

@@ -96,11 +96,9 @@ std::optional<std::size_t> find_body(const Case& values, const NamedInStage& ent
     if (!body.name.empty()) names.push_back(body.name);
   const auto found = std::ranges::find(values.bodies, name, &BodyCase::name);
   if (name.empty() || found == values.bodies.end()) {
-    const std::string nearest = closest(name, names);
     return refuse(fmt::format("there is no body `{}`", name),
-        (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
-            (names.empty() ? "No [[body]] of this case has a name: give it name = \"berm\"."
-                           : "Bodies with a name: " + plain_list(names)));
+        did_you_mean(name, names) + (names.empty() ? "No [[body]] of this case has a name: give it name = \"berm\"."
+                                                   : "Bodies with a name: " + plain_list(names)));
   }
   if (entry.stage == 0)
     return refuse(fmt::format("the first stage cannot {} a body", entry.key),

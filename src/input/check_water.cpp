@@ -46,10 +46,8 @@ void check_heads(const WaterSituation& situation, const std::string& path, const
     const std::string here = fmt::format("{}.reference_lines[{}]", path, k);
     for (const std::string& head : {lines[k].head, lines[k].head_bottom}) {
       if (head.empty() || std::ranges::find(names, head) != names.end()) continue;
-      const std::string nearest = closest(head, names);
       findings.problems.push_back({here, fmt::format("there is no head line `{}`", head),
-          (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
-              fmt::format("Head lines of this water: {}", plain_list(names)),
+          did_you_mean(head, names) + fmt::format("Head lines of this water: {}", plain_list(names)),
           "water.reference_lines", false, {path + ".reference_lines"}});
       break;
     }

@@ -4,7 +4,7 @@
 
 #include "input/document.hpp"
 
-#include "input/lifted_text.hpp"
+#include "base/utf8.hpp"
 
 #include <fmt/format.h>
 
@@ -19,6 +19,47 @@
 
 namespace terp {
 namespace {
+
+constexpr std::uint32_t lifted_by = 0xF0000, first_letter = 0x80, last_letter = 0xFFFF, mark_at_start = 0xFEFF;
+
+/// Moves the letters U+0080 to U+FFFF to U+F0080 to U+FFFFF, where Unicode has none of its own (plane 15, private use):
+/// outside strings toml++ 3.3 runs into undefined behaviour at some between U+00A0 and U+FEFF, and what it takes for a
+/// string is known only to itself. Each stays one letter, so columns stay.
+std::string lift(std::string_view text)
+{
+  std::string lifted;
+  while (!text.empty()) {
+    const Letter letter = take_letter(text);
+    const bool stays =
+        letter.code < first_letter || letter.code > last_letter || (letter.code == mark_at_start && lifted.empty());
+    lifted += stays ? std::string(letter.bytes) : utf8_of(letter.code + lifted_by);
+  }
+  return lifted;
+}
+
+bool is_lifted(const Letter& letter)
+{
+  return letter.code >= first_letter + lifted_by && letter.code <= last_letter + lifted_by;
+}
+
+std::string lower(std::string_view text)
+{
+  std::string lowered;
+  while (!text.empty()) {
+    const Letter letter = take_letter(text);
+    lowered += is_lifted(letter) ? utf8_of(letter.code - lifted_by) : std::string(letter.bytes);
+  }
+  return lowered;
+}
+
+void refuse_lifted_letters(std::string_view text)
+{
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t at = text.size() - rest.size();
+    if (is_lifted(take_letter(rest)))
+      throw SyntaxError("Letters of private use (U+F0080 to U+FFFFF) cannot stand in a case file.", place_at(text, at));
+  }
+}
 
 Place place_of(const toml::source_region& region)
 {
@@ -66,8 +107,8 @@ Node to_node(const toml::node& source)
   return node;
 }
 
-/// TOML has plain letters only outside strings and comments. toml++ 3.3 runs into undefined behaviour at others such as
-/// U+00E4 (lifted_text.hpp), and a no-break space copied from a web page deserves its own message.
+/// TOML has plain letters only outside strings and comments. A no-break space copied from a web page deserves its own
+/// message.
 void refuse_foreign_letters(std::string_view text)
 {
   for (std::size_t k = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; k < text.size(); ++k) {
@@ -200,17 +241,14 @@ Place place_at(std::string_view text, std::size_t offset)
 {
   const std::string_view before = text.substr(0, offset);
   const std::string_view line = before.substr(before.rfind('\n') + 1);  // npos + 1 = 0
-  const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-  return {static_cast<int>(std::ranges::count(before, '\n')) + 1,
-      static_cast<int>(std::ranges::count_if(line, starts_character)) + 1, 1};
+  return {static_cast<int>(std::ranges::count(before, '\n')) + 1, static_cast<int>(count_letters(line)) + 1, 1};
 }
 
 Node parse_toml(std::string_view text)
 {
   refuse_foreign_letters(text);
   refuse_deep_keys(text);
-  if (const std::size_t at = find_lifted(text); at != std::string_view::npos)
-    throw SyntaxError("Letters of private use (U+F0080 to U+FFFFF) cannot stand in a case file.", place_at(text, at));
+  refuse_lifted_letters(text);
   try {
     const std::string lifted = lift(text);
     const toml::table table = toml::parse(std::string_view(lifted));

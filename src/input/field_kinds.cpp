@@ -12,6 +12,7 @@
 #include "input/random_kind.hpp"
 #include "input/units.hpp"
 #include "simulation/soil_fields.hpp"
+#include "system/read_file.hpp"
 
 #include <fmt/format.h>
 
@@ -83,7 +84,7 @@ std::optional<FieldValue> read_csv(const Node& value, const FieldContext& contex
     ValueMap map = read_values_csv(file);
     context.needs.covers.push_back({value.text, map.low(), map.high()});
     return by_map(std::move(map));
-  } catch (const CsvError& error) {
+  } catch (const FileError& error) {
     return refuse_field(context, path, "the table cannot be used", error.what());
   }
 }
@@ -173,20 +174,9 @@ std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& ou
   for (const ShansepKey& key : shansep_keys) names.emplace_back(key.name);
   names.insert(names.end(), std::begin(water_options), std::end(water_options));
   Shansep soil;
-  bool good = true;
-  for (const Node& item : table.items) {
-    const auto key = std::ranges::find(shansep_keys, item.name, &ShansepKey::name);
-    if (key != std::end(shansep_keys)) {
-      good = read_shansep_key(item, *key, context, soil) && good;
-    } else if (std::ranges::find(names, item.name) == names.end()) {
-      const std::string nearest = closest(item.name, names);
-      refuse_field(context, join_path(context.entry.path, item.name), fmt::format("unknown key `{}`", item.name),
-          (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
-              "Keys of shansep: " + plain_list(names));
-      context.findings.problems.back().at_key = true;
-      good = false;
-    }
-  }
+  bool good = !refuse_unknown_keys(table, names, context);
+  for (const ShansepKey& key : shansep_keys)
+    if (const Node* item = find_item(table, key.name)) good = read_shansep_key(*item, key, context, soil) && good;
   const auto water = read_water(table, "water", context), daily = read_water(table, "daily_water", context);
   if (!good || !water || !daily) return std::nullopt;
   if (!soil.S || !soil.m)
@@ -260,11 +250,10 @@ std::optional<FieldValue> read_kind(const FieldContext& context)
     if (found != nullptr &&
         (item.name == found->name || std::ranges::find(found->options, item.name) != found->options.end()))
       continue;
-    const std::string nearest = closest(item.name, names);
     return refuse_field(context, join_path(context.entry.path, item.name),
         fmt::format("`{}` is no kind of field{}", item.name,
             found == nullptr ? "" : fmt::format(", nor an option of `{}`", found->name)),
-        (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + "Kinds: " + plain_list(names));
+        did_you_mean(item.name, names) + "Kinds: " + plain_list(names));
   }
   if (found == nullptr)
     return refuse_field(context, context.entry.path,
@@ -276,8 +265,8 @@ std::optional<FieldValue> read_kind(const FieldContext& context)
 void replace_files(Node& node, const std::string& folder)
 {
   if (node.name == "csv" && node.kind == NodeKind::text) try {
-      node.text = digits_of(text_of_csv(path_of(folder, node.text), "the table of values"));
-    } catch (const CsvError&) {  // reported where it is read
+      node.text = digits_of(read_file(path_of(folder, node.text)));
+    } catch (const FileError&) {  // reported where it is read
     }
   for (Node& item : node.items) replace_files(item, folder);
 }
@@ -288,6 +277,18 @@ std::nullopt_t refuse_field(const FieldContext& context, const std::string& path
 {
   context.findings.problems.push_back({path, std::move(what), std::move(detail), "field"});
   return std::nullopt;
+}
+
+bool refuse_unknown_keys(const Node& table, const std::vector<std::string>& names, const FieldContext& context)
+{
+  bool any = false;
+  for (const Node& item : table.items) {
+    if (std::ranges::find(names, item.name) != names.end()) continue;
+    refuse_field(context, join_path(context.entry.path, item.name), fmt::format("unknown key `{}`", item.name),
+        fmt::format("{}Keys of {}: {}", did_you_mean(item.name, names), table.name, plain_list(names)));
+    context.findings.problems.back().at_key = any = true;
+  }
+  return any;
 }
 
 KeyInfo key_like(const KeyInfo& key, std::string_view unit, Range range, Range usual)

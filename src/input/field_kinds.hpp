@@ -41,6 +41,9 @@ std::optional<FieldValue> read_field(const FieldContext& context);
 /// Adds a problem of the field.
 std::nullopt_t refuse_field(const FieldContext& context, const std::string& path, std::string what, std::string detail);
 
+/// Adds a problem for each key of the table that has another name. True: there are some.
+bool refuse_unknown_keys(const Node& table, const std::vector<std::string>& names, const FieldContext& context);
+
 /// The same key with another unit, range and usual range.
 KeyInfo key_like(const KeyInfo& key, std::string_view unit, Range range, Range usual = any_number);
 

@@ -410,4 +410,19 @@ std::vector<KeyInfo> key_table()
   return list;
 }
 
+std::optional<std::size_t> count_entries(Case& c, std::string_view section, bool one_more)
+{
+  const auto count = [&](auto& list) {
+    if (one_more) list.emplace_back();
+    return list.size();
+  };
+  if (section == "body[]") return count(c.bodies);
+  if (section == "stage[]") return count(c.stages);
+  if (section == "load[]") return count(c.loads);
+  if (section == "footing[]") return count(c.footings);
+  if (section == "mesh.refine[]") return count(c.mesh.refine);
+  if (section == "water.situation[]") return count(c.water.situations);
+  return std::nullopt;
+}
+
 }  // namespace terp

@@ -3,6 +3,8 @@
 
 #include "input/keys.hpp"
 
+#include <optional>
+
 namespace terp {
 
 /// Words for the values of an enum, in its order.
@@ -34,5 +36,8 @@ std::vector<KeyInfo> time_keys();
 std::vector<KeyInfo> stage_keys();
 /// Those of [[load]].
 std::vector<KeyInfo> surface_load_keys();
+
+/// How many entries a case has of a list of sections, "body[]", after adding one if `one_more`; none: it is no list.
+std::optional<std::size_t> count_entries(Case& c, std::string_view section, bool one_more);
 
 }  // namespace terp

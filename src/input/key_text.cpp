@@ -1,8 +1,9 @@
 // Types and defaults are written down nowhere: the accessor of a key is called on a case with one of everything. The
-// Field that it gives has the type, and what it points at is the default. So each list of sections needs an entry in
-// prototype(), or the accessor goes beyond its end.
+// Field that it gives has the type, and what it points at is the default.
 
 #include "input/key_text.hpp"
+
+#include "input/key_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,15 +18,10 @@ Case& prototype()
 {
   static Case one = [] {
     Case c;
-    c.bodies.resize(1);
+    for (const SectionInfo& section : all_sections()) count_entries(c, section.path, true);
     c.materials.push_back({"", "", 0.0, std::vector<Real>(64, 0.0)});
     c.materials[0].ratios.resize(64);
     c.sides.resize(1);
-    c.mesh.refine.resize(1);
-    c.footings.resize(1);
-    c.water.situations.resize(1);
-    c.loads.resize(1);
-    c.stages.resize(1);
     return c;
   }();
   return one;

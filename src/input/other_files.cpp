@@ -5,14 +5,12 @@
 
 #include "base/closest.hpp"
 #include "simulation/case.hpp"
+#include "system/files.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 
 namespace terp {
@@ -56,16 +54,6 @@ bool is_table_of_values(const std::string& path) { return path.ends_with(".csv")
 bool is_record_of_import(const std::string& path) { return path == "reference.imported"; }
 bool is_library(const std::string& path) { return path.ends_with(".library"); }
 
-std::string fault_of_file(const fs::path& path)
-{
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return "this is a folder, not a file";
-  if (!fs::exists(path, ignored)) return "there is no such file";
-  if (!fs::is_regular_file(path, ignored)) return "this is no ordinary file";
-  if (!std::ifstream(path)) return fmt::format("the file cannot be read: {}", std::strerror(errno));
-  return "";
-}
-
 fs::path absolute_path(const std::string& folder, const std::string& name)
 {
   std::error_code error;
@@ -83,12 +71,22 @@ std::string copy_of_mesh(const std::string& path)
 
 }  // namespace
 
+std::string fault_of_file(const std::string& path)
+{
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return "this is a folder, not a file";
+  if (!fs::exists(path, ignored)) return "there is no such file";
+  if (!fs::is_regular_file(path, ignored)) return "this is no ordinary file";
+  const int error = may_read(path);
+  return error == 0 ? "" : "the file cannot be read: " + words_of_errno(error);
+}
+
 void check_files(const Node& root, const std::string& folder, std::vector<Problem>& problems)
 {
   Node copy = root;
   for (const auto& [path, node] : find_file_keys(copy)) {
     const fs::path file = fs::path(folder) / node->text;
-    const std::string fault = fault_of_file(file);
+    const std::string fault = fault_of_file(file.string());
     if (fault.empty()) continue;
     const std::string ending = path == "mesh.file"         ? ".msh"
                                : is_library(path)          ? ".so"

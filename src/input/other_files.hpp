@@ -12,6 +12,9 @@
 
 namespace terp {
 
+/// Why a path is no file that can be read; empty if it is one.
+std::string fault_of_file(const std::string& path);
+
 /// Adds a problem for each file that is not there or cannot be read. folder: that of the case file.
 void check_files(const Node& root, const std::string& folder, std::vector<Problem>& problems);
 

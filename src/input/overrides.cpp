@@ -5,6 +5,7 @@
 #include "input/overrides.hpp"
 
 #include "base/closest.hpp"
+#include "base/utf8.hpp"
 #include "input/field_kinds.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"

@@ -3,7 +3,6 @@
 
 #include "input/random_kind.hpp"
 
-#include "base/closest.hpp"
 #include "base/errors.hpp"
 #include "input/key_text.hpp"
 
@@ -93,18 +92,10 @@ bool read_keys(const Node& table, const FieldContext& context, RandomText& text)
   return good;
 }
 
-bool refuse_unknown(const Node& table, const FieldContext& context)
+bool fail(const FieldContext& context, const std::string& path, const std::string& what, const std::string& detail)
 {
-  const std::vector<std::string> names = names_of_keys();
-  for (const Node& item : table.items) {
-    if (std::ranges::find(names, item.name) != names.end()) continue;
-    const std::string nearest = closest(item.name, names);
-    refuse_field(context, join_path(context.entry.path, item.name), fmt::format("unknown key `{}`", item.name),
-        (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + "Keys of random: " + plain_list(names));
-    context.findings.problems.back().at_key = true;
-    return false;
-  }
-  return true;
+  refuse_field(context, path, what, detail);
+  return false;
 }
 
 /// Which independent fields it is the sum of.
@@ -124,21 +115,18 @@ bool set_parts(const FieldContext& context, RandomText& text)
   if (!read_places({*mix, path, pairs}, *mix, path, context.findings, parts)) return false;
   for (const Vec<2>& part : parts) {
     if (part[0] < 0.0 || part[0] > 1e6 || part[0] != std::floor(part[0]))
-      return refuse_field(context, path, fmt::format("{} is no number of a field", part[0]), "A whole number, from 0."),
-             false;
+      return fail(context, path, fmt::format("{} is no number of a field", part[0]), "A whole number, from 0.");
     const auto number = static_cast<std::uint32_t>(part[0]);
     if (std::ranges::find(text.field.parts, number, [](const auto& other) { return other.first; }) !=
         text.field.parts.end())
-      return refuse_field(context, path, fmt::format("field {} stands twice in `mix`", number),
-                 "Its weights would add up, and the field have another variance than `cov` says. Give each once."),
-             false;
+      return fail(context, path, fmt::format("field {} stands twice in `mix`", number),
+          "Its weights would add up, and the field have another variance than `cov` says. Give each once.");
     text.field.parts.emplace_back(number, part[1]);
     squares += part[1] * part[1];
   }
   if (std::abs(squares - 1.0) > 1e-9)
-    return refuse_field(context, path, "the squares of the weights of `mix` must add up to one",
-               fmt::format("Got {}; else the field has another variance than `cov` says.", squares)),
-           false;
+    return fail(context, path, "the squares of the weights of `mix` must add up to one",
+        fmt::format("Got {}; else the field has another variance than `cov` says.", squares));
   return true;
 }
 
@@ -148,18 +136,16 @@ constexpr Real widest_normal = 0.25;  // Phi(-1/0.25) = 3e-5
 bool check_text(const FieldContext& context, const RandomText& text)
 {
   if (text.distribution == "normal" && text.cov > widest_normal)
-    return refuse_field(context, join_path(context.entry.path, "cov"), "a normal field so wide has negative values",
-               fmt::format("Got a coefficient of variation of {}; allowed for a normal field: at most {}, where 3 of "
-                           "100 000 values are below zero.\nA lognormal field has none.",
-                   text.cov, widest_normal)),
-           false;
+    return fail(context, join_path(context.entry.path, "cov"), "a normal field so wide has negative values",
+        fmt::format("Got a coefficient of variation of {}; allowed for a normal field: at most {}, where 3 of "
+                    "100 000 values are below zero.\nA lognormal field has none.",
+            text.cov, widest_normal));
   const double n = GaussianField::n_nodes(text.field);
   if (n > most_nodes)
-    return refuse_field(context, context.entry.path, "the random field has too many nodes",
-               fmt::format("{:.2g}, eight along each theta, from x = y = 0 over all of the box; allowed: {:.2g}.\nGive "
-                           "larger scales of fluctuation, or a smaller box nearer to x = y = 0.",
-                   n, most_nodes)),
-           false;
+    return fail(context, context.entry.path, "the random field has too many nodes",
+        fmt::format("{:.2g}, eight along each theta, from x = y = 0 over all of the box; allowed: {:.2g}.\nGive "
+                    "larger scales of fluctuation, or a smaller box nearer to x = y = 0.",
+            n, most_nodes));
   return true;
 }
 
@@ -167,25 +153,22 @@ bool check_text(const FieldContext& context, const RandomText& text)
 bool read_known(const Node& list, const FieldContext& context, const FieldValue& mean, RandomText& text)
 {
   const std::string path = join_path(context.entry.path, list.name);
-  const auto fail = [&](const std::string& at, const std::string& what, const std::string& detail) {
-    refuse_field(context, at, what, detail);
-    return false;
-  };
   if (list.kind != NodeKind::list || list.items.empty() || list.items.size() > most_known)
-    return fail(path, "`known` must be a list of places with their values",
+    return fail(context, path, "`known` must be a list of places with their values",
         fmt::format("Got {}; allowed: 1 to {} of [x, y, value].", describe_value(list), most_known));
   if (context.needs.outlines || context.needs.stress)
-    return fail(path, "`known` needs a mean that follows from the place alone",
+    return fail(context, path, "`known` needs a mean that follows from the place alone",
         "The mean follows from the ground above. Condition its parameters instead, as S or pop.");
   if (text.field.parts.size() > 1)
-    return fail(path, "`known` and `mix` cannot be combined", "Leave out the correlation or the known values.");
+    return fail(
+        context, path, "`known` and `mix` cannot be combined", "Leave out the correlation or the known values.");
   const KeyInfo place = key_like(context.entry.key, "m", any_number);
   const FieldMarginal marginal = text.distribution == "normal" ? FieldMarginal::normal : FieldMarginal::lognormal;
   for (std::size_t k = 0; k < list.items.size(); ++k) {
     const Node& item = list.items[k];
     const std::string at = fmt::format("{}[{}]", path, k);
     if (item.kind != NodeKind::list || item.items.size() != 3)
-      return fail(at, "`known` must be a list of places with their values",
+      return fail(context, at, "`known` must be a list of places with their values",
           fmt::format("Got {}; a place has three numbers, [x, y, value].", describe_value(item)));
     Vec<2> x{};
     Real value = 0.0;
@@ -195,12 +178,12 @@ bool read_known(const Node& list, const FieldContext& context, const FieldValue&
       return false;
     for (std::size_t d = 0; d < 2; ++d)
       if (x[d] < text.field.low[d] || x[d] > text.field.high[d])
-        return fail(at, "a known value lies outside of the box of the field",
+        return fail(context, at, "a known value lies outside of the box of the field",
             fmt::format("At ({:g}, {:g}) m; the box is from ({:g}, {:g}) to ({:g}, {:g}) m.", x[0], x[1],
                 text.field.low[0], text.field.low[1], text.field.high[0], text.field.high[1]));
     const Real score = score_of(marginal, text.cov, value / mean({x}));
     if (!std::isfinite(score))
-      return fail(at, "the distribution has no such value",
+      return fail(context, at, "the distribution has no such value",
           fmt::format("Got {} {} where the mean is {:g}.", value, context.entry.key.unit, mean({x})));
     text.field.known.push_back({x, score});
   }
@@ -234,7 +217,7 @@ std::optional<RandomField> read_random_field(const Node& table, const FieldConte
   if (mean == nullptr)
     return refuse_field(outer, context.entry.path, "`random` needs `mean`", "A number, or a field: the trend.");
   RandomText text;
-  if (!refuse_unknown(table, context)) return std::nullopt;
+  if (refuse_unknown_keys(table, names_of_keys(), context)) return std::nullopt;
   const bool good = read_keys(table, context, text);
   if (good) text.field.correlation = &correlation_named(text.correlation);
   const FieldContext inner{

@@ -95,22 +95,6 @@ bool has_parts(const Node& material)
          (density != nullptr && density->kind == NodeKind::table);
 }
 
-void add_entry(const std::string& pattern, Case& values)
-{
-  if (pattern == "body[]")
-    values.bodies.emplace_back();
-  else if (pattern == "footing[]")
-    values.footings.emplace_back();
-  else if (pattern == "water.situation[]")
-    values.water.situations.emplace_back();
-  else if (pattern == "stage[]")
-    values.stages.emplace_back();
-  else if (pattern == "load[]")
-    values.loads.emplace_back();
-  else
-    values.mesh.refine.emplace_back();
-}
-
 /// Whether a key must stand in this section; some depend on the other keys beside it.
 bool is_required(const Section& section, const KeyInfo& key)
 {
@@ -160,7 +144,7 @@ void CaseReader::read_list(const Node& list, const std::string& path, const Sect
     return report({path, fmt::format("`{}` must be a list of tables", list.name),
         fmt::format("Write {}, with two brackets, above each one.", header), topic_of(info.path), true});
   for (std::size_t k = 0; k < list.items.size(); ++k) {
-    add_entry(info.path, values_);
+    count_entries(values_, info.path, true);
     const std::string entry = fmt::format("{}[{}]", path, k);
     if (is_table(list.items[k], entry, header)) read_section({list.items[k], entry, info.path, k});
   }

@@ -3,12 +3,11 @@
 #include "input/key_text.hpp"
 #include "input/units.hpp"
 #include "input/values.hpp"
+#include "system/read_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <fmt/format.h>
 
 namespace terp {
@@ -127,10 +126,8 @@ bool read_imported(const Entry& entry, const std::string& folder, Findings& find
         fmt::format("Got {}.", describe_value(entry.node)), findings);
   const auto path = std::filesystem::path(folder) / entry.node.text;
   if (!std::filesystem::is_regular_file(path)) return true;  // check_files says so
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
   try {
-    static_cast<void>(parse_toml(text));
+    static_cast<void>(parse_toml(read_file(path.string())));
   } catch (const SyntaxError& error) {
     return refuse(entry, entry.path, fmt::format("`{}` is not valid TOML", entry.node.text),
         fmt::format("{}, line {}. It is the case as terp import wrote it: change case.toml and leave this file.",

@@ -4,6 +4,7 @@
 
 #include "input/render.hpp"
 
+#include "base/utf8.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
 #include "input/printable.hpp"
@@ -23,8 +24,6 @@ struct Spot {
   bool exact = true;  ///< false: the key is not there, the spot is a table above it
 };
 
-bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }  // of a UTF-8 character
-
 std::string line_of(const std::string& text, int line)
 {
   std::size_t begin = 0;
@@ -43,9 +42,8 @@ std::string carets(const std::string& line, const Place& place)
 {
   std::string marks;
   int column = 1;
-  const std::string shown = line.substr(0, line.find_last_not_of(" \t") + 1);
-  for (const char c : shown) {
-    if (is_continuation(c)) continue;
+  for (std::string_view rest = std::string_view(line).substr(0, line.find_last_not_of(" \t") + 1); !rest.empty();) {
+    const char c = take_letter(rest).bytes.front();
     const bool inside = column >= place.column && (place.length == 0 || column < place.column + place.length);
     if (inside)
       marks += '^';

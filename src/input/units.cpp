@@ -3,6 +3,8 @@
 
 #include "input/units.hpp"
 
+#include "base/utf8.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -122,14 +124,6 @@ Real shifted(std::string_view number, int power)
 }
 
 }  // namespace
-
-std::string_view trimmed(std::string_view text)
-{
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 Real NumberWithUnit::value() const { return shifted(number, unit->power) * unit->times / unit->over; }
 

@@ -45,7 +45,4 @@ std::vector<std::string> units_of_key(std::string_view unit_of_key);
 /// Names of all units.
 std::vector<std::string> all_unit_names();
 
-/// Without the blanks and tabs at its ends.
-std::string_view trimmed(std::string_view text);
-
 }  // namespace terp

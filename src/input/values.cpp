@@ -6,51 +6,19 @@
 #include "input/values.hpp"
 
 #include "base/closest.hpp"
-#include "base/plane.hpp"
-#include "input/expression.hpp"
 #include "input/field_kinds.hpp"
 #include "input/key_text.hpp"
 #include "input/syntax_advice.hpp"
 #include "input/units.hpp"
+#include "points/body_outline.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace terp {
 namespace {
-
-/// 1: counter-clockwise, -1: clockwise, 0: no area up to round-off.
-int turn_of(const std::vector<Vec<2>>& corners)
-{
-  Real twice_area = 0.0, scale = 0.0;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec<2>&a = corners[k], &b = corners[(k + 1) % corners.size()];
-    twice_area += a[0] * b[1] - b[0] * a[1];
-    scale += std::abs(a[0] * b[1]) + std::abs(b[0] * a[1]);
-  }
-  constexpr Real round_off = 1e-12;
-  if (std::abs(twice_area) <= round_off * scale) return 0;
-  return twice_area > 0.0 ? 1 : -1;
-}
-
-/// Two edges of a polygon that cross, in words; empty if none do. Edges that only touch do not cross.
-std::string describe_crossing(const std::vector<Vec<2>>& corners)
-{
-  const std::size_t n = corners.size();
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 2; j < n; ++j) {
-      const Vec<2>&a = corners[i], &b = corners[i + 1], &c = corners[j], &d = corners[(j + 1) % n];
-      if (cross(a, b, c) * cross(a, b, d) < 0.0 && cross(c, d, a) * cross(c, d, b) < 0.0)
-        return fmt::format(
-            "The edge from ({}, {}) to ({}, {}) m crosses that from ({}, {}) to ({}, {}) m.\n"
-            "Give the corners in order along the outline.",
-            a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]);
-    }
-  return "";
-}
 
 class ValueReader {
  public:
@@ -256,8 +224,7 @@ bool ValueReader::read_word(const Node& node, const std::string& path)
   if (key_.words == nullptr || key_.more_words) return true;
   const auto words = key_.words();
   if (std::ranges::find(words, node.text) != words.end()) return true;
-  const std::string nearest = closest(node.text, words);
-  const std::string hint = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
+  const std::string hint = did_you_mean(node.text, words);
   return fail(path, fmt::format("`{}` cannot be \"{}\"", name(), node.text), hint + "Allowed: " + quoted_list(words));
 }
 
@@ -314,12 +281,14 @@ bool ValueReader::read_polygon(
   std::vector<Vec<2>> corners;
   if (!read_places(list, path, corners)) return false;
   if (corners.size() < 3) return wrong_type(list, path);
-  const std::string crossing = describe_crossing(corners);
-  if (!crossing.empty()) return fail(path, fmt::format("`{}` crosses itself", last_part(path)), crossing);
-  const int turn = turn_of(corners);
-  if (turn == 0)
-    return fail(path, fmt::format("`{}` has no area", last_part(path)), "Give the corners in order along the outline.");
-  if (turn < 0 && !keeps_order) std::ranges::reverse(corners);
+  if (const auto faults = check_outline({.polygon = corners, .points_per_cell = {1, 1}}); !faults.empty()) {
+    const std::string fault = faults[0].substr(std::string_view("the polygon ").size());
+    const std::size_t colon = std::min(fault.find(": "), fault.size());
+    return fail(path, fmt::format("`{}` {}", last_part(path), fault.substr(0, colon)),
+        (colon < fault.size() ? "Found" + fault.substr(colon) + ".\n" : "") +
+            "Give the corners in order along the outline.");
+  }
+  if (signed_area(corners) < 0.0 && !keeps_order) std::ranges::reverse(corners);
   polygon = corners;
   return true;
 }
@@ -377,27 +346,16 @@ bool ValueReader::operator()(const VelocityPair& field)
   const Node& list = entry_.node;
   const bool is_pair = list.kind == NodeKind::list && list.items.size() == 2;
   if (!is_pair) return wrong_type(list, entry_.path);
-  const auto is_formula = [](const Node& item) {  // what is no number with a unit
-    if (item.kind != NodeKind::text) return false;
-    const auto quantity = parse_quantity(item.text);
-    return !quantity || quantity->unit == nullptr;
-  };
   if (std::ranges::none_of(list.items, is_formula)) return read_pair(list, entry_.path, *field.value);
-  std::array<std::shared_ptr<Expression>, 2> formulas;
+  std::array<FieldValue, 2> parts;
+  FieldNeeds none;
   for (std::size_t d = 0; d < 2; ++d) {
-    const Node& item = list.items[d];
-    const std::string path = fmt::format("{}[{}]", entry_.path, d);
-    Real number = 0.0;
-    if (!is_formula(item) && !read_number(item, path, number)) return false;
-    const std::string text = is_formula(item) ? item.text : fmt::format("{}", number);
-    try {
-      formulas[d] =
-          std::make_shared<Expression>(text, std::vector<std::string>{"x", "y"}, std::map<std::string, Real>{});
-    } catch (const ExpressionError& error) {
-      return fail(path, fmt::format("`{}` is not a formula of x and y", name()), error.what());
-    }
+    if (list.items[d].kind == NodeKind::table) return wrong_type(list, entry_.path);
+    auto part = read_field({{list.items[d], fmt::format("{}[{}]", entry_.path, d), key_}, "", findings_, none});
+    if (!part) return false;
+    parts[d] = std::move(*part);
   }
-  *field.at = [formulas](Vec<2> x) -> Vec<2> { return {(*formulas[0])(x), (*formulas[1])(x)}; };
+  *field.at = [parts](Vec<2> x) -> Vec<2> { return {parts[0]({x}), parts[1]({x})}; };
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include "input/key_text.hpp"
 #include "input/values.hpp"
 #include "points/values_csv.hpp"
+#include "system/read_file.hpp"
 
 #include <fmt/format.h>
 
@@ -168,12 +169,12 @@ bool read_grid(const Entry& entry, const std::string& folder, Findings& findings
       return refuse(entry, path, "the table of the water is no grid",
           "Give every x with every y, two or more of each: between them the values are bilinear.", findings);
     situation.formula = [map](Vec<2> x, Real) { return map->at(x); };
-    situation.formula_text = fmt::format("csv {}", digits_of(text_of_csv(file, "the table of values")));
+    situation.formula_text = fmt::format("csv {}", digits_of(read_file(file)));
     situation.formula_changes = false;
     situation.grid_file = name;
     situation.grid_low = map->low();
     situation.grid_high = map->high();
-  } catch (const CsvError& error) {
+  } catch (const FileError& error) {
     return refuse(entry, path, "the table cannot be used", error.what(), findings);
   }
   return true;

@@ -1,7 +1,6 @@
 // Points, lines and surfaces have the numbers of the map plus one: by them generate.cpp knows which nodes may move. The
-// turned squares and the points of distance fields have numbers beyond these, which begin with the same one, so
-// check_sizes in generate.cpp refuses refinement in a turned mesh. target_size computes what size_fields asks of gmsh:
-// change both together.
+// turned squares and the points of distance fields have numbers beyond these, which begin with the same one, so input
+// refuses refinement in a turned mesh. target_size computes what size_fields asks of gmsh: change both together.
 
 #include "meshing/geo_text.hpp"
 

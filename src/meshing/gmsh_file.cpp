@@ -3,17 +3,15 @@
 
 #include "meshing/gmsh_file.hpp"
 
+#include "base/errors.hpp"
 #include "mesh/check_mesh.hpp"
 #include "meshing/msh_content.hpp"
+#include "system/read_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 #include <unordered_map>
 
 namespace terp {
@@ -25,15 +23,14 @@ const std::string all_quads_advice =
 
 std::string contents_of(const std::string& path)
 {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file) throw MeshError(fmt::format("{}: the file cannot be read: {}", path, std::strerror(errno)));
-  if (!(text << file.rdbuf()))
-    throw MeshError(fmt::format("{}: {}", path,
-        errno == EISDIR ? "this is a folder, not a mesh file"
-                        : "the file is empty. In gmsh: mesh the section (Mesh, 2D), then save it as MSH 4.1."));
-  return std::move(text).str();
+  std::string text;
+  try {
+    text = read_file(path);
+  } catch (const FileError& error) {
+    throw MeshError(error.what());
+  }
+  if (!text.empty()) return text;
+  throw MeshError(path + ": the file is empty. In gmsh: mesh the section (Mesh, 2D), then save it as MSH 4.1.");
 }
 
 using NodeTable = std::unordered_map<std::int64_t, std::size_t>;

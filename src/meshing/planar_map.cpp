@@ -118,9 +118,8 @@ class Cutter {
   void add_crossing(const CutLine& first, const CutLine& second)
   {
     const Vec<2> a = places_[first.a], b = places_[first.b], c = places_[second.a], d = places_[second.b];
-    const Real at_a = cross(c, d, a), at_b = cross(c, d, b), at_c = cross(a, b, c), at_d = cross(a, b, d);
-    if (at_a * at_b >= 0.0 || at_c * at_d >= 0.0) return;
-    const Vec<2> x = between(a, b, at_a / (at_a - at_b));
+    Vec<2> x;
+    if (!lines_cross(a, b, c, d, x)) return;
     if (first.edge >= 0 && second.edge >= 0)
       throw MeshError(fmt::format("the polygon crosses itself: edges {} and {} meet at x = {} m, y = {} m", first.edge,
           second.edge, coordinate_text(x[0]), coordinate_text(x[1])));
@@ -285,14 +284,6 @@ Face signed_lines(const PlanarMap& map, const std::vector<FaceRing>& rings)
 
 PlanarMap cut_polygon(const Polygon& polygon, const std::vector<Polygon>& follow, Real tolerance)
 {
-  if (polygon.size() < 3)
-    throw MeshError(fmt::format("the polygon has {} corners; at least three are needed", polygon.size()));
-  for (std::size_t k = 0; k < polygon.size(); ++k)
-    if (polygon[k] == polygon[(k + 1) % polygon.size()])
-      throw MeshError(fmt::format("edge {} of the polygon has no length, at x = {} m, y = {} m", k,
-          coordinate_text(polygon[k][0]), coordinate_text(polygon[k][1])));
-  if (!(area(polygon) > 0.0))
-    throw MeshError(fmt::format("the polygon's area is {:.6g} m^2: give its corners counter-clockwise", area(polygon)));
   check_overlap(polygon);
   Cutter cutter(polygon, tolerance);
   for (const Polygon& outline : follow) cutter.add_outline(outline);

@@ -30,7 +30,7 @@ struct PolygonMesh {
   std::vector<Refinement> refine;
   std::vector<std::vector<Vec<2>>> follow;  ///< outlines that cell sides follow where they lie inside the domain [m]
   int variant = 0;  ///< 0: the best mesh; 1, 2, ...: different unstructured meshes of the same size
-  Real turn = 0.0;  ///< 0: cells of any direction; else inside squares in this direction against x [deg]
+  Real turn = 0.0;  ///< 0: cells of any direction; else inside squares in this direction against x [deg], of one size
 };
 
 /// Area over the area of a cell, without the refinements.

@@ -4,9 +4,6 @@
 #include "meshing/structured.hpp"
 
 #include "base/plane.hpp"
-#include "mesh/mesh_error.hpp"
-
-#include <fmt/format.h>
 
 #include <cmath>
 
@@ -14,18 +11,6 @@ namespace terp {
 namespace {
 
 using Places = std::vector<Vec<2>>;
-
-constexpr Real corner_tolerance = 1e-9;  // over the length of the side: above round-off of input, below any cell
-
-void check_counts(std::array<Index, 2> n, Vec<2> grading)
-{
-  for (int d = 0; d < 2; ++d) {
-    if (n[d] < 1) throw MeshError(fmt::format("the mesh has {} cells in {}; at least 1 is needed", n[d], "xy"[d]));
-    if (!(std::isfinite(grading[d]) && grading[d] > 0.0))
-      throw MeshError(fmt::format(
-          "the grading in {} is {:g}; it is the last cell over the first and must be positive", "xy"[d], grading[d]));
-  }
-}
 
 Real length(const Places& line)
 {
@@ -54,30 +39,6 @@ Places along(const Places& line, const std::vector<Real>& shares)
   return places;
 }
 
-void check_sides(const std::array<Places, 4>& sides)
-{
-  static constexpr const char* name[] = {"bottom", "right", "top", "left"};
-  for (int s = 0; s < 4; ++s) {
-    if (sides[s].size() < 2)
-      throw MeshError(fmt::format("side `{}` has {} places; at least two are needed", name[s], sides[s].size()));
-    for (std::size_t k = 1; k < sides[s].size(); ++k)
-      if (!(distance(sides[s][k - 1], sides[s][k]) > 0.0))
-        throw MeshError(fmt::format("side `{}` has the place {} m twice in a row", name[s], place_text(sides[s][k])));
-  }
-  struct Corner {
-    int first, second;
-    Vec<2> a, b;
-  };
-  const Corner corners[] = {{0, 3, sides[0].front(), sides[3].front()}, {0, 1, sides[0].back(), sides[1].front()},
-      {2, 1, sides[2].back(), sides[1].back()}, {2, 3, sides[2].front(), sides[3].back()}};
-  for (const Corner& corner : corners)
-    if (!(distance(corner.a, corner.b) <= corner_tolerance * length(sides[corner.first])))
-      throw MeshError(
-          fmt::format("sides `{}` and `{}` do not meet: {} m and {} m\n"
-                      "  bottom and top run to +x, left and right to +y",
-              name[corner.first], name[corner.second], place_text(corner.a), place_text(corner.b)));
-}
-
 }  // namespace
 
 std::vector<Real> graded_shares(Index n, Real grading)
@@ -97,10 +58,6 @@ std::vector<Real> graded_shares(Index n, Real grading)
 
 Mesh<2> make_graded_rectangle(Vec<2> origin, Vec<2> size, std::array<Index, 2> n, Vec<2> grading)
 {
-  check_counts(n, grading);
-  for (int d = 0; d < 2; ++d)
-    if (!(std::isfinite(size[d]) && size[d] > 0.0))
-      throw MeshError(fmt::format("the size in {} is {:g} m; it must be positive", "xy"[d], size[d]));
   const auto x = graded_shares(n[0], grading[0]), y = graded_shares(n[1], grading[1]);
   std::vector<Vec<2>> nodes;
   for (const Real b : y)
@@ -110,8 +67,6 @@ Mesh<2> make_graded_rectangle(Vec<2> origin, Vec<2> size, std::array<Index, 2> n
 
 Mesh<2> make_mapped_rectangle(const std::array<Places, 4>& sides, std::array<Index, 2> n, Vec<2> grading)
 {
-  check_counts(n, grading);
-  check_sides(sides);
   const auto s = graded_shares(n[0], grading[0]), t = graded_shares(n[1], grading[1]);
   const Places bottom = along(sides[0], s), right = along(sides[1], t), top = along(sides[2], s),
                left = along(sides[3], t);

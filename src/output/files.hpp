@@ -2,28 +2,17 @@
 // Not for: what stands in the files.
 #pragma once
 
+#include "system/read_file.hpp"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace terp {
 
-/// Throws FileError "cannot <doing> <path>: <the system's reason>". error_number: errno of the failed call.
-[[noreturn]] void throw_file_error(std::string_view doing, const std::string& path, int error_number);
-[[noreturn]] void throw_file_error(std::string_view doing, const std::string& path, const std::error_code& error);
-
 /// With the folders above it, as needed. Throws FileError.
 void make_folder(const std::string& folder);
-
-/// Throws FileError if a folder, pipe or device stands in the place of a file: a pipe would be waited for without end.
-void check_is_file(const std::string& path);
-
-/// Throws FileError with the system's reason if a file may not be read, as for want of permission.
-void check_readable(const std::string& path);
-
-std::string read_file(const std::string& path);
 
 /// Replaces the content of a file: readers see the old one or the new.
 void write_file_atomically(const std::string& path, std::string_view text);

@@ -3,6 +3,7 @@
 
 #include "output/table_csv.hpp"
 
+#include "base/csv.hpp"
 #include "base/errors.hpp"
 
 #include <charconv>
@@ -21,19 +22,6 @@ void add_number(std::string& line, Real value)
     line += "nan";  // never "-nan"
   else
     fmt::format_to(std::back_inserter(line), "{}", value);
-}
-
-/// A name that holds a comma or a quotation mark is quoted; a line break becomes a blank.
-std::string in_quotes(const std::string& name)
-{
-  const bool plain = name.find_first_of(",\"\n\r") == std::string::npos;
-  if (plain) return name;
-  std::string text = "\"";
-  for (const char c : name) {
-    if (c == '"') text += '"';
-    text += c == '\n' || c == '\r' ? ' ' : c;
-  }
-  return text + '"';
 }
 
 Real time_of(std::string_view row)
@@ -88,7 +76,7 @@ std::string csv_lines(const std::vector<TableRow>& rows)
     std::size_t k = 0;
     for (const QuantityInfo& column : row.table->columns) {
       if (column.is_text)
-        lines += in_quotes(row.text);
+        lines += csv_cell(row.text);
       else
         add_number(lines, row.values[k++]);
       lines += ',';

@@ -1,17 +1,17 @@
 // Only the header stops at once: without the places of the columns no row can be read. A decimal comma shows as about
-// twice as many cells as columns. Cells are split at commas before quotes are taken off.
+// twice as many cells as columns.
 
 #include "points/csv_rows.hpp"
 
 #include "base/closest.hpp"
+#include "base/csv.hpp"
+#include "base/utf8.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 namespace terp {
@@ -19,24 +19,11 @@ namespace {
 
 constexpr std::int64_t most_shown = 10;
 
-std::string_view trimmed(std::string_view text)
+std::vector<std::string> split(std::string_view line)
 {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string_view> split(std::string_view line)
-{
-  std::vector<std::string_view> cells;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    std::string_view cell = trimmed(line.substr(0, comma));
-    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
-    cells.push_back(cell);
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
+  std::vector<std::string> cells = csv_cells(line);
+  for (std::string& cell : cells) cell = trimmed(cell);
+  return cells;
 }
 
 /// Number of the cell of each column in a line.
@@ -65,7 +52,7 @@ Places read_header(std::string_view line, Index number, std::span<const std::str
                            fmt::join(columns, ",")));
     return {};
   }
-  for (const std::string_view name : names) {
+  for (const std::string& name : names) {
     if (std::ranges::find(columns, name) != columns.end()) continue;
     const std::string meant = closest(name, {columns.begin(), columns.end()});
     faults.add(
@@ -123,7 +110,7 @@ Real finite_number_in_csv(std::string_view text, std::string_view column, Index 
 }
 
 void read_csv_rows(const std::string& text, std::span<const std::string> columns, CsvFaults& faults,
-    const std::function<void(std::span<const std::string_view>, Index)>& row)
+    const std::function<void(std::span<const std::string>, Index)>& row)
 {
   std::optional<Places> places;
   bool any = false, told_commas = false;
@@ -153,21 +140,12 @@ void read_csv_rows(const std::string& text, std::span<const std::string> columns
                              by_comma ? "; numbers have a decimal point, no comma" : ""));
       continue;
     }
-    std::vector<std::string_view> in_order;
+    std::vector<std::string> in_order;
     for (const std::size_t place : *places) in_order.push_back(cells[place]);
     row(in_order, number);
   }
   if (!any) faults.add(1, places ? "no rows below the names of the columns" : "the file is empty");
   faults.stop_if_any();
-}
-
-std::string text_of_csv(const std::string& path, const std::string& what)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file || file.bad()) throw CsvError(fmt::format("cannot read {} {}", what, path));
-  return text.str();
 }
 
 }  // namespace terp

@@ -2,12 +2,12 @@
 // Not for: what the columns mean.
 #pragma once
 
+#include "base/errors.hpp"
 #include "base/types.hpp"
 
 #include <functional>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,9 +15,9 @@
 namespace terp {
 
 /// A table cannot be used. The text has every fault found with FILE:LINE, up to ten, and what to do.
-class CsvError : public std::runtime_error {
+class CsvError : public FileError {
  public:
-  using std::runtime_error::runtime_error;
+  using FileError::FileError;
 };
 
 /// Collects faults with their lines.
@@ -44,9 +44,6 @@ Real finite_number_in_csv(std::string_view text, std::string_view column, Index 
 /// `columns`. Cells are apart by commas, spaces around them do not count, a text may stand in double quotes; empty
 /// lines and lines from # on are passed over. Throws CsvError, also for faults that `row` noted.
 void read_csv_rows(const std::string& text, std::span<const std::string> columns, CsvFaults& faults,
-    const std::function<void(std::span<const std::string_view>, Index)>& row);
-
-/// The bytes of a file. Throws CsvError.
-std::string text_of_csv(const std::string& path, const std::string& what);
+    const std::function<void(std::span<const std::string>, Index)>& row);
 
 }  // namespace terp

@@ -1,5 +1,7 @@
 #include "points/points_csv.hpp"
 
+#include "system/read_file.hpp"
+
 #include <cmath>
 #include <fmt/format.h>
 
@@ -7,10 +9,9 @@ namespace terp {
 namespace {
 
 const std::array<std::string, 4> columns_of_points{"x", "y", "volume", "material"};
-const std::string table_of_points = "the table of points";
 
 /// The point of one line; faults are noted, and the point is then of no use.
-CsvPoint read_row(std::span<const std::string_view> cells, Index line, CsvFaults& faults)
+CsvPoint read_row(std::span<const std::string> cells, Index line, CsvFaults& faults)
 {
   CsvPoint point{{0.0, 0.0}, 0.0, std::string(cells[3]), line};
   const std::array<Real*, 3> numbers{&point.x[0], &point.x[1], &point.volume};
@@ -27,17 +28,14 @@ CsvPoint read_row(std::span<const std::string_view> cells, Index line, CsvFaults
 std::vector<CsvPoint> read_points_csv_text(const std::string& path, const std::string& text)
 {
   std::vector<CsvPoint> points;
-  CsvFaults faults(path, table_of_points,
+  CsvFaults faults(path, "the table of points",
       "It has the columns x, y, volume, material: m, m, m^2 (volume per metre of thickness), and a material of the "
       "case.");
   read_csv_rows(text, columns_of_points, faults,
-      [&](std::span<const std::string_view> cells, Index line) { points.push_back(read_row(cells, line, faults)); });
+      [&](std::span<const std::string> cells, Index line) { points.push_back(read_row(cells, line, faults)); });
   return points;
 }
 
-std::vector<CsvPoint> read_points_csv(const std::string& path)
-{
-  return read_points_csv_text(path, text_of_csv(path, table_of_points));
-}
+std::vector<CsvPoint> read_points_csv(const std::string& path) { return read_points_csv_text(path, read_file(path)); }
 
 }  // namespace terp

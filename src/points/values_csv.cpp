@@ -1,5 +1,7 @@
 #include "points/values_csv.hpp"
 
+#include "system/read_file.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
@@ -80,7 +82,7 @@ ValueMap read_values_csv_text(const std::string& path, const std::string& text)
   std::vector<PlacedValue> values;
   std::map<Vec<2>, Index> lines;
   CsvFaults faults(path, table_of_values, "It has the columns x, y, value: m, m, and the unit of the key in SI.");
-  read_csv_rows(text, columns_of_values, faults, [&](std::span<const std::string_view> cells, Index line) {
+  read_csv_rows(text, columns_of_values, faults, [&](std::span<const std::string> cells, Index line) {
     std::array<Real, 3> row{};
     for (std::size_t k = 0; k < row.size(); ++k)
       row[k] = finite_number_in_csv(cells[k], columns_of_values[k], line, faults);
@@ -97,9 +99,6 @@ ValueMap read_values_csv_text(const std::string& path, const std::string& text)
   return map;
 }
 
-ValueMap read_values_csv(const std::string& path)
-{
-  return read_values_csv_text(path, text_of_csv(path, table_of_values));
-}
+ValueMap read_values_csv(const std::string& path) { return read_values_csv_text(path, read_file(path)); }
 
 }  // namespace terp

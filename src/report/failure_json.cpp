@@ -1,9 +1,10 @@
 #include "report/failure_json.hpp"
 
+#include "base/interpolate.hpp"
 #include "report/backdrop.hpp"
-#include "report/entry_point.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
@@ -11,6 +12,55 @@ namespace terp {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr Real crest_share = 0.05;  // of the height of the slope below the highest ground still counts as crest
+constexpr Real deepest = 0.4;       // of the height of the slope: an end below that does not come up to the ground
+constexpr Real little = 0.05;       // of the height of the slope: an end above the ground by less lies at it
+
+/// How the upper end of a line rises backwards over its last piece that is at least `length` long; at least 45 degrees
+/// [-]. line: from the upper end on.
+Real steepness(std::span<const Vec<2>> line, Real length)
+{
+  Real rise = 1.0;
+  for (const Vec<2>& x : line.subspan(1)) {
+    const Real run = std::abs(x[0] - line[0][0]);
+    if (run > 0.0) rise = std::max(1.0, (line[0][1] - x[1]) / run);
+    if (run >= length) break;
+  }
+  return rise;
+}
+
+/// Where a line from `end` backwards, which rises by `rise` per metre, meets the ground; none within `longest` [m].
+std::optional<Vec<2>> come_up(std::span<const Vec<2>> ground, Vec<2> end, Real backwards, Real rise, Real longest)
+{
+  constexpr int steps = 200;
+  Real before = 0.0;
+  for (int k = 0; k <= steps; ++k) {
+    const Real run = longest * k / steps, x = end[0] + backwards * run;
+    if (x < ground.front()[0] || x > ground.back()[0]) return std::nullopt;
+    const Real gap = interpolate(ground, x) - (end[1] + rise * run);
+    if (gap <= 0.0) {
+      const Real there = k == 0 ? 0.0 : run - longest / steps * (-gap) / (before - gap);
+      const Real at = end[0] + backwards * there;
+      return Vec<2>{at, interpolate(ground, at)};
+    }
+    before = gap;
+  }
+  return std::nullopt;
+}
+
+std::string_view zone_of(std::span<const Vec<2>> ground, Vec<2> entry, bool to_the_right, Real foot, Real top)
+{
+  const auto in_crest = [&](const Vec<2>& place) { return place[1] >= top - crest_share * (top - foot); };
+  const auto highest = std::ranges::max_element(ground, {}, [](const Vec<2>& place) { return place[1]; });
+  auto low = highest, high = highest;  // ends of the crest
+  while (low != ground.begin() && in_crest(*(low - 1))) --low;
+  while (high + 1 != ground.end() && in_crest(*(high + 1))) ++high;
+  const Real x = entry[0], left = (*low)[0], right = (*high)[0];
+  if (x >= left && x <= right) return "crest";
+  if (to_the_right ? x < left : x > right) return "beyond_crest";
+  return entry[1] - foot >= 0.5 * (top - foot) ? "upper_half" : "lower_half";
+}
 
 /// The edge of the crest as it was drawn: a corner near by, else one a little higher up, since all within a twentieth
 /// of the height below the highest ground is seen as crest.
@@ -55,6 +105,25 @@ Json events_json(const Summary& s, const FirstGround& first)
 }
 
 }  // namespace
+
+std::optional<EntryPoint> entry_point(const SlideSummary& slide, std::span<const float> places)
+{
+  std::vector<Vec<2>> line = slide.onset.line;
+  const std::vector<Vec<2>> ground = places_of(places);
+  if (line.empty() || ground.size() < 2 || !(slide.onset.time < slide.slip.time)) return std::nullopt;
+  const bool to_the_right = slide.slide.facing == Facing::right;
+  if (!to_the_right) std::ranges::reverse(line);
+  const Vec<2> end = line.front();
+  if (end[0] < ground.front()[0] || end[0] > ground.back()[0]) return std::nullopt;
+  const Real foot = to_the_right ? ground.back()[1] : ground.front()[1];
+  const Real top = std::ranges::max(ground, {}, [](const Vec<2>& place) { return place[1]; })[1];
+  const Real depth = interpolate(ground, end[0]) - end[1];
+  if (depth > deepest * (top - foot) || depth < -little * (top - foot)) return std::nullopt;
+  const Real backwards = to_the_right ? -1.0 : 1.0;
+  const auto entry = come_up(ground, end, backwards, steepness(line, depth), std::max(depth, 0.0) + little);
+  if (!entry) return std::nullopt;
+  return EntryPoint{(*entry)[0], (*entry)[1], zone_of(ground, *entry, to_the_right, foot, top)};
+}
 
 Json failure_json(const RunResults& run, const FirstGround& first)
 {

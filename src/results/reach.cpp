@@ -3,18 +3,16 @@
 
 #include "results/reach.hpp"
 
+#include "base/csv.hpp"
 #include "base/errors.hpp"
-
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
 #include "output/summary_json.hpp"
 #include "results/section_export.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -83,36 +81,6 @@ Json record_json(const SectionRecord& record)
   return json;
 }
 
-Real number_in(std::string_view text)
-{
-  Real value = std::numeric_limits<Real>::quiet_NaN();
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
-/// Of the table `x,start,end`.
-std::vector<std::array<Real, 3>> rows_of(const std::string& profile)
-{
-  std::vector<std::array<Real, 3>> rows;
-  std::istringstream lines(profile);
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t first = line.find(','), second = line.find(',', first + 1);
-    if (second == std::string::npos) continue;
-    const std::string_view all = line;
-    const std::array<Real, 3> row{number_in(all.substr(0, first)), number_in(all.substr(first + 1, second - first - 1)),
-        number_in(all.substr(second + 1))};
-    if (std::isfinite(row[0])) rows.push_back(row);
-  }
-  return rows;
-}
-
-std::string in_quotes(const std::string& text)
-{
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : c == '\n' ? "; " : std::string(1, c);
-  return quoted + '"';
-}
-
 /// Least of the stored factors that are of the section and of the strengths of its case; infinite: there is none.
 Real least_stored(const SectionRecord& record)
 {
@@ -174,11 +142,11 @@ std::string of_flood(S s, F&& f)
 
 /// In the order of the file. A new column is one entry here and a row of docs/assess.md.
 const Column reach_columns[] = {
-    {"section", [](S s) { return in_quotes(s.record.name); }},
-    {"file", [](S s) { return in_quotes(s.record.file); }},
-    {"title", [](S s) { return in_quotes(s.record.title); }},
+    {"section", [](S s) { return csv_cell(s.record.name); }},
+    {"file", [](S s) { return csv_cell(s.record.file); }},
+    {"title", [](S s) { return csv_cell(s.record.title); }},
     {"state", [](S s) { return state_of(s); }},
-    {"reason", [](S s) { return in_quotes(s.record.fault); }},
+    {"reason", [](S s) { return csv_cell(s.record.fault); }},
     {"verdict",
         [](S s) {
           return of_flood(
@@ -187,7 +155,7 @@ const Column reach_columns[] = {
     {"trigger",
         [](S s) {
           return of_flood(
-              s, [](const FloodSummary& f) { return in_quotes(f.trigger ? trigger_words(*f.trigger) : ""); });
+              s, [](const FloodSummary& f) { return csv_cell(f.trigger ? trigger_words(*f.trigger) : ""); });
         }},
     {"verdict_before",
         [](S s) {
@@ -202,7 +170,7 @@ const Column reach_columns[] = {
           return std::string(at_rest ? *at_rest ? "yes" : "no" : "");
         }},
     {"fastest_node_m_s", [](S s) { return number(speed_at_end(s), "{:.2g}"); }},
-    {"hints", [](S s) { return in_quotes(hints_text(s)); }},
+    {"hints", [](S s) { return csv_cell(hints_text(s)); }},
     {"water_level_m",
         [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.water_level, "{:.2f}"); }); }},
     {"residual_height_m", [](S s) { return s.is_solved ? number(s.summary.residual_height, "{:.2f}") : ""; }},
@@ -215,7 +183,7 @@ const Column reach_columns[] = {
         [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.first_time_below, "{:.2f}"); }); }},
     {"factor", [](S s) { return number(s.record.factor, "{:.3f}"); }},
     {"factor_uncertainty", [](S s) { return number(s.record.uncertainty, "{:.3f}"); }},
-    {"stored_factors", [](S s) { return in_quotes(stored_text(s.record, false)); }},
+    {"stored_factors", [](S s) { return csv_cell(stored_text(s.record, false)); }},
     {"cell_m", [](S s) { return number(s.record.cell); }},
     {"points", [](S s) { return fmt::format("{}", s.record.n_points); }},
     {"expected_s", [](S s) { return number(s.record.expected_s, "{:.0f}"); }},
@@ -252,7 +220,7 @@ ReachSection read_section(const std::string& folder)
     section.is_solved = saved.finished;
     section.summary = std::move(saved.values);
     if (section.summary.flood) section.water_level = section.summary.flood->water_level;
-    section.profile = rows_of(export_section(read_run(run)).profile);
+    section.profile = export_section(read_run(run)).profile;
   } catch (const std::exception& error) {  // of whatever is damaged there
     section.is_solved = false;
     section.record.fault = error.what();

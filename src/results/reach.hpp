@@ -69,7 +69,7 @@ struct ReachSection {
   SectionRecord record;
   bool is_solved = false;                         ///< its run has come to its end
   Summary summary = {};                           ///< of such a run
-  std::vector<std::array<Real, 3>> profile = {};  ///< x, ground at the start and at the end [m]; NaN: none there
+  std::vector<std::array<Real, 3>> profile = {};  ///< x, ground at the start and at the end [m]
   std::optional<Real> water_level = {};           ///< [m]
 };
 

@@ -36,9 +36,15 @@ SectionExport export_section(const RunResults& run)
     lines.push_back({name, region.polygon, true, ""});
     for (const Polygon& hole : region.holes) lines.push_back({name, hole, true, ""});
   }
-  SectionExport text{dxf_text(lines), "x,start,end\n"};
-  for (const Vec<2>& x : end.ground)
-    text.profile += fmt::format("{:.4f},{:.4f},{:.4f}\n", x[0], interpolate(start.ground, x[0]), x[1]);
+  SectionExport section{dxf_text(lines), {}};
+  for (const Vec<2>& x : end.ground) section.profile.push_back({x[0], interpolate(start.ground, x[0]), x[1]});
+  return section;
+}
+
+std::string SectionExport::profile_csv() const
+{
+  std::string text = "x,start,end\n";
+  for (const auto& [x, start, end] : profile) text += fmt::format("{:.4f},{:.4f},{:.4f}\n", x, start, end);
   return text;
 }
 

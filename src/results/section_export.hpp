@@ -8,8 +8,10 @@
 namespace terp {
 
 struct SectionExport {
-  std::string dxf;      ///< layers ground_start, ground_end, and one for each material: its outlines at the end
-  std::string profile;  ///< x,start,end: elevation of the ground [m]
+  std::string dxf;  ///< layers ground_start, ground_end, and one for each material: its outlines at the end
+  std::vector<std::array<Real, 3>> profile;  ///< x, ground at the start and at the end [m]
+
+  std::string profile_csv() const;
 };
 
 /// Throws FileError if the run has no frame.

@@ -1,5 +1,6 @@
 #include "results/table.hpp"
 
+#include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "followers/followers.hpp"
 #include "output/files.hpp"
@@ -13,25 +14,6 @@
 
 namespace terp {
 namespace {
-
-/// The cells of a line; a cell in quotation marks may hold commas and doubled quotation marks.
-std::vector<std::string> split(std::string_view line)
-{
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t k = 0; k < line.size(); ++k) {
-    const char c = line[k];
-    if (c == '"' && quoted && k + 1 < line.size() && line[k + 1] == '"')
-      cells.back() += line[++k];
-    else if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  return cells;
-}
 
 Real number_in(const std::string& cell)
 {
@@ -47,7 +29,7 @@ std::vector<std::vector<std::string>> read_cells(const std::string& path)
   const std::string text = read_file(path);
   std::vector<std::vector<std::string>> rows;
   for (std::size_t begin = 0, end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
-    rows.push_back(split(std::string_view(text).substr(begin, end - begin)));
+    rows.push_back(csv_cells(std::string_view(text).substr(begin, end - begin)));
     if (rows.back().size() != rows.front().size())
       throw FileError(fmt::format("cannot read {}: line {} has {} columns, the header {}", path, rows.size(),
           rows.back().size(), rows.front().size()));

@@ -20,11 +20,6 @@ constexpr Real most_cells_in_all = 2e7;
 Index whole_cells(Real size, Real cell)
 {
   const Real n = size / cell;
-  if (std::abs(n - std::round(n)) > 1e-6 * n || n < 0.5)
-    throw InputError(Problem{"mesh.cell", "the mesh is not a whole number of cells",
-        fmt::format("size {} m over cell {} m is {:.6g} cells. Use {:.6g} m.", size, cell, n,
-            size / std::max<Real>(1.0, std::round(n))),
-        "mesh", false, {"mesh.size"}});
   if (n > most_cells)
     throw InputError(Problem{"mesh.cell", "the mesh has too many cells",
         fmt::format("{:.3g} cells in one direction, at most {:.0f}.", n, most_cells), "mesh", false, {"mesh.size"}});

@@ -132,7 +132,7 @@ void try_points_of_file(const Model& model, std::size_t b, PointBatches& points)
 {
   try {
     add_points_of_file(model, b, points);
-  } catch (const CsvError& error) {
+  } catch (const FileError& error) {
     throw InputError(Problem{body_key(b, "points"), "the file of points cannot be used", error.what(), "body"});
   }
 }

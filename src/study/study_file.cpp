@@ -69,7 +69,6 @@ void refuse_unknown_key(const std::string& key, const std::string& path, Finding
   for (const KeyInfo& info : all_keys()) take(info);
   for (const MaterialType* law : all_materials())
     for (const KeyInfo& info : keys_of_law(*law)) take(info);
-  const std::string nearest = closest(key, known);
   if (std::ranges::find(known, fmt::format("{}", fmt::join(parts, "."))) != known.end()) {
     findings.problems.push_back({join_path(path, "key"), fmt::format("`{}` is not one number", key),
         "A number is drawn for one place of a list, as in `body[0].polygon[2][1]`. `terp explain` says what a key "
@@ -78,8 +77,7 @@ void refuse_unknown_key(const std::string& key, const std::string& path, Finding
     return;
   }
   findings.problems.push_back({join_path(path, "key"), fmt::format("`{}` is no key of a case", key),
-      (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + "`terp explain` describes the keys.",
-      ""});
+      did_you_mean(key, known) + "`terp explain` describes the keys.", ""});
 }
 
 void read_numbers(const Node& root, StudySettings& s, Findings& findings)

@@ -24,9 +24,8 @@ bool store(const Node& node, const std::string& path, const StudyKey& key, Findi
 void refuse_unknown(
     const Node& item, const std::string& path, const std::vector<std::string>& names, Findings& findings)
 {
-  const std::string nearest = closest(item.name, names);
   Problem problem{join_path(path, item.name), fmt::format("unknown key `{}`", item.name),
-      (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + "Keys here: " + plain_list(names), ""};
+      did_you_mean(item.name, names) + "Keys here: " + plain_list(names), ""};
   problem.at_key = true;
   findings.problems.push_back(std::move(problem));
 }

@@ -1,5 +1,6 @@
 #include "study/study_text.hpp"
 
+#include "base/csv.hpp"
 #include "study/adaptive.hpp"
 #include "study/fragility_text.hpp"
 
@@ -89,13 +90,6 @@ std::string adaptive_study_text(const Study& study, const Realisations& rows, co
   if (found.result) out += adaptive_text(study, rows, *found.result);
   for (const std::string& remark : remarks_on_adaptive(study, rows, e, found)) out += "  note: " + remark + '\n';
   return out;
-}
-
-std::string in_quotes(const std::string& text)
-{
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
 }
 
 }  // namespace
@@ -268,7 +262,7 @@ std::string study_csv(const Study& study, const Realisations& rows)
   std::string out = "realisation,solved";
   for (const RowLabel& label : labels) out += fmt::format(",{}", label.name);
   out += ",slide,flood";
-  for (const std::string& name : study.input_names()) out += ',' + in_quotes(name);
+  for (const std::string& name : study.input_names()) out += ',' + csv_cell(name);
   for (const OutcomeInfo& outcome : study_outcomes()) out += fmt::format(",{}", outcome.info.name);
   out += ",fault\n";
   for (Index k = 0; k < n; ++k) {
@@ -278,11 +272,11 @@ std::string study_csv(const Study& study, const Realisations& rows)
     out += fmt::format(",{},{}", r.failed() || r.skipped() ? "nan" : zero_or_one(r.slid),
         r.solved() && r.judges_flood ? zero_or_one(r.flooded) : "nan");
     for (std::size_t i = 0; i < r.inputs.size(); ++i)
-      out += i < study.settings.sweep.size() ? ',' + in_quotes(input_text(study, i, r.inputs[i]))
+      out += i < study.settings.sweep.size() ? ',' + csv_cell(input_text(study, i, r.inputs[i]))
                                              : fmt::format(",{}", r.inputs[i]);
     for (std::size_t i = 0; i < study_outcomes().size(); ++i)
       out += r.solved() ? fmt::format(",{}", r.outcomes[i]) : ",nan";
-    out += ',' + (r.fault.empty() ? "" : in_quotes(r.fault)) + '\n';
+    out += ',' + csv_cell(r.fault) + '\n';
   }
   return out;
 }

@@ -1,6 +1,6 @@
 // Plain files as the operating system has them, by their descriptors: numbers of open files, which programs that we
-// start do not inherit. Errors are numbers of errno; 0: none. Not for: words about errors, and files that are there
-// whole or not at all (output/files.hpp).
+// start do not inherit. Errors are numbers of errno; 0: none. Not for: words about errors (read_file.hpp), and files
+// that are there whole or not at all (output/files.hpp).
 #pragma once
 
 #include <cstdint>

@@ -81,10 +81,8 @@ std::size_t number_of(const std::string& key, const char* what, const Variables&
   if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
   std::vector<std::string> names;
   for (const auto& variable : known) names.push_back(variable.name);
-  const std::string nearest = closest(name, names);
   refuse(key, fmt::format("the library has no {} `{}`", what, name),
-      (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
-          fmt::format("Those of the library, in its order: {}.", names_of(known)));
+      did_you_mean(name, names) + fmt::format("Those of the library, in its order: {}.", names_of(known)));
 }
 
 constexpr std::size_t longest_unit = 20;

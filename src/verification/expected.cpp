@@ -4,15 +4,15 @@
 
 #include "base/closest.hpp"
 #include "input/case_file.hpp"
+#include "input/other_files.hpp"
 #include "input/render.hpp"
 #include "input/values.hpp"
 #include "stability/bisection.hpp"
+#include "system/read_file.hpp"
 
 #include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
-#include <sstream>
 
 namespace terp {
 namespace {
@@ -105,10 +105,8 @@ class TableReader {
   }
   [[noreturn]] void unknown(Place place, const std::string& got, const Names& words) const
   {
-    const std::string nearest = closest(got, words);
     refuse(file_, place, fmt::format("`{}` is not known here", got),
-        (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
-            fmt::format("Allowed: {}", fmt::join(words, ", ")));
+        did_you_mean(got, words) + fmt::format("Allowed: {}", fmt::join(words, ", ")));
   }
 
  private:
@@ -438,14 +436,10 @@ void refuse(const Expected& expected, Place place, const std::string& what, cons
 Expected read_expected(const std::string& path)
 {
   Expected file{.path = path};
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
+  if (const std::string fault = fault_of_file(path); !fault.empty())
     throw CaseError(fmt::format(
-        "error: {}: the file cannot be read\n  A verification case is a folder with case.toml and expected.toml.\n",
-        path));
-  std::ostringstream text;
-  text << stream.rdbuf();
-  file.text = text.str();
+        "error: {}: {}\n  A verification case is a folder with case.toml and expected.toml.\n", path, fault));
+  file.text = read_file(path);
   try {
     const Node root = parse_toml(file.text);
     const TableReader reader(file, root, {"title", "constants", "run", "quantity"});

@@ -2,6 +2,8 @@
 // reasons with the name in bold. Reading takes these two marks and nothing else, so the words around them may change.
 #include "verification/overview.hpp"
 
+#include "base/utf8.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
@@ -28,9 +30,9 @@ std::string wrapped(const std::string& text)
   std::string out, word;
   std::size_t column = 0;
   for (std::istringstream words(text); words >> word;) {
-    if (column > 0 && column + 1 + width_of_text(word) > widest) out += "\n ", column = 1;
+    if (column > 0 && column + 1 + count_letters(word) > widest) out += "\n ", column = 1;
     if (column > 0) out += ' ', ++column;
-    out += word, column += width_of_text(word);
+    out += word, column += count_letters(word);
   }
   return out + '\n';
 }

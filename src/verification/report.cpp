@@ -1,5 +1,7 @@
 #include "verification/report.hpp"
 
+#include "base/utf8.hpp"
+
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -30,7 +32,7 @@ std::array<std::string, n_columns> cells_of(const Row& r)
 
 std::string padded(const std::string& text, std::size_t width)
 {
-  return text + std::string(width - std::min(width, width_of_text(text)), ' ');
+  return text + std::string(width - std::min(width, count_letters(text)), ' ');
 }
 
 std::string markdown_head(const std::vector<CaseRows>& cases, const std::string& head)
@@ -40,12 +42,6 @@ std::string markdown_head(const std::vector<CaseRows>& cases, const std::string&
 }
 
 }  // namespace
-
-std::size_t width_of_text(const std::string& text)
-{
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
 
 std::string remark_of(const Row& r)
 {
@@ -91,10 +87,10 @@ std::string counts_text(const Counts& n)
 std::string text_table(const CaseRows& c)
 {
   std::array<std::size_t, n_columns> widths{};
-  for (int k = 0; k < n_columns; ++k) widths[k] = width_of_text(heads[k]);
+  for (int k = 0; k < n_columns; ++k) widths[k] = count_letters(heads[k]);
   for (const Row& r : c.rows) {
     const auto cells = cells_of(r);
-    for (int k = 0; k < n_columns; ++k) widths[k] = std::max(widths[k], width_of_text(cells[k]));
+    for (int k = 0; k < n_columns; ++k) widths[k] = std::max(widths[k], count_letters(cells[k]));
   }
   std::string out = fmt::format("{}: {}\n ", c.name, c.title);
   for (int k = 0; k + 1 < n_columns; ++k) out += " " + padded(heads[k], widths[k]) + " ";

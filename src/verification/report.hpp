@@ -34,7 +34,4 @@ std::vector<std::string> remarks_of(const CaseRows& rows);
 /// Text without what Markdown would take for marks.
 std::string for_markdown(const std::string& text);
 
-/// Letters of a text in UTF-8.
-std::size_t width_of_text(const std::string& text);
-
 }  // namespace terp

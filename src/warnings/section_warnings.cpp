@@ -64,13 +64,9 @@ std::optional<Real> meet(Vec<2> x, Vec<2> d, const Side& line)
   return t;
 }
 
-bool is_inside(const std::vector<Side>& sides, Vec<2> x)
+bool encloses(const std::vector<Side>& sides, Vec<2> x)
 {
-  bool inside = false;
-  for (const Side& s : sides)
-    if ((s.a[1] > x[1]) != (s.b[1] > x[1]) && x[0] < s.a[0] + (x[1] - s.a[1]) / (s.b[1] - s.a[1]) * (s.b[0] - s.a[0]))
-      inside = !inside;
-  return inside;
+  return std::ranges::count_if(crossings_of_vertical(sides, x[0]), [&](Real y) { return y > x[1]; }) % 2 == 1;
 }
 
 /// "body `berm`", or without a name "body 3 (`clay`)": numbers alone say little of layers.
@@ -169,7 +165,7 @@ class SectionCheck {
     const Vec<2> along = minus(side.b, side.a);
     const Real l = length(along);
     const Vec<2> out{along[1] / l, -along[0] / l};
-    return is_inside(obstacles_[body].sides, plus(x, touching * cell_, out)) ? Vec<2>{-out[0], -out[1]} : out;
+    return encloses(obstacles_[body].sides, plus(x, touching * cell_, out)) ? Vec<2>{-out[0], -out[1]} : out;
   }
 
   /// True if a side of the mesh that a body meets in the direction `out` holds it against gravity.
@@ -190,7 +186,7 @@ class SectionCheck {
     Real distance = INFINITY;
     for (std::size_t k = 0; k < obstacles_.size(); ++k) {
       if (k == body) continue;
-      if (k < n_bodies_ && is_inside(obstacles_[k].sides, plus(x, near, out))) {
+      if (k < n_bodies_ && encloses(obstacles_[k].sides, plus(x, near, out))) {
         near_[body][k] = meets_[body][k] = true;
         return;
       }

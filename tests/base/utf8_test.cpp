@@ -10,12 +10,17 @@ TEST(Utf8, PutsASignForEachByteThatIsNone)
   EXPECT_EQ(as_utf8("\xEF\xBB\xBF{}"), "\xEF\xBB\xBF{}");
 }
 
-TEST(Utf8, MeasuresCharacters)
+TEST(Utf8, TakesLettersOff)
 {
-  EXPECT_EQ(utf8_length("a"), 1u);
-  EXPECT_EQ(utf8_length("\xC3\xA9t"), 2u);
-  EXPECT_EQ(utf8_length("\xE2\x82\xAC"), 3u);
-  EXPECT_EQ(utf8_length("\xE9t"), 0u);
+  for (const auto& [text, code] :
+      {std::pair{"a", 0x61u}, {"\u00e9t", 0xE9u}, {"\u20ac", 0x20ACu}, {"\U0001F600", 0x1F600u},
+          {"\xE9t", Letter::none}, {"\xED\xA0\x80", Letter::none}, {"\xC0\x80", Letter::none}}) {
+    std::string_view rest = text;
+    const Letter letter = take_letter(rest);
+    EXPECT_EQ(letter.code, code) << text;
+    EXPECT_EQ(std::string(letter.bytes) + std::string(rest), text);
+  }
+  EXPECT_EQ(count_letters("d\u00efjk\u20ac"), 5u);
 }
 
 TEST(Utf8, WritesANumberAsACharacter)
@@ -23,6 +28,7 @@ TEST(Utf8, WritesANumberAsACharacter)
   EXPECT_EQ(utf8_of(0x41), "A");
   EXPECT_EQ(utf8_of(0xEF), "\xC3\xAF");
   EXPECT_EQ(utf8_of(0x20AC), "\xE2\x82\xAC");
+  EXPECT_EQ(utf8_of(0x1F600), "\U0001F600");
 }
 
 }  // namespace utf8_test

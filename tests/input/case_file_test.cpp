@@ -116,7 +116,7 @@ TEST(CaseFile, SaysThatThereIsNoSuchFile)
 TEST(CaseFile, SaysThatAFolderIsNoCase)
 {
   const ScratchFolder folder;
-  EXPECT_THAT(error_of(folder.path()), HasSubstr("this is a folder, not a case file\n  Give the .toml file in it.\n"));
+  EXPECT_THAT(error_of(folder.path()), HasSubstr("this is a folder, not a file\n  Give a .toml file.\n"));
   std::ofstream(folder.path() + "/ledger.csv") << "step\n";
   EXPECT_THAT(error_of(folder.path()), HasSubstr("It holds a run. To go on with it: terp resume " + folder.path()));
 }

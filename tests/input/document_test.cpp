@@ -117,6 +117,27 @@ TEST(Document, SaysWhereAForeignLetterStands)
   EXPECT_THAT(words, StartsWith("Letters beyond a to z"));
 }
 
+TEST(Document, GivesBackTheLettersThatTomlMustNotSee)
+{
+  const Node root = parse_toml("\uFEFF\"gr\u00f6\u00dfe\" = \"\u00e9\u4e2d\"\n# \u00e9\n");
+  ASSERT_EQ(root.items.size(), 1u);
+  EXPECT_EQ(root.items[0].name, "gr\u00f6\u00dfe");
+  EXPECT_EQ(root.items[0].text, "\u00e9\u4e2d");
+  EXPECT_EQ(root.items[0].value.column, 11);
+  for (const std::string text :
+      {"\u00a0", "\u2003\uffff", "x\uFEFF", "\u07ff\u0800\ud7ff\ue000", "\U0001F600\U00020000"})
+    EXPECT_EQ(parse_toml("a = \"" + text + '"').items[0].text, text);
+}
+
+TEST(Document, RefusesBytesThatAreNoUtf8AndLettersOfPrivateUse)
+{
+  for (const std::string text : {"\x80", "\xff\xfe", "\xc3", "\xe2\x82", "\xf0\x9f\x98", "a\xe2(\xa1", "\U000F00E9"})
+    EXPECT_THROW(parse_toml("a = \"" + text + '"'), SyntaxError) << text;
+  EXPECT_EQ(refused("a = \"\u00e9\U000F00E9\"").column, 7);
+  EXPECT_THROW(parse_toml("x = 1977-29-50T01:32:00Z\"\"\"\"m\u023d8\uFEFF8"), SyntaxError);
+  EXPECT_THROW(parse_toml("x = 1977-29-50 =\"\u00e9"), SyntaxError);
+}
+
 /// "a.a.a", of so many parts.
 std::string key_of(int n_parts)
 {

@@ -236,10 +236,12 @@ TEST(ReadGmsh, SaysWhyAPathIsNoMeshFile)
   const ScratchFolder folder;
   const std::string empty = folder.path() + "/empty.msh", none = folder.path() + "/none.msh";
   std::ofstream(empty).close();
-  const std::pair<std::string, std::string> refused[] = {{folder.path(), "this is a folder, not a mesh file"},
-      {none, "the file cannot be read: No such file or directory"},
-      {empty, "the file is empty. In gmsh: mesh the section (Mesh, 2D), then save it as MSH 4.1."}};
-  for (const auto& [path, why] : refused) EXPECT_EQ(refusal<MeshError>([&] { read_gmsh(path); }), path + ": " + why);
+  const std::pair<std::string, std::string> refused[] = {
+      {folder.path(),
+          "cannot read " + folder.path() + ": a folder is in the place of the file\n  Put the file back there."},
+      {none, "cannot read " + none + ": No such file or directory"},
+      {empty, empty + ": the file is empty. In gmsh: mesh the section (Mesh, 2D), then save it as MSH 4.1."}};
+  for (const auto& [path, why] : refused) EXPECT_EQ(refusal<MeshError>([&] { read_gmsh(path); }), why);
 }
 
 }  // namespace gmsh_file_test

@@ -118,9 +118,6 @@ TEST(CutPolygon, LosesNoAreaWhateverOutlinesCrossIt)
 
 TEST(CutPolygon, RefusesPolygonsThatAreNone)
 {
-  EXPECT_THAT(error_of({{0, 0}, {1, 0}}), HasSubstr("2 corners"));
-  EXPECT_THAT(
-      error_of({{0, 0}, {0, 1}, {1, 1}, {1, 0}}), HasSubstr("area is -1 m^2: give its corners counter-clockwise"));
   EXPECT_THAT(
       error_of({{0, 0}, {3, 0}, {1, 2}, {1, -1}}), HasSubstr("crosses itself: edges 0 and 2 meet at x = 1 m, y = 0 m"));
   EXPECT_THAT(error_of({{0, 0}, {2, 0}, {3, 0}, {2, 0}, {2, 1}, {0, 1}}),
@@ -129,8 +126,6 @@ TEST(CutPolygon, RefusesPolygonsThatAreNone)
       HasSubstr("lies on itself: edges 0 and 1 share the line from (2, 0) to (3, 0) m"));
   EXPECT_EQ(error_of({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}), "");
   EXPECT_EQ(error_of({{0, 0}, {1e5, 0}, {1e5, 0.001}, {0, 0.001}}), "");
-  EXPECT_THAT(error_of({{0, 0}, {1, 0}, {1, 0}, {0, 1}}),
-      HasSubstr("edge 1 of the polygon has no length, at x = 1 m, y = 0 m"));
 }
 
 }  // namespace planar_map_test

@@ -48,16 +48,6 @@ TEST(GradedRectangle, NamesItsSidesAsTheRectangleDoes)
   EXPECT_EQ(graded.cells, regular.cells);
 }
 
-TEST(GradedRectangle, RefusesWhatIsNotPositive)
-{
-  const auto refusal_of = [](Vec<2> size, std::array<Index, 2> cells, Vec<2> grading) {
-    return refusal<MeshError>([&] { make_graded_rectangle({0, 0}, size, cells, grading); });
-  };
-  EXPECT_THAT(refusal_of({1, 1}, {2, 0}, {1, 1}), HasSubstr("0 cells in y"));
-  EXPECT_THAT(refusal_of({1, 1}, {2, 2}, {-1, 1}), HasSubstr("grading in x is -1"));
-  EXPECT_THAT(refusal_of({1, 0}, {2, 2}, {1, 1}), HasSubstr("size in y is 0 m"));
-}
-
 TEST(MappedRectangle, IsExactForAShearedGrid)
 {
   const auto mesh = make_mapped_rectangle(sheared(), {8, 4}, {1.0, 1.0});
@@ -115,24 +105,6 @@ TEST(MappedRectangle, NamesTheSidesThatItWasGiven)
     EXPECT_EQ(side.edges.size(), number % 2 == 0 ? 8u : 4u);
     EXPECT_TRUE(lies_on(side, sheared()[number][0], sheared()[number][1])) << side.name;
   }
-}
-
-TEST(MappedRectangle, RefusesSidesThatDoNotMeet)
-{
-  const auto refusal_after = [](auto&& change) {
-    Sides sides = sheared();
-    change(sides);
-    return refusal<MeshError>([&] { make_mapped_rectangle(sides, {8, 4}, {1, 1}); });
-  };
-  EXPECT_THAT(refusal_after([](Sides& sides) {
-    sides[2][1] = {5.5, 4.1};
-  }),
-      HasSubstr("sides `top` and `right` do not meet: (5.5, 4.1) m and (5.5, 4) m"));
-  EXPECT_THAT(refusal_after([](Sides& sides) { std::swap(sides[3][0], sides[3][1]); }),
-      HasSubstr("bottom and top run to +x, left and right to +y"));
-  EXPECT_THAT(refusal_after([](Sides& sides) { sides[1].pop_back(); }), HasSubstr("side `right` has 1 places"));
-  EXPECT_THAT(refusal_after([](Sides& sides) { sides[0].push_back(sides[0].back()); }),
-      HasSubstr("side `bottom` has the place (5, 2) m twice"));
 }
 
 }  // namespace structured_test

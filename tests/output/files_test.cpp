@@ -17,11 +17,6 @@ TEST_F(Files, AnAtomicWriteReplacesTheContentAndLeavesNoTemporaryFile)
   EXPECT_FALSE(std::filesystem::exists(temporary_name(path)));
 }
 
-TEST_F(Files, AMissingFileIsNamedWithTheReason)
-{
-  EXPECT_EQ(file_error_of([] { read_file("/no/such/file"); }), "cannot read /no/such/file: No such file or directory");
-}
-
 TEST_F(Files, AFolderThatIsAFileIsNamedWithTheReason)
 {
   const std::string path = folder + "/file/a.txt";

@@ -109,8 +109,8 @@ TEST(PointsCsv, ReadsAFileAndSaysWhichOneItCannotRead)
   const std::string path = folder.path() + "/points.csv";
   std::ofstream(path) << "x,y,volume,material\n1,2,0.5,clay\n";
   EXPECT_EQ(read_points_csv(path).size(), 1u);
-  EXPECT_EQ(refusal<CsvError>([&] { read_points_csv(folder.path() + "/other.csv"); }),
-      "cannot read the table of points " + folder.path() + "/other.csv");
+  EXPECT_EQ(refusal<FileError>([&] { read_points_csv(folder.path() + "/other.csv"); }),
+      "cannot read " + folder.path() + "/other.csv: No such file or directory");
 }
 
 }  // namespace points_csv_test

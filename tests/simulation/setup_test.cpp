@@ -159,14 +159,6 @@ TEST(Setup, ABodyOutsideTheMeshIsRefused)
              "corner (4.5, 0.5) m; the mesh covers x = 0 to 4 m, y = 0 to 2 m.\nEnlarge mesh.size or move the body."));
 }
 
-TEST(Setup, AMeshThatIsNoWholeNumberOfCellsIsRefused)
-{
-  Case c = free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
-  c.mesh.cell = {0.25, 0.3};
-  EXPECT_THAT(problem_of(c), told("mesh.cell", "the mesh is not a whole number of cells",
-                                 "size 2 m over cell 0.3 m is 6.66667 cells. Use 0.285714 m."));
-}
-
 TEST(Setup, AMeshOfTooManyCellsIsRefused)
 {
   Case c = free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});

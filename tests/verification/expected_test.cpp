@@ -71,7 +71,7 @@ TEST(Expected, OnlyOneRunNeedsNoName)
 TEST(Expected, AFolderWithoutOneIsNoCase)
 {
   EXPECT_EQ(refusal<CaseError>([] { read_expected("/nowhere/expected.toml"); }),
-      "error: /nowhere/expected.toml: the file cannot be read\n  A verification case is a folder with case.toml and "
+      "error: /nowhere/expected.toml: there is no such file\n  A verification case is a folder with case.toml and "
       "expected.toml.\n");
 }
 

@@ -1,0 +1,16 @@
+// Rows of a CSV table: cells apart by commas; one in double quotes may hold commas, and quotes that stand twice.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace terp {
+
+/// A text as a cell: in quotes if it holds a comma or a quote. A line break becomes "; ".
+std::string csv_cell(std::string_view text);
+
+/// The cells of a line, without their quotes.
+std::vector<std::string> csv_cells(std::string_view line);
+
+}  // namespace terp

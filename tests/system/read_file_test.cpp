@@ -1,0 +1,20 @@
+#include "system/read_file.hpp"
+#include "base/errors.hpp"
+#include "support/process.hpp"
+#include "support/test.hpp"
+
+namespace read_file_test {
+
+TEST(ReadFile, GivesTheBytesOrThePathWithTheReason)
+{
+  const ScratchFolder scratch;
+  const std::string path = scratch.path() + "/a", bytes("a\0\r\n\xff", 5);
+  std::ofstream(path, std::ios::binary) << bytes;
+  EXPECT_EQ(read_file(path), bytes);
+  EXPECT_EQ(
+      refusal<FileError>([] { read_file("/no/such/file"); }), "cannot read /no/such/file: No such file or directory");
+  EXPECT_THAT(
+      refusal<FileError>([&] { read_file(scratch.path()); }), HasSubstr("a folder is in the place of the file"));
+}
+
+}  // namespace read_file_test
