@@ -2,8 +2,8 @@
 
 #include "mesh/mesh_error.hpp"
 #include "meshing/gmsh_program.hpp"
-#include "meshing/mesh_cache.hpp"
 #include "system/files.hpp"
+#include "system/read_file.hpp"
 
 #include <fmt/format.h>
 
@@ -46,12 +46,12 @@ MshContent convert_by_gmsh(const std::string& path)
           folder.path(), longest_conversion);
   if (!run.found) refuse_to_convert(path, "gmsh, which would convert it, is not installed: " + how_to_install_gmsh());
   if (run.timed_out) refuse_to_convert(path, fmt::format("gmsh did not convert it in {:g} s", longest_conversion));
-  std::string bytes = bytes_of(output);
-  if (!run.succeeded() || bytes.empty()) {
+  if (!run.succeeded() || !std::filesystem::exists(output)) {
     std::string why = run.output.substr(0, run.output.find('\n'));
     if (const auto at = why.find(input); at != std::string::npos) why.replace(at, input.size(), path);
     refuse_to_convert(path, "gmsh cannot convert it: " + why);
   }
+  std::string bytes = read_file(output);
   if (bytes.find("$Nodes\n") == std::string::npos) refuse_to_convert(path, "gmsh finds no mesh in it");
   MshContent content = read_msh(path + " (converted by gmsh)", std::move(bytes));
   // gmsh gives an element of MSH 2.2 that is there once for each of its groups a number for each.

@@ -10,8 +10,9 @@
 #include "meshing/gmsh_file.hpp"
 #include "meshing/gmsh_program.hpp"
 #include "meshing/improve.hpp"
-#include "meshing/mesh_cache.hpp"
 #include "meshing/msh_content.hpp"
+#include "system/files.hpp"
+#include "system/read_file.hpp"
 
 #include <fmt/format.h>
 
@@ -26,6 +27,8 @@
 
 namespace terp {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr Real merged_share =
     0.2;  // of a cell: followed places closer than this are one, lest a sliver sets the time step
@@ -132,15 +135,15 @@ Attempt try_recipe(
 {
   const std::string script = folder + "/section.geo", result = folder + "/section.msh";
   std::ofstream(script) << geo_text(mesh, map, recipe);
-  std::filesystem::remove(result);
+  fs::remove(result);
   const ProcessResult run =
       run_gmsh({"-2", script, "-o", result, "-nt", "1", "-v", "2"}, folder, waiting.longest(), std::ref(waiting));
   const std::string why = run.timed_out        ? fmt::format("gmsh did not finish in {:.3g} s", waiting.longest())
                           : run.signal != 0    ? fmt::format("gmsh crashed (signal {})", run.signal)
                           : run.output.empty() ? fmt::format("gmsh ended with status {}", run.status)
                                                : run.output;
-  std::string bytes = bytes_of(result);
-  if (!run.succeeded() || bytes.empty()) return {"", why};
+  if (!run.succeeded() || !fs::exists(result)) return {"", why};
+  std::string bytes = read_file(result);
   const MshContent file = read_msh(result, bytes);
   if (file.quads.empty() || file.n_others > 0) return {"", why};
   if (!improve_file(mesh, map, file, bytes)) return {"", "some of its cells are not convex"};
@@ -178,26 +181,17 @@ std::string make_mesh(const PolygonMesh& mesh, const PlanarMap& map, const GmshT
           why));
 }
 
-void check_sizes(const PolygonMesh& mesh)
+/// Where the mesh of the key is kept, whether it is there or not; empty if no variable says where a cache lies.
+std::string kept_path(const std::string& key)
 {
-  const auto positive = [](Real size) { return std::isfinite(size) && size > 0.0; };
-  if (!positive(mesh.cell)) throw MeshError(fmt::format("the cell size is {:g} m; it must be positive", mesh.cell));
-  for (const Refinement& refine : mesh.refine)
-    if (!positive(refine.cell))
-      throw MeshError(fmt::format("the cell size of a refinement is {:g} m; it must be positive", refine.cell));
-  for (const NamedEdges& named : mesh.edges)
-    for (const Index edge : named.edges)
-      if (edge < 0 || edge >= static_cast<Index>(mesh.polygon.size()))
-        throw MeshError(fmt::format(
-            "side `{}` has edge {}; the polygon has edges 0 to {}", named.side, edge, mesh.polygon.size() - 1));
-  if (mesh.turn != 0.0 && !(mesh.follow.empty() && mesh.refine.empty()))
-    throw MeshError("the cells of a turned mesh are of one size and follow no outline");
+  const fs::path folder = cache_folder();
+  return folder.empty() ? "" : (folder / "terp" / "meshes" / (key + ".msh")).string();
 }
 
 std::optional<GeneratedMesh> read_kept(const std::string& path)
 {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
+  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
   try {
     return GeneratedMesh{path, read_gmsh(path)};
   } catch (const MeshError&) {
@@ -205,18 +199,41 @@ std::optional<GeneratedMesh> read_kept(const std::string& path)
   }
 }
 
+/// Of any version of gmsh, the newest first.
 std::optional<GeneratedMesh> read_any_kept(const std::string& start_of_key)
 {
-  for (const std::string& path : cached_meshes(start_of_key))
+  std::vector<std::pair<fs::file_time_type, std::string>> found;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(fs::path(kept_path(start_of_key)).parent_path(), ignored))
+    if (entry.path().extension() == ".msh" && entry.path().filename().string().starts_with(start_of_key))
+      found.emplace_back(entry.last_write_time(ignored), entry.path().string());
+  std::sort(found.rbegin(), found.rend());
+  for (const auto& [time, path] : found)
     if (auto kept = read_kept(path)) return kept;
   return std::nullopt;
+}
+
+/// Written beside its place under a name of this process, then renamed: nobody sees half a file. Path of the kept file;
+/// empty if it cannot be written.
+std::string keep_mesh(const std::string& key, const std::string& bytes)
+{
+  const std::string path = kept_path(key), unfinished = fmt::format("{}.{}", path, process_number());
+  if (path.empty()) return "";
+  std::error_code problem;
+  fs::create_directories(fs::path(path).parent_path(), problem);
+  std::ofstream file(unfinished, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (file) fs::rename(unfinished, path, problem);
+  if (file && !problem) return path;
+  fs::remove(unfinished, problem);
+  return "";
 }
 
 }  // namespace
 
 GeneratedMesh generate_mesh(const PolygonMesh& mesh, const GmshTimes& times)
 {
-  check_sizes(mesh);
   const PlanarMap map = cut_polygon(mesh.polygon, mesh.follow, merged_share * mesh.cell);
   const SignalsHeld until_the_folder_is_gone;
   const WorkFolder folder;
@@ -224,11 +241,11 @@ GeneratedMesh generate_mesh(const PolygonMesh& mesh, const GmshTimes& times)
   for (const Recipe& recipe : recipes(mesh.variant)) content += geo_text(mesh, map, recipe);
   const std::string start = digits_of(content) + "-", version = gmsh_version(folder.path()),
                     key = start + digits_of(version);
-  auto kept = version.empty() ? read_any_kept(start) : read_kept(cached_mesh_path(key));
+  auto kept = version.empty() ? read_any_kept(start) : read_kept(kept_path(key));
   if (kept) return std::move(*kept);
   if (version.empty()) refuse_without_gmsh();
   std::string bytes = make_mesh(mesh, map, times, folder.path());
-  const std::string path = keep_mesh(key, bytes) ? cached_mesh_path(key) : "";
+  const std::string path = keep_mesh(key, bytes);
   return {path, read_gmsh_text("the mesh of gmsh", std::move(bytes))};
 }
 

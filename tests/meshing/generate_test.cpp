@@ -165,20 +165,6 @@ TEST_F(GenerateMesh, IsMadeOfTurnedSquaresBehindAStripAlongTheSides)
   EXPECT_LT(share_of_squares(mesh_of(along), 0.1, 0.0), 0.05);
 }
 
-TEST_F(GenerateMesh, RefusesToTurnAMeshThatFollowsOutlinesOrIsRefined)
-{
-  for (const bool follows : {true, false}) {
-    auto polygon = rectangle();
-    polygon.turn = 10.0;
-    if (follows)
-      polygon.follow = {{{1.0, 0.5}, {2.0, 0.5}, {2.0, 1.0}}};
-    else
-      polygon.refine = {{{}, {1.0, 0.0}, {2.0, 0.8}, 0.04, 0.3}};
-    EXPECT_THAT([&] { generate_mesh(polygon); },
-        ThrowsMessage<MeshError>(HasSubstr("the cells of a turned mesh are of one size and follow no outline")));
-  }
-}
-
 TEST_F(GenerateMesh, HasSmallerCellsInABox)
 {
   auto polygon = rectangle();
@@ -273,15 +259,23 @@ TEST_F(GenerateMesh, TakesItsMeshFromTheCache)
 {
   const std::string path = file_of(rectangle());
   EXPECT_THAT(path, StartsWith(scratch_.path() + "/terp/meshes/"));
+  const auto folder = std::filesystem::directory_iterator(scratch_.path() + "/terp/meshes");
+  EXPECT_EQ(std::distance(begin(folder), end(folder)), 1);
   const Index n = put_another(rectangle(), path);
   EXPECT_EQ(mesh_of(rectangle()).n_cells(), n);
 }
 
-TEST_F(GenerateMesh, TakesItsMeshFromTheCacheWhereGmshIsNotInstalled)
+TEST_F(GenerateMesh, TakesTheNewestOfAnyVersionFromTheCacheWhereGmshIsNotInstalled)
 {
-  const Index n = put_another(rectangle(), file_of(rectangle()));
+  const std::string path = file_of(rectangle()), other = path.substr(0, path.rfind('-')) + "-1.msh";
+  std::filesystem::copy_file(path, other);
+  const Index n = put_another(rectangle(), path);
   const Variable nowhere("PATH", scratch_.path());
+  const auto time = std::filesystem::last_write_time(path);
+  std::filesystem::last_write_time(other, time - std::chrono::seconds(5));
   EXPECT_EQ(mesh_of(rectangle()).n_cells(), n);
+  std::filesystem::last_write_time(other, time + std::chrono::seconds(5));
+  EXPECT_EQ(mesh_of(rectangle()).n_cells(), 800);
 }
 
 TEST_F(GenerateMesh, MakesAnewWhatCannotBeReadInTheCache)
@@ -404,19 +398,6 @@ TEST(GenerateMeshWithoutGmsh, SaysWhatGmshSaidWhenItFails)  // a stand-in that k
   EXPECT_THAT(testing::internal::GetCapturedStderr(),
       AllOf(HasSubstr("gmsh is at work on about 0.32 million cells"),
           HasSubstr("gmsh, recipe 1 of 3 gave no mesh (Error: no memory); trying the next\n")));
-}
-
-TEST(GenerateMeshWithoutGmsh, RefusesWhatCannotBeMeshed)
-{
-  auto polygon = rectangle();
-  polygon.cell = 0.0;
-  EXPECT_THAT(error_of(polygon), HasSubstr("the cell size is 0 m"));
-  polygon = rectangle();
-  polygon.refine = {{{}, {0, 0}, {1, 1}, -0.1, 0.0}};
-  EXPECT_THAT(error_of(polygon), HasSubstr("the cell size of a refinement is -0.1 m"));
-  polygon = rectangle();
-  polygon.edges = {{"bottom", {4}}};
-  EXPECT_THAT(error_of(polygon), HasSubstr("side `bottom` has edge 4; the polygon has edges 0 to 3"));
 }
 
 }  // namespace generate_test

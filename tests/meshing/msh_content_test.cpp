@@ -35,15 +35,26 @@ TEST(ReadMsh, ReadsNodesAndElements)
 
 TEST(ReadMsh, FindsTheGroupsOfAnEntity)
 {
-  const std::string entities = "$Entities\n1 0 1 0\n5 0 0 0 1 77\n1 0 0 0 1 1 0 2 8 -9 0\n$EndEntities\n";
-  const MshContent content = read_msh("m.msh", head_41 + entities + square_41);
+  const std::string names = "$PhysicalNames\n1\n2 8 \"sand \"and\" clay\" \r\n$EndPhysicalNames\n",
+                    entities = "$Entities\n1 0 1 0\n5 0 0 0 1 77\n1 0 0 0 1 1 0 2 8 -9 0\n$EndEntities\n";
+  const MshContent content = read_msh("m.msh", head_41 + names + entities + square_41);
+  EXPECT_EQ(content.group_names.at({2, 8}), "sand \"and\" clay");
   EXPECT_THAT(content.group_sets[content.quads[0].groups], ElementsAre(8, 9));
 }
 
 TEST(ReadMsh, PassesOverSectionsItDoesNotUse)
 {
-  const std::string comments = "$Comments\n$Nodes is a fine word\n$EndComments\n";
-  EXPECT_EQ(read_msh("m.msh", head_41 + comments + square_41 + "$Periodic\n1\n$EndPeriodic\n").quads.size(), 1u);
+  const std::string comments = "$Comments\n$Nodes is a fine word, $EndComments too\n$EndComments\n";
+  EXPECT_EQ(
+      read_msh("m.msh", "words\n" + head_41 + comments + square_41 + "$Periodic\n1\n$EndPeriodic\n").quads.size(), 1u);
+}
+
+TEST(ReadMsh, TakesNumbersAtTheEdgeOfTheirRange)
+{
+  const std::string text = changed(changed(square_41, "1 1 0", "1e-400 1 0"), "\n3\n4", "\n3\n9223372036854775807");
+  const MshContent content = read_msh("m.msh", head_41 + text);
+  EXPECT_EQ(content.places[2][0], 0.0);
+  EXPECT_EQ(content.node_numbers[3], 9223372036854775807);
 }
 
 TEST(ReadMsh, PassesOverParametersOfNodes)
@@ -88,11 +99,15 @@ TEST(ReadMsh, RefusesCutOffFiles)
 }
 
 struct WrongText {
-  const char *from, *to, *message;
+  std::string from, to, message;
 };
 
 const WrongText wrong_texts[] = {
     {"1 1 0\n", "1 one 0\n", "m.msh:13: a coordinate is expected, got `one`"},
+    {"1 1 0\n", "1 1e400 0\n", "m.msh:13: a coordinate is expected, got `1e400`"},
+    {"1 1 0\n", "\x01\x02" + std::string(60, 'a'),
+        "m.msh:13: a coordinate is expected, got `??" + std::string(38, 'a') + "...`"},
+    {"2 1 0 4", "2 2147483648 0 4", "m.msh:6: the number of an entity is out of range: 2147483648"},
     {"1 1 0\n", "1 nan 0\n", "m.msh:13: a coordinate is not a finite number"},
     {"1 1 0\n", "1 1\n", "m.msh:13: the line ends where a coordinate is expected"},
     {"1 1 0\n", "1 1 0 7\n", "m.msh:13: the end of the line is expected, got `7`"},
@@ -113,6 +128,8 @@ const WrongText wrong_texts[] = {
         "m.msh:4: the mesh is cut into partitions. Save it in one piece, before it is partitioned"},
     {"$Nodes", "$PhysicalNames\n1\n1 5 base\n$EndPhysicalNames\n$Nodes",
         "m.msh:6: the name of a physical group in double quotes is expected, got `base`"},
+    {"$Nodes", "$PhysicalNames\n1\n1 5 \"open\n$EndPhysicalNames\n$Nodes",
+        "m.msh:6: the name of a physical group in double quotes is expected, got `\"open`"},
     {"4.1 0 8", "4 0 8",
         "m.msh:2: MSH version 4 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`"},
     {"4.1 0 8", "2.2 1 8",

@@ -1,4 +1,5 @@
 #include "system/files.hpp"
+#include "support/environment.hpp"
 #include "support/process.hpp"
 #include "support/test.hpp"
 
@@ -35,6 +36,16 @@ TEST(Resize, AndReserveMakeAFileLongerAndShorter)
   EXPECT_EQ(size_of(file), 2);
   EXPECT_EQ(close_file(file), 0);
   EXPECT_EQ(text_of(scratch.path() + "/a"), "ab");
+}
+
+TEST(CacheFolder, LiesWhereTheVariablesSay)
+{
+  const Variable cache("XDG_CACHE_HOME", "/somewhere/cache"), home("HOME", "/home/someone");
+  EXPECT_EQ(cache_folder(), "/somewhere/cache");
+  const Variable relative("XDG_CACHE_HOME", "not/absolute");
+  EXPECT_EQ(cache_folder(), "/home/someone/.cache");
+  const Variable nowhere("HOME", "");
+  EXPECT_EQ(cache_folder(), "");
 }
 
 TEST(ReplaceFile, TakesThePlaceOfAnotherFile)
