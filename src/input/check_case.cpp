@@ -10,6 +10,7 @@
 #include "input/side_kinds.hpp"
 #include "simulation/frame_fields.hpp"
 #include "simulation/initial.hpp"
+#include "simulation/reduce.hpp"
 
 #include <fmt/format.h>
 
@@ -60,19 +61,13 @@ void check_body_keys(const Node& body, const std::string& path, MeshKind mesh, F
 /// A hole that cuts nothing out: the boxes about hole and body do not overlap.
 void check_holes(const BodyCase& body, const std::string& path, Problems& warnings)
 {
-  const auto extreme = [](const std::vector<Vec<2>>& corners, int axis) {
-    const auto less = [axis](const Vec<2>& a, const Vec<2>& b) { return a[axis] < b[axis]; };
-    const auto [low, high] = std::ranges::minmax_element(corners, less);
-    return std::pair((*low)[axis], (*high)[axis]);
-  };
-  for (std::size_t k = 0; k < body.holes.size(); ++k)
-    for (int axis = 0; axis < 2 && !body.polygon.empty() && !body.holes[k].empty(); ++axis) {
-      const auto [low, high] = extreme(body.polygon, axis);
-      const auto [from, to] = extreme(body.holes[k], axis);
-      if (from < high && to > low) continue;
+  for (std::size_t k = 0; k < body.holes.size() && !body.polygon.empty(); ++k)
+    for (int axis = 0; axis < 2 && !body.holes[k].empty(); ++axis) {
+      const BoundingBox whole = box_around(body.polygon), hole = box_around(body.holes[k]);
+      if (hole.low[axis] < whole.high[axis] && hole.high[axis] > whole.low[axis]) continue;
       warnings.push_back({fmt::format("{}.holes[{}]", path, k), "the hole lies outside the body",
-          fmt::format(
-              "It covers {0} = {1} to {2} m, the body {0} = {3} to {4} m.", axis == 0 ? 'x' : 'y', from, to, low, high),
+          fmt::format("It covers {0} = {1} to {2} m, the body {0} = {3} to {4} m.", axis == 0 ? 'x' : 'y',
+              hole.low[axis], hole.high[axis], whole.low[axis], whole.high[axis]),
           "body.holes"});
       break;
     }
@@ -116,8 +111,7 @@ void check_bodies(const Node& root, const Case& values, Findings& findings)
     const bool named = !name.empty() && values.bodies[k].points_file.empty();
     if (!named || names.empty() || std::ranges::find(names, name) != names.end()) continue;
     if (is_in_unknown_section(root, name, problems)) continue;
-    const std::string nearest = closest(name, names);
-    const std::string hint = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
+    const std::string hint = did_you_mean(name, names);
     problems.push_back({path + ".material", fmt::format("there is no material `{}`", name),
         hint + fmt::format("Materials of this case: {}", plain_list(names)), "body.material"});
   }
@@ -219,18 +213,97 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
           "body.velocity", true, {"initial.stress"}});
 }
 
+bool is_fluid(const MaterialCase& material)
+{
+  const MaterialType* law = complete_law(material);
+  return law != nullptr && law->make(material.parameters)->shear_modulus() == 0.0;
+}
+
 /// A fluid at rest has the same stress in all directions.
 void check_hydrostatic(const Case& values, Problems& problems)
 {
   if (values.initial.stress != InitialStress::k0 || values.initial.k0 == 1.0) return;
-  for (const MaterialCase& material : values.materials) {
-    const MaterialType* law = complete_law(material);
-    if (law != nullptr && law->make(material.parameters)->shear_modulus() == 0.0)
+  for (const MaterialCase& material : values.materials)
+    if (is_fluid(material))
       problems.push_back({"initial.k0", fmt::format("the fluid `{}` carries no shear stress at rest", material.name),
           fmt::format(
               "k0 = {}; a fluid needs k0 = 1. Start with stress = \"equilibrium\" where soil beside it needs another.",
               values.initial.k0),
           "initial", false, {material_path(material)}});
+}
+
+/// [flood] without any ground that could hold the water; a fluid that is called ground.
+void check_flood(const Node& root, const Case& values, Problems& problems)
+{
+  std::vector<std::string> others;
+  for (const MaterialCase& material : values.materials) {
+    const std::string path = join_path("material", material.called());
+    const bool fluid = is_fluid(material);
+    if (fluid && material.ground && find_node(root, path + ".ground") != nullptr)
+      problems.push_back({path + ".ground", fmt::format("the fluid `{}` is no ground", material.called()),
+          "It holds no slope and no water. Leave `ground` out.", "material.ground"});
+    if (fluid || !material.ground) others.push_back(material.called());
+  }
+  const bool some = !values.materials.empty() && others.size() == values.materials.size();
+  if (const Node* flood = find_item(root, "flood"); flood != nullptr && some)
+    problems.push_back({"flood", "no material of this case is ground",
+        fmt::format("Of {}, each is a fluid or has ground = false. [flood] asks whether ground holds the water.",
+            plain_list(others)),
+        "material.ground", true});
+}
+
+/// at_strength where a law has no strength that could be divided, or no material any.
+void check_at_strength(const Case& values, Problems& problems)
+{
+  const Real factor = values.at_strength;
+  const auto is_known = [](const MaterialCase& material) { return complete_law(material) != nullptr; };
+  if (factor == 1.0 || !(factor > 0.0) || !std::ranges::all_of(values.materials, is_known)) return;
+  if (const MaterialCase* material = find_not_judged(values))
+    problems.push_back({"at_strength", fmt::format("the strength of `{}` cannot be divided", material->called()),
+        fmt::format("Got at_strength = {:g}. Soil of the law {} has none that a factor could divide: {}.\n"
+                    "Give `{}` another law, or leave `at_strength` out.",
+            factor, material->model, find_material(material->model)->not_judged, material->called()),
+        "at_strength", true, {material_path(*material)}});
+  else if (strengths_of(values).empty())
+    problems.push_back({"at_strength", "no material of this case has a strength to divide",
+        fmt::format("Got at_strength = {:g}. Elastic soil does not fail. `terp list` names the laws.", factor),
+        "at_strength", true});
+  for (const std::string& fault : check_reduced(reduce_strength(values, factor)))
+    problems.push_back({"at_strength", fmt::format("with strengths divided by {:g} a law is not usable", factor),
+        fault + "\nChoose a factor nearer to 1.", "at_strength", true});
+}
+
+void check_times(const LoadCase& load, const std::string& path, Real end_of_run, Findings& findings)
+{
+  const bool ends = std::isfinite(load.end);
+  if (load.ramp > 0.0 && std::isinf(load.start) && !ends)
+    findings.problems.push_back({path + ".ramp", "a load that was always there does not grow",
+        "Give `start`, the time from which on it grows, or leave `ramp` out.", "load.ramp", true});
+  if (std::isfinite(load.start) && ends && load.end < load.start + load.ramp)
+    findings.problems.push_back({path + ".end", fmt::format("the load `{}` ends before it is there in full", load.name),
+        fmt::format("Got end = {:g} s; allowed: at least start + ramp = {:g} s.", load.end, load.start + load.ramp),
+        "load.end", false, {path + ".start", path + ".ramp"}});
+  if (std::isfinite(load.start) && end_of_run > 0.0 && load.start >= end_of_run)
+    findings.warnings.push_back({path + ".start", fmt::format("the load `{}` is never put on", load.name),
+        fmt::format("It begins at {:g} s, the run ends at {:g} s.", load.start, end_of_run), "load.start", false,
+        {"time.end"}});
+}
+
+void check_loads(const Node& root, const Case& values, Findings& findings)
+{
+  const std::vector<LoadCase>& loads = values.loads;
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const std::string path = fmt::format("load[{}]", k);
+    const auto has = [&](const char* key) { return find_node(root, path + '.' + key) != nullptr; };
+    if (has("from") && has("to") && !(loads[k].to > loads[k].from))
+      findings.problems.push_back({path + ".to", fmt::format("the load `{}` has no width", loads[k].name),
+          fmt::format("Got from = {:g} m, to = {:g} m; `to` is the right end.", loads[k].from, loads[k].to), "load.to",
+          false, {path + ".from"}});
+    const auto same_name = [&](const LoadCase& other) { return other.name == loads[k].name; };
+    if (std::any_of(loads.begin(), loads.begin() + static_cast<std::ptrdiff_t>(k), same_name))
+      findings.problems.push_back({path + ".name", fmt::format("two loads have the name `{}`", loads[k].name),
+          "Give each its own, as in name = \"traffic\".", "load.name", false, {path}});
+    check_times(loads[k], path, values.time.end, findings);
   }
 }
 
@@ -268,10 +341,8 @@ void check_output_fields(const Case& values, Findings& findings)
     for (const MaterialCase& material : values.materials)
       if (const MaterialType* law = law_with_fields(material)) given = given || has_field(material, *law, field);
     if (std::ranges::find(names, field) == names.end()) {
-      const std::string nearest = closest(field, names);
       findings.problems.push_back({path, fmt::format("`names` cannot be \"{}\"", field),
-          (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + "Allowed: " + quoted_list(names),
-          "output.fields.names"});
+          did_you_mean(field, names) + "Allowed: " + quoted_list(names), "output.fields.names"});
     } else if (of_a_law && !given) {
       findings.warnings.push_back(
           {path, fmt::format("no material of this case has `{}`", field), "", "output.fields.names"});

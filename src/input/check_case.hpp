@@ -32,16 +32,11 @@ void check_what_goes_on(const Case& values, std::vector<Problem>& warnings);
 
 void check_stages(const Node& root, const Case& values, Findings& findings);
 
-void check_loads(const Node& root, const Case& values, Findings& findings);
-
 /// Options of [method] that the file sets and that do nothing, or work against each other.
 void check_method(const Node& root, const Case& values, std::vector<Problem>& warnings);
 
 /// What parameters that vary need: water, gravity, outlines. The values may be incomplete.
 void check_fields(const Case& values, std::vector<Problem>& problems);
-
-/// at_strength where a law has no strength that could be divided, or no material any.
-void check_at_strength(const Case& values, std::vector<Problem>& problems);
 
 /// Softening that cannot be, or does nothing. The values may be incomplete.
 void check_softening(const Node& root, const Case& values, Findings& findings);
@@ -51,9 +46,6 @@ void check_drainage(const Node& root, const Case& values, Findings& findings);
 
 /// [water]: lines that contradict each other; and drainage. The values may be incomplete.
 void check_water(const Node& root, const Case& values, Findings& findings);
-
-/// [flood] without any ground that could hold the water; a fluid that is called ground. The values may be incomplete.
-void check_flood(const Node& root, const Case& values, std::vector<Problem>& problems);
 
 /// What can be computed but is hardly meant, and shows before a mesh is made: gravity, damping. The values may be
 /// incomplete.

@@ -48,30 +48,6 @@ void check_numbers(const Mesh<2>& mesh)
   faults.stop_if_any();
 }
 
-/// Corner by corner: detJ, and detJ over the lengths of the two sides (the sine of the angle).
-struct CornerShape {
-  std::array<Real, 4> det, sine;
-  bool side_without_length = false;
-};
-
-CornerShape shape_of_corners(const std::array<Vec<2>, 4>& x)
-{
-  CornerShape shape;
-  std::array<Vec<2>, 4> side;
-  Real longest = 0.0;
-  for (int s = 0; s < 4; ++s) {
-    side[s] = between(x[s], x[(s + 1) % 4]);
-    longest = std::max(longest, length(side[s]));
-  }
-  for (int i = 0; i < 4; ++i) {
-    const Vec<2>&before = side[(i + 3) % 4], &after = side[i];
-    shape.side_without_length = shape.side_without_length || length(after) <= degenerate_share * longest;
-    shape.det[i] = 0.25 * cross(before, after);
-    shape.sine[i] = cross(before, after) / (length(before) * length(after));
-  }
-  return shape;
-}
-
 /// What is wrong with the shape of a cell; empty if nothing.
 std::string fault_of_shape(const Mesh<2>& mesh, Index cell)
 {
@@ -243,6 +219,23 @@ void check_overlap(const Mesh<2>& mesh, MeshFaults& faults)
 }
 
 }  // namespace
+
+CornerShape shape_of_corners(const std::array<Vec<2>, 4>& x)
+{
+  CornerShape shape;
+  std::array<Vec<2>, 4> side;
+  for (int s = 0; s < 4; ++s) {
+    side[s] = between(x[s], x[(s + 1) % 4]);
+    shape.longest = std::max(shape.longest, length(side[s]));
+  }
+  for (int i = 0; i < 4; ++i) {
+    const Vec<2>&before = side[(i + 3) % 4], &after = side[i];
+    shape.side_without_length = shape.side_without_length || length(after) <= degenerate_share * shape.longest;
+    shape.det[i] = 0.25 * cross(before, after);
+    shape.sine[i] = cross(before, after) / (length(before) * length(after));
+  }
+  return shape;
+}
 
 void check_mesh(const Mesh<2>& mesh)
 {

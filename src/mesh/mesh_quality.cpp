@@ -1,35 +1,12 @@
 #include "mesh/mesh_quality.hpp"
 
-#include "mesh/mesh_error.hpp"
+#include "mesh/check_mesh.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
 namespace terp {
 namespace {
-
-struct CellShape {
-  Real jacobian, aspect;
-};
-
-CellShape shape_of(const Mesh<2>& mesh, Index cell)
-{
-  const auto x = mesh.corners(cell);
-  std::array<Vec<2>, 4> side;
-  std::array<Real, 4> length;
-  for (int s = 0; s < 4; ++s) {
-    side[s] = {x[(s + 1) % 4][0] - x[s][0], x[(s + 1) % 4][1] - x[s][1]};
-    length[s] = std::hypot(side[s][0], side[s][1]);
-  }
-  Real jacobian = 1.0;
-  for (int i = 0; i < 4; ++i) {
-    const int before = (i + 3) % 4;
-    jacobian = std::min(
-        jacobian, (side[before][0] * side[i][1] - side[before][1] * side[i][0]) / (length[before] * length[i]));
-  }
-  return {jacobian, *std::max_element(length.begin(), length.end()) / mesh.geometry(cell).altitude};
-}
 
 Index count_parts(const Mesh<2>& mesh)
 {
@@ -97,9 +74,11 @@ MeshQuality measure_quality(const Mesh<2>& mesh)
   quality.smallest_jacobian.value = std::numeric_limits<Real>::infinity();
   std::vector<Real> altitudes;
   for (Index e = 0; e < mesh.n_cells(); ++e) {
-    const CellShape shape = shape_of(mesh, e);
-    if (shape.jacobian < quality.smallest_jacobian.value) quality.smallest_jacobian = {shape.jacobian, e, {}, {}};
-    if (shape.aspect > quality.largest_aspect.value) quality.largest_aspect = {shape.aspect, e, {}, {}};
+    const CornerShape shape = shape_of_corners(mesh.corners(e));
+    const Real jacobian = std::min(1.0, std::ranges::min(shape.sine)),
+               aspect = shape.longest / mesh.geometry(e).altitude;
+    if (jacobian < quality.smallest_jacobian.value) quality.smallest_jacobian = {jacobian, e, {}, {}};
+    if (aspect > quality.largest_aspect.value) quality.largest_aspect = {aspect, e, {}, {}};
     altitudes.push_back(mesh.geometry(e).altitude);
   }
   for (CellValue* at : {&quality.smallest_altitude, &quality.smallest_jacobian, &quality.largest_aspect})

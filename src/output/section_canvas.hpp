@@ -49,13 +49,14 @@ class SectionCanvas {
         escaped_for_markup(words));
   }
 
-  std::string ring(const std::vector<Vec<2>>& corners) const
+  std::string open_path(const std::vector<Vec<2>>& places) const
   {
     std::string path;
-    for (std::size_t k = 0; k < corners.size(); ++k)
-      path += fmt::format("{}{:.2f} {:.2f}", k == 0 ? "M" : "L", px(corners[k][0]), py(corners[k][1]));
-    return path + "Z";
+    for (const Vec<2>& x : places) path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? "M" : "L", px(x[0]), py(x[1]));
+    return path;
   }
+
+  std::string ring(const std::vector<Vec<2>>& corners) const { return open_path(corners) + "Z"; }
 
   std::string line(const Side& s) const
   {

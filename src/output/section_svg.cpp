@@ -303,13 +303,6 @@ class SectionDrawing : SectionWater {
             static_cast<Real>(level + 1) / n_levels);
   }
 
-  std::string open_path(const std::vector<Vec<2>>& places) const
-  {
-    std::string path;
-    for (const Vec<2>& x : places) path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? "M" : "L", px(x[0]), py(x[1]));
-    return path;
-  }
-
   void slip_line()
   {
     if (overlay_.line.empty()) return;

@@ -423,14 +423,8 @@ Json comparison_of(const std::vector<Source>& sources)
 /// stand.
 std::string text_for_a_page(const Json& document)
 {
-  const std::string json = document.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string text;
-  for (const char c : json) {
-    if (c == '<')
-      text += "\\u003c";
-    else
-      text += c;
-  }
+  std::string text = document.dump(-1, ' ', false, Json::error_handler_t::replace);
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
   return text;
 }
 
