@@ -119,6 +119,8 @@ slip_planes = [
   { name = "by hand", line = [[0, 0], [1, 1]] }]
 )";
 
+using Numbers = std::vector<Real>;
+
 Case read_every_key() { return read_case_text(every_key, "folder/all.toml").values; }
 
 /// The keys of the other kinds of mesh, and of bodies in them: what every_key cannot hold beside its own.
@@ -193,10 +195,9 @@ TEST(Reader, TheSamplesHoldEveryDeclaredKey)
 TEST(Reader, FillsTheFloodAndWhatIsGround)
 {
   const Case c = read_every_key();
-  EXPECT_EQ(c.flood.water_level, 1.75);
-  EXPECT_EQ(c.flood.smallest_freeboard, 0.15);
-  EXPECT_EQ(c.flood.smallest_width, 2.25);
-  EXPECT_EQ(c.flood.intact_below, 0.02);
+  const FloodCase& f = c.flood;
+  EXPECT_EQ((Numbers{f.water_level, f.smallest_freeboard, f.smallest_width, f.intact_below}),
+      (Numbers{1.75, 0.15, 2.25, 0.02}));
   EXPECT_EQ(c.flood.river, RiverSide::right);
   EXPECT_FALSE(c.materials[0].ground);
   EXPECT_TRUE(c.materials[1].ground);
@@ -208,13 +209,13 @@ TEST(Reader, FillsWhatPicturesShow)
   EXPECT_EQ(c.materials[0].color, "#a1B2c3");
   EXPECT_EQ(c.materials[1].color, "");
   ASSERT_EQ(c.slip_planes.size(), 2u);
-  EXPECT_EQ(c.slip_planes[0].name, "wall side");
-  EXPECT_EQ(c.slip_planes[0].method, "Bishop");
-  EXPECT_EQ(c.slip_planes[0].factor_of_safety, 1.25);
-  EXPECT_THAT(c.slip_planes[0].line, ElementsAre(Vec<2>{1.0, 2.0}, Vec<2>{3.0, 0.5}, Vec<2>{6.0, 1.0}));
-  ASSERT_EQ(c.slip_planes[0].su.size(), 2u);
-  EXPECT_EQ(c.slip_planes[0].su[1].x, (Vec<2>{4.0, 0.75}));
-  EXPECT_EQ(c.slip_planes[0].su[1].su, 6e3);
+  const SlipPlaneCase& plane = c.slip_planes[0];
+  EXPECT_EQ(plane.name, "wall side");
+  EXPECT_EQ(plane.method, "Bishop");
+  EXPECT_EQ(plane.factor_of_safety, 1.25);
+  EXPECT_THAT(plane.line, ElementsAre(Vec<2>{1.0, 2.0}, Vec<2>{3.0, 0.5}, Vec<2>{6.0, 1.0}));
+  ASSERT_EQ(plane.su.size(), 2u);
+  EXPECT_EQ((Numbers{plane.su[1].x[0], plane.su[1].x[1], plane.su[1].su}), (Numbers{4.0, 0.75, 6e3}));
   EXPECT_EQ(c.slip_planes[1].method, "");
   EXPECT_TRUE(std::isnan(c.slip_planes[1].factor_of_safety));
 }
@@ -225,9 +226,7 @@ TEST(Reader, FillsFrameTimeAndMesh)
   EXPECT_EQ(c.title, "all");
   EXPECT_EQ(c.name, "all");
   EXPECT_EQ(c.scheme, "mpm_mixed");
-  EXPECT_EQ(c.at_strength, 1.25);
-  EXPECT_EQ(c.time.end, 2.5);
-  EXPECT_EQ(c.time.courant, 0.5);
+  EXPECT_EQ((Numbers{c.at_strength, c.time.end, c.time.courant}), (Numbers{1.25, 2.5, 0.5}));
   EXPECT_EQ(c.mesh.origin, (Vec<2>{-1.0, 1.0}));
   EXPECT_EQ(c.mesh.size, (Vec<2>{16.0, 3.0}));
   EXPECT_EQ(c.mesh.cell, (Vec<2>{0.5, 0.25}));
@@ -235,15 +234,11 @@ TEST(Reader, FillsFrameTimeAndMesh)
 
 TEST(Reader, FillsLoads)
 {
-  const Case c = read_every_key();
-  ASSERT_EQ(c.loads.size(), 1u);
-  EXPECT_EQ(c.loads[0].name, "traffic");
-  EXPECT_EQ(c.loads[0].from, 1.0);
-  EXPECT_EQ(c.loads[0].to, 3.5);
-  EXPECT_EQ(c.loads[0].pressure, 13e3);
-  EXPECT_EQ(c.loads[0].start, 0.25);
-  EXPECT_EQ(c.loads[0].end, 1.5);
-  EXPECT_EQ(c.loads[0].ramp, 0.125);
+  const std::vector<LoadCase> loads = read_every_key().loads;
+  ASSERT_EQ(loads.size(), 1u);
+  const LoadCase& l = loads[0];
+  EXPECT_EQ(l.name, "traffic");
+  EXPECT_EQ((Numbers{l.from, l.to, l.pressure, l.start, l.end, l.ramp}), (Numbers{1.0, 3.5, 13e3, 0.25, 1.5, 0.125}));
 }
 
 TEST(Reader, FillsBodiesAndMaterials)
@@ -257,10 +252,9 @@ TEST(Reader, FillsBodiesAndMaterials)
   EXPECT_THAT(c.bodies[1].polygon, ElementsAre(Vec<2>{9, 1}, Vec<2>{10, 1}, Vec<2>{9, 2}));
   ASSERT_EQ(c.materials.size(), 2u);
   EXPECT_EQ(c.materials[0].name, "clay");
-  EXPECT_EQ(c.materials[0].softening.length, 0.75);
-  EXPECT_EQ(c.materials[0].softening.over_nonlocal, 1.0);
-  EXPECT_EQ(c.materials[0].softening.reference_width, 0.3);
-  EXPECT_TRUE(c.materials[0].softening.halo);
+  const auto& softening = c.materials[0].softening;
+  EXPECT_EQ((Numbers{softening.length, softening.over_nonlocal, softening.reference_width}), (Numbers{0.75, 1.0, 0.3}));
+  EXPECT_TRUE(softening.halo);
   EXPECT_FALSE(c.materials[1].softening.is_nonlocal());
   EXPECT_EQ(c.materials[0].model, "tresca_softening");
   EXPECT_THAT(c.materials[0].parameters, ElementsAre(2.0e6, 0.48, 8.0e3, 2.0e3, 50.0, 2.0e3, 0.0, 0.0, INFINITY));
@@ -288,13 +282,10 @@ TEST(Reader, FillsForcesAndInitialState)
 {
   const Case c = read_every_key();
   EXPECT_EQ(c.forces.gravity, (Vec<2>{0.0, -9.81}));
-  EXPECT_EQ(c.forces.local_damping, 0.125);
-  EXPECT_EQ(c.forces.averaging_time, 0.05);
-  EXPECT_EQ(c.forces.viscous_damping, 0.25);
+  EXPECT_EQ((Numbers{c.forces.local_damping, c.forces.averaging_time, c.forces.viscous_damping}),
+      (Numbers{0.125, 0.05, 0.25}));
   EXPECT_EQ(c.initial.stress, InitialStress::equilibrium);
-  EXPECT_EQ(c.initial.k0, 0.75);
-  EXPECT_EQ(c.initial.damping, 0.7);
-  EXPECT_EQ(c.initial.limit, 1e-4);
+  EXPECT_EQ((Numbers{c.initial.k0, c.initial.damping, c.initial.limit}), (Numbers{0.75, 0.7, 1e-4}));
   EXPECT_EQ(c.initial.max_steps, 123);
 }
 
@@ -311,12 +302,10 @@ TEST(Reader, FillsTheWater)
   EXPECT_EQ(start.reference_lines[0].head_bottom, "aquifer");
   EXPECT_EQ(start.reference_lines[1].head, "phreatic");
   EXPECT_EQ(start.reference_lines[1].head_bottom, "lower");
-  EXPECT_EQ(c.water.unit_weight, 9905.0);
-  EXPECT_EQ(c.water.suction, 5000.0);
   EXPECT_EQ(c.materials[0].drainage, Drainage::undrained);
-  EXPECT_EQ(c.materials[0].k0, 0.625);
   EXPECT_EQ(c.materials[1].drainage, Drainage::undrained_effective);
-  EXPECT_EQ(c.materials[1].undrained_poisson_ratio, 0.4875);
+  EXPECT_EQ((Numbers{c.water.unit_weight, c.water.suction, c.materials[0].k0, c.materials[1].undrained_poisson_ratio}),
+      (Numbers{9905.0, 5000.0, 0.625, 0.4875}));
   EXPECT_TRUE(c.materials[1].stores_effective());
 }
 
@@ -342,8 +331,7 @@ TEST(Reader, ASoilInTwoPartsIsTwoMaterials)
   const MaterialCase &below = c.materials[0], &above = c.materials[1];
   EXPECT_EQ(below.name, "clay below");
   EXPECT_EQ(above.name, "clay above");
-  EXPECT_EQ(below.called(), "clay");
-  EXPECT_EQ(above.called(), "clay");
+  for (const MaterialCase& part : c.materials) EXPECT_EQ(part.called(), "clay");
   EXPECT_EQ(below.zone, Zone::below);
   EXPECT_EQ(above.zone, Zone::above);
   EXPECT_EQ(below.model, "tresca_softening");
@@ -366,8 +354,7 @@ TEST(Reader, FillsSides)
   EXPECT_EQ(c.sides[1].velocity, (Vec<2>{0.125, 0.5}));
   EXPECT_TRUE(c.sides[1].slip);
   EXPECT_EQ(c.sides[2].kind, SideKind::contact_separating);
-  EXPECT_EQ(c.sides[2].adhesion, 8.0e3);
-  EXPECT_EQ(c.sides[2].friction, 0.5);
+  EXPECT_EQ((Numbers{c.sides[2].adhesion, c.sides[2].friction}), (Numbers{8.0e3, 0.5}));
   EXPECT_EQ(c.sides[3].kind, SideKind::fixed);
 }
 
@@ -395,27 +382,20 @@ TEST(Reader, FillsTheMethod)
   const MethodOptions m = read_every_key().method;
   EXPECT_EQ(m.shares, Shares::overlap);
   EXPECT_EQ(m.weights, Weights::summed);
-  EXPECT_EQ(m.filled_fraction, 0.8);
   EXPECT_FALSE(m.b_bar);
   EXPECT_EQ(m.objective_rate, ObjectiveRate::jaumann);
   EXPECT_EQ(m.remap_contact, RemapContact::across);
   EXPECT_EQ(m.cut_cells, CutCells::slip);
-  EXPECT_EQ(m.relaxation_time, 0.05);
-  EXPECT_EQ(m.flip, 0.95);
-  EXPECT_EQ(m.small_mass, 1e-8);
+  EXPECT_EQ((Numbers{m.filled_fraction, m.relaxation_time, m.flip, m.small_mass}), (Numbers{0.8, 0.05, 0.95, 1e-8}));
 }
 
 TEST(Reader, FillsTheOutput)
 {
   const OutputCase o = read_every_key().output;
-  EXPECT_EQ(o.fields_every, 0.5);
+  EXPECT_EQ(
+      (Numbers{o.fields_every, o.history_every, o.ledger_every, o.checkpoint_every}), (Numbers{0.5, 0.02, 0.03, 1.5}));
   EXPECT_THAT(o.field_names, ElementsAre("su", "stress"));
-  EXPECT_EQ(o.history_every, 0.02);
-  ASSERT_EQ(o.history_points.size(), 2u);
-  EXPECT_EQ(o.history_points[0].first, "B");
-  EXPECT_EQ(o.history_points[0].second, (Vec<2>{7.6, 1.9}));
-  EXPECT_EQ(o.ledger_every, 0.03);
-  EXPECT_EQ(o.checkpoint_every, 1.5);
+  EXPECT_THAT(o.history_points, ElementsAre(std::pair("B", Vec<2>{7.6, 1.9}), std::pair("A", Vec<2>{7.5, 0.5})));
   EXPECT_EQ(o.checkpoint_keep, 3);
   EXPECT_TRUE(o.mesh);
 }
