@@ -34,8 +34,7 @@ Case free_box(const std::string& scheme, Vec<2> low, Vec<2> high, const Material
 /// An elastic box of 4 m x 1.5 m between rollers, under gravity.
 Case confined_box(InitialStress stress);
 
-/// One cell of 1 m x 1 m, full of 2 x 2 points, whose nodes never move: a step changes nothing but by averaging, that
-/// of the paper.
+/// One cell of 1 m x 1 m, full of 2 x 2 points, whose nodes never move: a step averages as in the paper, and no more.
 Case clamped_cell(const std::string& scheme);
 
 }  // namespace terp::test

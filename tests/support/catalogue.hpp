@@ -19,7 +19,6 @@ struct WrongRow {
 /// Rows of the file `path`; those before a line with @ change the text of the file's name and are refused.
 std::vector<WrongRow> read_catalogue(const std::string& path);
 
-/// The text with its fault.
 std::string spoil(const std::string& good, const WrongRow& row);
 
 }  // namespace terp::test

@@ -10,7 +10,6 @@
 
 namespace terp::test {
 
-/// Folder of the libraries.
 inline std::string law_folder() { return std::filesystem::path(program()).parent_path() / "tests/laws"; }
 
 /// False of Fortran without a compiler.

@@ -18,7 +18,6 @@ namespace terp::test {
 
 using Words = testing::Matcher<const std::string&>;
 
-/// A problem of this key, with these words.
 inline testing::Matcher<const Problem&> told(const Words& key, const Words& what, const Words& detail = testing::_)
 {
   return AllOf(testing::Field("key", &Problem::key, key), testing::Field("what", &Problem::what, what),

@@ -18,11 +18,9 @@ Simulation followed(const Case& description, int threads = 1);
 std::vector<Problem> warnings_from(
     void (*find)(const Model&, const State&, std::vector<Problem>&), const Case& description);
 
-/// Makes steps and nothing else: no start, no guards, no rows. For states that no case describes, or that a test
-/// spoils.
+/// Makes steps and nothing else: no start, no guards, no rows. For states that no case describes, or a test spoils.
 void make_steps(Simulation& s, std::int64_t n = 1);
 
-/// One material point.
 struct Point {
   std::int64_t id;
   Index cell, material;
@@ -40,7 +38,6 @@ std::vector<TableRow> rows_of(Simulation& s, std::string_view follower);
 std::vector<Real> array_of(const State& state, const std::string& name);
 std::int64_t flags_set(const State& state, const std::string& name);
 
-/// All points, sorted by id.
 std::vector<Point> points_by_id(const State& state);
 
 /// Sum over the points of mass times velocity [kg m/s per m].
@@ -56,10 +53,8 @@ void edit_points(State& state, F&& change)
   for_each_point(state.points, change);
 }
 
-/// Gives one point another value in a row.
 void set_value(State& state, std::int64_t id, int row, Real value);
 
-/// A row of all points, by id.
 std::vector<Real> row_by_id(const State& state, int row);
 
 /// Draws the soil anew: each point at place(where it was at t = 0) [m]. Nothing else of it changes.

@@ -1,5 +1,4 @@
-// What nearly every test takes: GoogleTest, the standard library, and names of Terp and of matchers without their
-// namespaces. Tests stand in a namespace without a name, so that those of one file hide from the others.
+// What nearly every test takes: GoogleTest, the standard library, names of Terp and of matchers without namespaces.
 #pragma once
 
 #include <gmock/gmock.h>

@@ -27,7 +27,6 @@ Scenario load_scenario(const std::string& name);
 /// The same points without boundaries and damping.
 Scenario load_free_scenario(const std::string& name);
 
-/// The field of the same name and shape in a state.
 std::vector<Real> field_values(const State& state, const std::string& name);
 
 }  // namespace terp::test

@@ -12,13 +12,11 @@ Simulation simulate_on(Mesh<2> mesh, const Case& description, int threads = 1);
 /// A place turned about the origin by an angle [rad].
 Vec<2> turned(Vec<2> x, Real angle);
 
-/// The mesh with every node turned.
 Mesh<2> turned(const Mesh<2>& mesh, Real angle);
 
 /// Nodes, cells and sides, connected anew.
 Mesh<2> reconnected(const Mesh<2>& mesh);
 
-/// Mean position of the points, weighted by mass [m].
 Vec<2> centre_of_mass(const State& state);
 
 /// Velocity of the centre of mass [m/s].
