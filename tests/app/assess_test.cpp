@@ -1,7 +1,6 @@
 // terp assess, as a user meets it: a reach of small sections, one of which cannot be read.
 #include "output/run_folder.hpp"
 #include "support/process.hpp"
-#include "support/test.hpp"
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <unistd.h>

@@ -1,5 +1,4 @@
 #include "app/coarse_column.hpp"
-#include "support/test.hpp"
 
 namespace check_test {
 

@@ -3,9 +3,6 @@
 
 #include "support/process.hpp"
 
-#include <string>
-#include <vector>
-
 namespace terp::test {
 
 inline const std::string column_file = source_path("cases/column_collapse/model_2.toml");

@@ -1,6 +1,5 @@
 #include "app/same_results.hpp"
 #include "system/process.hpp"
-#include "support/test.hpp"
 #include <csignal>
 #include <regex>
 #include <nlohmann/json.hpp>

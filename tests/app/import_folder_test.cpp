@@ -1,5 +1,4 @@
 #include "support/process.hpp"
-#include "support/test.hpp"
 
 namespace import_folder_test {
 

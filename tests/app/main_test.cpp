@@ -2,7 +2,6 @@
 #include "report/page.hpp"
 #include "study/reliability.hpp"
 #include "support/process.hpp"
-#include "support/test.hpp"
 
 namespace main_test {
 

@@ -1,6 +1,5 @@
 // What a case file names cannot make Terp write outside its run folder, nor run anything.
 #include "app/coarse_column.hpp"
-#include "support/test.hpp"
 
 namespace paths_test {
 

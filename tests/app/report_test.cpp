@@ -1,7 +1,6 @@
 #include "app/coarse_column.hpp"
 #include "output/files.hpp"
 #include "simulation/passes.hpp"
-#include "support/test.hpp"
 #include <poll.h>
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,5 @@
 #include "app/same_results.hpp"
 #include "output/small_disk.hpp"
-#include "support/test.hpp"
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>

@@ -7,12 +7,8 @@
 #include "results/frames.hpp"
 #include "support/simulations.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <map>
 #include <thread>
-
-#include <gmock/gmock.h>
 
 namespace terp::test {
 

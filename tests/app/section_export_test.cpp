@@ -1,7 +1,6 @@
 #include "coarse_column.hpp"
 #include "drawing/dxf_file.hpp"
 #include "points/polygon.hpp"
-#include "support/test.hpp"
 
 namespace section_export_test {
 

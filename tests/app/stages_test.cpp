@@ -1,6 +1,5 @@
 #include "app/same_results.hpp"
 #include "output/small_disk.hpp"
-#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
 namespace stages_test {

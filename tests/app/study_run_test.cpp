@@ -4,7 +4,6 @@
 #include "parallel/instructions.hpp"
 #include "support/environment.hpp"
 #include "support/process.hpp"
-#include "support/test.hpp"
 
 #include <csignal>
 #include <thread>

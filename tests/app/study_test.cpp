@@ -3,7 +3,6 @@
 #include "study/study_folder.hpp"
 #include "support/process.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 #include <csignal>
 #include <nlohmann/json.hpp>

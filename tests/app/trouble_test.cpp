@@ -2,7 +2,6 @@
 #include "app/same_results.hpp"
 #include "output/small_disk.hpp"
 #include "support/without_threads.hpp"
-#include "support/test.hpp"
 #include <csignal>
 #include <fcntl.h>
 #include <pty.h>

@@ -1,6 +1,5 @@
 #include "support/laws.hpp"
 #include "support/process.hpp"
-#include "support/test.hpp"
 
 namespace user_law_test {
 

@@ -1,6 +1,5 @@
 #include "support/process.hpp"
 #include "verification/ledger_samples.hpp"
-#include "support/test.hpp"
 
 namespace verify_test {
 

@@ -1,7 +1,6 @@
 // Against the published values of RFC 9923.
 #include "base/checksum.hpp"
 #include "support/test.hpp"
-#include <string_view>
 
 namespace checksum_test {
 

@@ -2,7 +2,6 @@
 #include "base/errors.hpp"
 #include "support/meshes.hpp"
 #include "support/problems.hpp"
-#include "support/test.hpp"
 
 namespace conditions_test {
 

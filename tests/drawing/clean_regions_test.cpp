@@ -1,7 +1,6 @@
 #include "drawing/clean_regions.hpp"
 #include "base/errors.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace clean_regions_test {
 

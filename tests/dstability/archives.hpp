@@ -4,7 +4,6 @@
 #include "dstability/read_stix.hpp"
 #include "output/files.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 #include <nlohmann/json.hpp>
 #include <zip.h>

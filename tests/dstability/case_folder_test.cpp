@@ -6,9 +6,7 @@
 #include "points/overlay.hpp"
 #include "archives.hpp"
 #include "sections.hpp"
-#include "support/paths.hpp"
 #include "support/problems.hpp"
-#include "support/test.hpp"
 #include "water/water_pressure.hpp"
 
 #include <fmt/format.h>

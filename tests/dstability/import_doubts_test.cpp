@@ -6,8 +6,6 @@
 #include "sections.hpp"
 #include "support/paths.hpp"
 
-#include <fstream>
-
 namespace import_doubts_test {
 
 CaseFolder folder_of(const StixProject& project)

@@ -1,7 +1,6 @@
 #include "dstability/case_folder.hpp"
 #include "dstability/river_side.hpp"
 #include "dstability/sections.hpp"
-#include "support/test.hpp"
 
 namespace river_side_test {
 

@@ -1,7 +1,6 @@
 #include "dstability/section_layout.hpp"
 #include "points/body_outline.hpp"
 #include "support/problems.hpp"
-#include "support/test.hpp"
 
 namespace section_layout_test {
 

@@ -1,6 +1,5 @@
 #include "dstability/section_part.hpp"
 #include "support/problems.hpp"
-#include "support/test.hpp"
 
 namespace section_part_test {
 

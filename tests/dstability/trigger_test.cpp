@@ -6,7 +6,6 @@
 #include "river_dike.hpp"
 #include "water/water_pressure.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 namespace trigger_test {
 

@@ -1,7 +1,6 @@
 #include "events/barrier.hpp"
 #include "meshing/structured.hpp"
 #include "support/blocks.hpp"
-#include "support/test.hpp"
 
 namespace barrier_test {
 

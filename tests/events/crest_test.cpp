@@ -1,7 +1,6 @@
 #include "events/crest.hpp"
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"
-#include "support/test.hpp"
 
 namespace crest_test {
 

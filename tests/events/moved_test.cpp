@@ -1,7 +1,6 @@
 #include "events/moved.hpp"
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"
-#include "support/test.hpp"
 
 namespace moved_test {
 

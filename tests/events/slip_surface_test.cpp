@@ -1,7 +1,5 @@
 #include "events/slip_surface.hpp"
-#include "mesh/mesh.hpp"
 #include "support/blocks.hpp"
-#include "support/test.hpp"
 #include <functional>
 
 namespace slip_surface_test {

@@ -1,8 +1,6 @@
 #include "events/surface.hpp"
-#include "mesh/mesh.hpp"
 #include "support/blocks.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace surface_test {
 

@@ -1,6 +1,5 @@
 #include "events/top_points.hpp"
 #include "support/blocks.hpp"
-#include "support/test.hpp"
 
 namespace top_points_test {
 

@@ -1,7 +1,6 @@
 #include "followers/flood_dike.hpp"
 #include "warnings/flood_warnings.hpp"
 #include "simulation/other_run.hpp"
-#include "support/simulations.hpp"
 
 namespace flood_test {
 

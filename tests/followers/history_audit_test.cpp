@@ -1,6 +1,5 @@
 #include "simulation/follower.hpp"
 #include "support/law_cases.hpp"
-#include "support/simulations.hpp"
 
 namespace history_audit_test {
 

@@ -1,7 +1,6 @@
 // Internal force, Eq. (4), against explicit B-bar matrices, and the strain increment that is work-conjugate to it.
 #include "forces/internal_force.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace internal_force_test {
 

@@ -1,7 +1,6 @@
 #include "forces/point_gradients.hpp"
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace point_gradients_test {
 

@@ -3,7 +3,6 @@
 #include "simulation/nodal_water.hpp"
 #include "simulation/node_passes.hpp"
 #include "support/meshes.hpp"
-#include "support/simulations.hpp"
 #include "support/verification.hpp"
 
 namespace pore_pressure_test {

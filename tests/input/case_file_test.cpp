@@ -2,7 +2,6 @@
 #include "input/printable.hpp"
 #include "input/samples.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 namespace case_file_test {
 

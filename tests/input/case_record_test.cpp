@@ -3,7 +3,6 @@
 #include "input/samples.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 namespace case_record_test {
 

@@ -1,6 +1,5 @@
 #include "input/cell_size.hpp"
 #include "input/samples.hpp"
-#include "support/test.hpp"
 
 namespace cell_size_test {
 

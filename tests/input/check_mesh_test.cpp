@@ -2,7 +2,6 @@
 #include "input/check_case.hpp"
 #include "input/samples.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 namespace check_mesh_test {
 

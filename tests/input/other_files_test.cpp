@@ -1,7 +1,6 @@
 #include "input/other_files.hpp"
 #include "input/samples.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 namespace other_files_test {
 

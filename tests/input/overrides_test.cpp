@@ -1,7 +1,6 @@
 // Changes from the command line; those that are refused: wrong_cases/small_case.wrong.
 #include "input/overrides.hpp"
 #include "input/samples.hpp"
-#include "support/test.hpp"
 
 namespace overrides_test {
 

@@ -1,7 +1,6 @@
 #include "input/reader.hpp"
 #include "input/render.hpp"
 #include "input/samples.hpp"
-#include "support/test.hpp"
 
 namespace read_stages_test {
 

@@ -2,7 +2,6 @@
 #include "input/reader.hpp"
 #include "input/key_text.hpp"
 #include "input/samples.hpp"
-#include "support/test.hpp"
 
 namespace reader_test {
 

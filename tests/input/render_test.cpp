@@ -1,6 +1,5 @@
 #include "input/render.hpp"
 #include "input/samples.hpp"
-#include "support/test.hpp"
 
 namespace render_test {
 

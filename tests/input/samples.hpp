@@ -1,10 +1,8 @@
 // Small case files for the tests of this room.
 #pragma once
 
+#include "support/test.hpp"
 #include "input/case_file.hpp"
-
-#include <string>
-#include <vector>
 
 namespace terp::test {
 

@@ -1,6 +1,5 @@
 #include "input/syntax_advice.hpp"
 #include "input/samples.hpp"
-#include "support/test.hpp"
 
 namespace syntax_advice_test {
 

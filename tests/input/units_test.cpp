@@ -5,7 +5,6 @@
 #include "input/samples.hpp"
 #include "results/compare.hpp"
 #include "simulation/setup_mesh.hpp"
-#include "support/test.hpp"
 
 namespace units_test {
 

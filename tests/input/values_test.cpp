@@ -1,7 +1,6 @@
 // Values as they arrive in the case; those that are refused: wrong_cases/small_case.wrong.
 #include "input/values.hpp"
 #include "input/samples.hpp"
-#include "support/test.hpp"
 
 namespace values_test {
 

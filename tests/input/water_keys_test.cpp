@@ -4,7 +4,6 @@
 #include "simulation/setup.hpp"
 #include "warnings/setup_warnings.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 #include "water/water_pressure.hpp"
 
 namespace water_keys_test {

@@ -4,9 +4,7 @@
 #include "simulation/setup.hpp"
 #include "support/catalogue.hpp"
 #include "support/laws.hpp"
-#include "support/paths.hpp"
 #include "support/process.hpp"
-#include "support/test.hpp"
 
 namespace wrong_cases_test {
 

@@ -3,7 +3,6 @@
 #include "materials/soil_material.hpp"
 #include "materials/probe.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 #include <bit>
 
 namespace conformance_test {

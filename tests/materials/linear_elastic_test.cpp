@@ -1,6 +1,5 @@
 #include "materials/elastic_constants.hpp"
 #include "materials/probe.hpp"
-#include "support/test.hpp"
 
 namespace linear_elastic_test {
 

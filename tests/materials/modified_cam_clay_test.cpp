@@ -1,7 +1,6 @@
 // Modified Cam-Clay against its closed forms. Twins are written from the equations, in rates.
 #include "materials/probe.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace modified_cam_clay_test {
 

@@ -1,7 +1,6 @@
 // The return to a Mohr-Coulomb surface against all ways to choose active planes, solved one by one.
 #include "materials/mohr_coulomb_return.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 #include <optional>
 
 namespace mohr_coulomb_return_test {

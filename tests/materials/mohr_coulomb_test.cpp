@@ -1,6 +1,5 @@
 #include "materials/probe.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace mohr_coulomb_test {
 

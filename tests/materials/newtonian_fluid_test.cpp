@@ -1,5 +1,4 @@
 #include "materials/probe.hpp"
-#include "support/test.hpp"
 
 namespace newtonian_fluid_test {
 

@@ -1,7 +1,6 @@
 #include "materials/nonlocal.hpp"
 
 #include "materials/probe.hpp"
-#include "support/test.hpp"
 
 namespace nonlocal_test {
 

@@ -1,6 +1,5 @@
 #include "materials/principal.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace principal_test {
 

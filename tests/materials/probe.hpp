@@ -6,11 +6,6 @@
 #include "parallel/pack.hpp"
 #include "support/test.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 namespace terp::test {
 
 using Stress = SymTensor<Real, 2>;

@@ -1,6 +1,5 @@
 // The factors of docs/softening_laws.md: a law with a published form's numbers converted follows the published curve.
 #include "materials/probe.hpp"
-#include "support/test.hpp"
 
 #include <functional>
 

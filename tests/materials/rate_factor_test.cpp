@@ -1,7 +1,6 @@
 // The return itself is solved for many trials in tresca_softening_test.cpp.
 #include "materials/rate_factor.hpp"
 #include "materials/tresca_soil.hpp"
-#include "support/test.hpp"
 
 namespace rate_factor_test {
 

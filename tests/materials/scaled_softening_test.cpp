@@ -2,7 +2,6 @@
 
 #include "materials/probe.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace scaled_softening_test {
 

@@ -1,7 +1,6 @@
 // Tresca with softening: returns to the face and to both edges against an independent bisection, and Eqs. (5) and (6).
 #include "materials/tresca_soil.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace tresca_softening_test {
 

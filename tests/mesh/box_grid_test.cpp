@@ -1,6 +1,5 @@
 #include "mesh/box_grid.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace box_grid_test {
 

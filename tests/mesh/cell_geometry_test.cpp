@@ -1,6 +1,5 @@
 #include "mesh/cell_geometry.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace cell_geometry_test {
 

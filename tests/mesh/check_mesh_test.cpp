@@ -1,6 +1,5 @@
 #include "mesh/check_mesh.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace check_mesh_test {
 

@@ -1,7 +1,6 @@
 #include "mesh/geometry_lanes.hpp"
 #include "mesh/mesh.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace geometry_lanes_test {
 

@@ -1,6 +1,5 @@
 #include "mesh/locate.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace locate_test {
 

@@ -1,6 +1,5 @@
 #include "mesh/mesh.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace mesh_test {
 

@@ -2,7 +2,6 @@
 #include "points/move.hpp"
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace random_places_test {
 

@@ -3,7 +3,6 @@
 #include "system/process.hpp"
 #include "support/environment.hpp"
 #include "support/process.hpp"
-#include "support/test.hpp"
 
 namespace convert_test {
 

@@ -3,7 +3,6 @@
 #include "meshing/msh_text.hpp"
 #include "support/process.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace damaged_files_test {
 

@@ -7,7 +7,6 @@
 #include "support/environment.hpp"
 #include "support/meshes.hpp"
 #include "support/process.hpp"
-#include "support/test.hpp"
 #include <sys/wait.h>
 #include <unistd.h>
 #include <csignal>

@@ -1,7 +1,6 @@
 #include "meshing/gmsh_file.hpp"
 #include "meshing/msh_text.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 #include <fmt/format.h>
 
 namespace gmsh_file_test {

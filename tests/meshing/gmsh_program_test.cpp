@@ -2,7 +2,6 @@
 #include "mesh/mesh_error.hpp"
 #include "support/environment.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 #include <sys/wait.h>
 #include <unistd.h>
 #include <chrono>

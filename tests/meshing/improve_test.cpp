@@ -1,6 +1,5 @@
 #include "meshing/improve.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace improve_test {
 

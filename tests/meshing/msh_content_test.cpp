@@ -1,7 +1,6 @@
 #include "meshing/msh_content.hpp"
 #include "meshing/msh_text.hpp"
 #include "support/process.hpp"
-#include "support/test.hpp"
 
 namespace msh_content_test {
 

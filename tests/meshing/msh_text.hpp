@@ -3,7 +3,6 @@
 
 #include "meshing/gmsh_file.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 #include <cstring>
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include "meshing/planar_map.hpp"
 #include "mesh/mesh_error.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace planar_map_test {
 

@@ -1,12 +1,10 @@
 #include "output/checkpoint.hpp"
-#include "output/files.hpp"
 #include "output/hdf5_file.hpp"
 #include "output/run_folder.hpp"
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
 #include "support/process.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 #include <fmt/format.h>
 
 /// For the leak sanitizer: HDF5 1.10 itself loses memory when it refuses a damaged file.

@@ -2,7 +2,6 @@
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 namespace files_test {
 

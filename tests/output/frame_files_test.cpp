@@ -3,7 +3,6 @@
 #include "output/run_folder.hpp"
 #include "output/samples.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 namespace frame_files_test {
 

@@ -2,7 +2,6 @@
 #include "output/files.hpp"
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
-#include "support/test.hpp"
 #include <chrono>
 #include <thread>
 

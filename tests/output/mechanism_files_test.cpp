@@ -2,7 +2,6 @@
 #include "output/hdf5_file.hpp"
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"
-#include "support/test.hpp"
 
 namespace mechanism_files_test {
 

@@ -2,7 +2,6 @@
 #include "output/mesh_file.hpp"
 #include "output/samples.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 namespace mesh_file_test {
 

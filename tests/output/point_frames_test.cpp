@@ -2,7 +2,6 @@
 #include "output/run_folder.hpp"
 #include "output/samples.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 namespace point_frames_test {
 

@@ -3,7 +3,6 @@
 #include "output/samples.hpp"
 #include "support/process.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 namespace run_folder_test {
 

@@ -1,11 +1,8 @@
 #include "output/run_writer.hpp"
-#include "output/checkpoint.hpp"
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
-#include "output/table_csv.hpp"
 #include "support/process.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 namespace run_writer_test {
 

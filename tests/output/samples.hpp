@@ -8,10 +8,6 @@
 #include "simulation/observer.hpp"
 #include "support/test.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 namespace terp::test {
 
 /// Frame k of five points with one scalar, one vector and one stress.

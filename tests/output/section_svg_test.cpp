@@ -3,7 +3,6 @@
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/stages.hpp"
-#include "support/test.hpp"
 
 namespace section_svg_test {
 

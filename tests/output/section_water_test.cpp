@@ -1,7 +1,6 @@
 #include "output/section_svg.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
-#include "support/test.hpp"
 
 namespace section_water_test {
 

@@ -3,9 +3,6 @@
 
 #include "support/paths.hpp"
 
-#include <fstream>
-#include <string>
-
 #include <sys/mount.h>
 
 namespace terp::test {

@@ -2,7 +2,6 @@
 #include "output/files.hpp"
 #include "output/samples.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
 namespace summary_json_test {

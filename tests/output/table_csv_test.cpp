@@ -1,7 +1,6 @@
 #include "output/table_csv.hpp"
 #include "output/samples.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 namespace table_csv_test {
 

@@ -1,7 +1,6 @@
 // Logarithm, power and hyperbolic tangent against long double over all numbers, in packs and alone.
 #include "parallel/functions.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace functions_test {
 

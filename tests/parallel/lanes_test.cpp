@@ -1,6 +1,5 @@
 #include "parallel/lanes.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace lanes_test {
 

@@ -1,6 +1,5 @@
 #include "parallel/pack.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace pack_test {
 

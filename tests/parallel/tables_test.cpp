@@ -1,6 +1,5 @@
 #include "parallel/tables.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace tables_test {
 

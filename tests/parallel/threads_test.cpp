@@ -1,7 +1,6 @@
 #include "parallel/threads.hpp"
 #include "support/without_threads.hpp"
 #include "support/test.hpp"
-#include <atomic>
 #include <chrono>
 
 namespace threads_test {

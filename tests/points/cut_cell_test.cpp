@@ -1,6 +1,5 @@
 #include "points/cut_cell.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace cut_cell_test {
 

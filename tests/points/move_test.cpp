@@ -1,7 +1,6 @@
 #include "points/move.hpp"
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace move_test {
 

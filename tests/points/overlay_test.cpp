@@ -1,6 +1,5 @@
 #include "points/overlay.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace overlay_test {
 

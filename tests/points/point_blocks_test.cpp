@@ -1,6 +1,5 @@
 #include "points/point_blocks.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace point_blocks_test {
 

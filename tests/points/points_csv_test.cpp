@@ -1,6 +1,5 @@
 #include "points/points_csv.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 namespace points_csv_test {
 

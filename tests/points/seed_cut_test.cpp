@@ -1,7 +1,6 @@
 #include "points/seed.hpp"
 #include "mesh/locate.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace seed_cut_test {
 

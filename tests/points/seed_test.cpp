@@ -1,7 +1,6 @@
 // Bodies that outlines cut anyhow: seed_cut_test.cpp.
 #include "points/seed.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace seed_test {
 

@@ -1,6 +1,5 @@
 #include "report/codec.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace codec_test {
 

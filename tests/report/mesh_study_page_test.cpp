@@ -1,7 +1,6 @@
 #include "report/mesh_study_page.hpp"
 #include "results/runs.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 #include <fmt/format.h>
 
 namespace mesh_study_page_test {

@@ -2,7 +2,6 @@
 #include "output/compress.hpp"
 #include "report/codec.hpp"
 #include "results/runs.hpp"
-#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
 namespace payload_test {

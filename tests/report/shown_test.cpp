@@ -1,7 +1,6 @@
 #include "report/shown.hpp"
 #include "results/runs.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace shown_test {
 

@@ -1,6 +1,5 @@
 #include "results/compare.hpp"
 #include "results/runs.hpp"
-#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
 namespace compare_test {

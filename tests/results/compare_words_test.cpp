@@ -1,7 +1,6 @@
 // What differs between runs, in words; those of the paper's two runs are in compare_test.cpp.
 #include "results/compare.hpp"
 #include "results/runs.hpp"
-#include "support/test.hpp"
 #include <functional>
 
 namespace compare_words_test {

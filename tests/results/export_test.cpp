@@ -1,6 +1,5 @@
 #include "results/export.hpp"
 #include "results/runs.hpp"
-#include "support/test.hpp"
 
 namespace export_test {
 

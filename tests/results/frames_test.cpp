@@ -1,6 +1,5 @@
 #include "results/frames.hpp"
 #include "results/runs.hpp"
-#include "support/test.hpp"
 
 /// For the leak sanitizer: HDF5 1.10 itself loses memory when it refuses a damaged file.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }

@@ -1,7 +1,6 @@
 #include "results/import_changes.hpp"
 
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 namespace import_changes_test {
 

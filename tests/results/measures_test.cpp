@@ -3,7 +3,6 @@
 #include "results/mesh_study.hpp"
 #include "results/runs.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 namespace measures_test {
 

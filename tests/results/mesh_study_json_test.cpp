@@ -1,6 +1,5 @@
 #include "results/mesh_study.hpp"
 #include "results/runs.hpp"
-#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include "results/mesh_study.hpp"
 #include "results/runs.hpp"
 #include "results/sequences.hpp"
-#include "support/test.hpp"
 
 namespace mesh_study_test {
 

@@ -1,7 +1,6 @@
 #include "results/reach.hpp"
 #include "output/files.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
 namespace reach_test {

@@ -2,7 +2,6 @@
 #include "output/checkpoint.hpp"
 #include "results/runs.hpp"
 #include "simulation/history.hpp"
-#include "support/test.hpp"
 
 namespace run_results_test {
 

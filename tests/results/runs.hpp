@@ -10,8 +10,6 @@
 #include "output/table_csv.hpp"
 #include "support/paths.hpp"
 
-#include <filesystem>
-
 namespace terp::test {
 
 /// Three frames of the sample points, two rows of each table, a summary. change: of the summary, before it is written.

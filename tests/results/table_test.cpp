@@ -2,7 +2,6 @@
 #include "results/runs.hpp"
 #include "followers/followers.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 namespace table_test {
 

@@ -1,8 +1,6 @@
 #include "schemes/gauss_gather.hpp"
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"
-#include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace cell_group_test {
 

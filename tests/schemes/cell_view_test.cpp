@@ -1,7 +1,5 @@
 #include "schemes/cell_view.hpp"
-#include "mesh/mesh.hpp"
 #include "support/blocks.hpp"
-#include "support/test.hpp"
 
 namespace cell_view_test {
 

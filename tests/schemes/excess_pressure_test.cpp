@@ -2,7 +2,6 @@
 // Poisson's ratio, whatever the scheme and the mesh, and on its way from cell to cell.
 #include "schemes/excess_pressure.hpp"
 #include "support/meshes.hpp"
-#include "support/simulations.hpp"
 #include "support/verification.hpp"
 
 namespace excess_pressure_test {

@@ -1,6 +1,5 @@
 #include "simulation/cell_passes.hpp"
 #include "support/blocks.hpp"
-#include "support/test.hpp"
 
 namespace cell_passes_test {
 

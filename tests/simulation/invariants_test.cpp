@@ -1,6 +1,4 @@
-#include "support/cases.hpp"
 #include "support/twin.hpp"
-#include "support/test.hpp"
 
 namespace invariants_test {
 

@@ -1,7 +1,6 @@
 #include "simulation/library_watch.hpp"
 #include "simulation/simulation.hpp"
 #include "support/law_cases.hpp"
-#include "support/test.hpp"
 
 #include <chrono>
 

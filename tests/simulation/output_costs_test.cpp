@@ -2,7 +2,6 @@
 #include "simulation/output_costs.hpp"
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"
-#include "support/test.hpp"
 
 namespace output_costs_test {
 

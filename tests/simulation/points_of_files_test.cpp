@@ -3,7 +3,6 @@
 #include "support/cases.hpp"
 #include "support/paths.hpp"
 #include "support/problems.hpp"
-#include "support/test.hpp"
 #include <fmt/format.h>
 
 namespace points_of_files_test {

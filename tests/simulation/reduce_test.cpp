@@ -1,7 +1,6 @@
 #include "simulation/reduce.hpp"
 #include "materials/material.hpp"
 #include "support/cases.hpp"
-#include "support/test.hpp"
 
 namespace reduce_test {
 

@@ -2,7 +2,6 @@
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
-#include "support/test.hpp"
 
 namespace setup_history_test {
 

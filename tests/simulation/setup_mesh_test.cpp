@@ -2,7 +2,6 @@
 #include "simulation/setup_mesh.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
-#include "support/test.hpp"
 
 namespace setup_mesh_test {
 

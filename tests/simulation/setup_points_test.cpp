@@ -4,7 +4,6 @@
 #include "support/cases.hpp"
 #include "support/paths.hpp"
 #include "support/problems.hpp"
-#include "support/test.hpp"
 
 namespace setup_points_test {
 

@@ -1,6 +1,5 @@
 #include "simulation/side_shape.hpp"
 #include "support/cases.hpp"
-#include "support/test.hpp"
 
 namespace side_shape_test {
 

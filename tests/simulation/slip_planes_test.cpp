@@ -1,7 +1,6 @@
 #include "simulation/slip_planes.hpp"
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"
-#include "support/test.hpp"
 
 namespace slip_planes_test {
 

@@ -3,7 +3,6 @@
 #include "simulation/overburden.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
-#include "support/test.hpp"
 
 namespace soil_fields_test {
 

@@ -1,7 +1,6 @@
 // Whole steps against the NumPy twin, which was written from the paper and the readings and not from the C++.
 #include "simulation/kernels.hpp"
 #include "support/twin.hpp"
-#include "support/test.hpp"
 
 namespace step_test {
 

@@ -1,7 +1,6 @@
 #include "simulation/strength_profile.hpp"
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"
-#include "support/test.hpp"
 
 namespace strength_profile_test {
 

@@ -4,7 +4,6 @@
 #include "support/environment.hpp"
 #include "support/meshes.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 #include "system/process.hpp"
 
 namespace turned_mesh_test {

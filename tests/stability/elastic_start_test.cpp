@@ -4,7 +4,6 @@
 #include "simulation/setup_mesh.hpp"
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"
-#include "support/test.hpp"
 
 namespace elastic_start_test {
 

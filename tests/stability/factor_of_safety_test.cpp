@@ -1,7 +1,6 @@
 #include "stability/factor_of_safety.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
-#include "support/test.hpp"
 
 namespace factor_of_safety_test {
 

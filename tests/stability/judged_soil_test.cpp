@@ -1,7 +1,6 @@
 #include "stability/judged_soil.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
-#include "support/test.hpp"
 
 namespace judged_soil_test {
 

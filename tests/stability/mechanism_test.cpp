@@ -1,7 +1,6 @@
 #include "stability/mechanism.hpp"
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"
-#include "support/test.hpp"
 
 namespace mechanism_test {
 

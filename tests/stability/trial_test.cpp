@@ -1,7 +1,6 @@
 #include "stability/trial.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "support/cases.hpp"
-#include "support/test.hpp"
 
 namespace trial_test {
 

@@ -2,7 +2,6 @@
 
 #include "study/samples.hpp"
 #include "study/statistics.hpp"
-#include "support/test.hpp"
 
 namespace draw_test {
 

@@ -9,7 +9,6 @@
 #include "study/samples.hpp"
 #include "study/study_folder.hpp"
 #include "study/study_text.hpp"
-#include "support/test.hpp"
 
 #include <thread>
 

@@ -3,7 +3,6 @@
 #include "study/samples.hpp"
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
-#include "support/test.hpp"
 
 namespace estimates_test {
 

@@ -6,7 +6,6 @@
 #include "study/study_folder.hpp"
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
-#include "support/test.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,6 @@
 
 #include "study/samples.hpp"
 #include "study/study.hpp"
-#include "support/test.hpp"
 
 #include <fmt/format.h>
 

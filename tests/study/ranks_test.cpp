@@ -5,7 +5,6 @@
 #include "study/rank_words.hpp"
 #include "study/samples.hpp"
 #include "study/study_text.hpp"
-#include "support/test.hpp"
 
 #include <sys/stat.h>
 #include <sys/wait.h>

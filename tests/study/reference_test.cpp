@@ -4,7 +4,6 @@
 #include "study/engine.hpp"
 
 #include "study/samples.hpp"
-#include "support/test.hpp"
 
 namespace reference_test {
 

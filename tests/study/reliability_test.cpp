@@ -2,7 +2,6 @@
 #include "study/samples.hpp"
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
-#include "support/test.hpp"
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,6 @@
 #include "output/files.hpp"
 #include "study/engine.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 namespace terp::test {
 

@@ -2,7 +2,6 @@
 #include "parallel/instructions.hpp"
 #include "study/engine.hpp"
 #include "study/samples.hpp"
-#include "support/test.hpp"
 
 namespace store_check_test {
 

@@ -4,7 +4,6 @@
 #include "study/samples.hpp"
 #include "study/study.hpp"
 #include "study/study_folder.hpp"
-#include "support/test.hpp"
 
 namespace study_file_test {
 

@@ -2,7 +2,6 @@
 #include "study/engine.hpp"
 #include "study/samples.hpp"
 #include "study/study_text.hpp"
-#include "support/test.hpp"
 
 namespace two_stage_test {
 

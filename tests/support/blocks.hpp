@@ -1,6 +1,7 @@
 // Material points put into cells by hand, for tests of the rooms that work on one block.
 #pragma once
 
+#include "support/test.hpp"
 #include "mesh/locate.hpp"
 #include "points/point_blocks.hpp"
 

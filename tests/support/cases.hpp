@@ -1,9 +1,8 @@
 // Cases for tests, small and coarse. What a test does not change is the paper's column.
 #pragma once
 
+#include "support/test.hpp"
 #include "simulation/case.hpp"
-
-#include <string>
 
 namespace terp::test {
 

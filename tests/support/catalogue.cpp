@@ -1,6 +1,5 @@
 #include "support/catalogue.hpp"
 #include "support/process.hpp"
-#include "support/test.hpp"
 
 namespace terp::test {
 namespace {

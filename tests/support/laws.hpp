@@ -5,9 +5,6 @@
 #include "support/paths.hpp"
 #include "user_laws/library_case.hpp"
 
-#include <filesystem>
-#include <string>
-
 namespace terp::test {
 
 inline std::string law_folder() { return std::filesystem::path(program()).parent_path() / "tests/laws"; }

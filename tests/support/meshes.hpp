@@ -4,10 +4,6 @@
 #include "mesh/mesh.hpp"
 #include "support/random.hpp"
 
-#include <cmath>
-#include <map>
-#include <numbers>
-
 namespace terp::test {
 
 /// A vector of length at most `reach` in any direction.

@@ -1,6 +1,5 @@
 #include "support/paths.hpp"
 
-#include <filesystem>
 #include <unistd.h>
 
 namespace terp::test {

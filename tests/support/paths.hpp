@@ -1,7 +1,7 @@
 // Where tests find the project's files and put their own.
 #pragma once
 
-#include <string>
+#include "support/test.hpp"
 
 namespace terp::test {
 

@@ -1,11 +1,6 @@
 #include "support/process.hpp"
 
-#include <algorithm>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
 
 #include <gtest/gtest.h>
 

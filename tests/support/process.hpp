@@ -4,8 +4,6 @@
 #include "support/paths.hpp"
 
 #include <source_location>
-#include <string>
-#include <vector>
 
 #include <sys/types.h>
 

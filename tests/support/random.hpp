@@ -1,6 +1,7 @@
 // Numbers that look random and are the same on every machine.
 #pragma once
 
+#include "support/test.hpp"
 #include "base/types.hpp"
 
 namespace terp::test {

@@ -5,10 +5,7 @@
 #include "followers/followers.hpp"
 #include "simulation/state_arrays.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <set>
 
 namespace terp::test {
 

@@ -2,14 +2,9 @@
 
 #include "materials/material.hpp"
 #include "simulation/setup.hpp"
-#include "support/cases.hpp"
 #include "support/paths.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 namespace terp::test {
 namespace {

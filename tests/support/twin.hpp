@@ -3,9 +3,6 @@
 
 #include "support/simulations.hpp"
 
-#include <string>
-#include <vector>
-
 namespace terp::test {
 
 /// What the twin expects of the points, by id: shape [n_points, n_components], row-major.

@@ -1,7 +1,5 @@
 #include "support/two_soils.hpp"
 
-#include "support/test.hpp"
-
 namespace terp::test {
 
 Case two_soils(const std::string& scheme, Shares shares, Vec<2> place, Real degrees, Index points)

@@ -2,8 +2,6 @@
 
 #include "simulation/setup.hpp"
 
-#include <cmath>
-
 namespace terp::test {
 
 Simulation simulate_on(Mesh<2> mesh, const Case& description, int threads)

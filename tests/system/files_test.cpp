@@ -1,7 +1,6 @@
 #include "system/files.hpp"
 #include "support/environment.hpp"
 #include "support/process.hpp"
-#include "support/test.hpp"
 
 #include <cerrno>
 

@@ -1,6 +1,5 @@
 #include "system/folder_claim.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 namespace folder_claim_test {
 

@@ -1,7 +1,6 @@
 #include "system/read_file.hpp"
 #include "base/errors.hpp"
 #include "support/process.hpp"
-#include "support/test.hpp"
 
 namespace read_file_test {
 

@@ -2,7 +2,6 @@
 #include "transfer/gauss_average.hpp"
 #include "support/blocks.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace gauss_average_test {
 

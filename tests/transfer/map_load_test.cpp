@@ -2,7 +2,6 @@
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"
-#include "support/test.hpp"
 
 namespace map_load_test {
 

@@ -1,7 +1,6 @@
 #include "transfer/map_to_corners.hpp"
 #include "support/blocks.hpp"
 #include "support/random.hpp"
-#include "support/test.hpp"
 
 namespace map_to_corners_test {
 

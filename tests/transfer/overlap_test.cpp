@@ -3,8 +3,6 @@
 #include "support/blocks.hpp"
 #include "support/random.hpp"
 
-#include <gmock/gmock.h>
-
 namespace terp {
 namespace overlap_test {
 

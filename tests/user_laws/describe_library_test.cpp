@@ -1,8 +1,6 @@
 #include "user_laws/describe_library.hpp"
 #include "support/laws.hpp"
 #include "support/problems.hpp"
-#include "support/test.hpp"
-#include "user_laws/user_law.hpp"
 
 namespace describe_library_test {
 

@@ -1,7 +1,6 @@
 #include "user_laws/law_trial.hpp"
 #include "simulation/simulation.hpp"
 #include "support/law_cases.hpp"
-#include "support/test.hpp"
 
 namespace law_trial_test {
 

@@ -2,7 +2,6 @@
 #include "warnings/library_warnings.hpp"
 #include "simulation/simulation.hpp"
 #include "support/law_cases.hpp"
-#include "support/test.hpp"
 
 namespace short_arrays_test {
 

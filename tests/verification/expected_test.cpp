@@ -2,7 +2,6 @@
 #include "input/case_file.hpp"
 #include "support/catalogue.hpp"
 #include "verification/ledger_samples.hpp"
-#include "support/test.hpp"
 
 namespace expected_test {
 

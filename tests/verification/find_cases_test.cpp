@@ -1,7 +1,6 @@
 #include "verification/find_cases.hpp"
 #include "base/errors.hpp"
 #include "support/paths.hpp"
-#include "support/test.hpp"
 
 namespace find_cases_test {
 

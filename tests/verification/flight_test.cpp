@@ -1,8 +1,6 @@
 // Free flight through a distorted mesh for ten metres: trajectory, momentum and mass are exact, and no stress arises.
-#include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
-#include "support/test.hpp"
 
 namespace flight_test {
 

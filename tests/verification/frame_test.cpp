@@ -1,7 +1,5 @@
 // Mesh, soil and gravity turned together by 30 degrees: the same failure in another frame.
-#include "support/cases.hpp"
 #include "support/verification.hpp"
-#include "support/test.hpp"
 
 namespace frame_test {
 

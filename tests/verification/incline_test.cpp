@@ -1,9 +1,7 @@
 // A stiff block on an inclined mesh: a = g (sin t - mu cos t) - a L / m along the slope, and rest where friction
 // suffices. It is flat, so that it does not rock. Its base nodes are close: adhesion counts half an edge too much at
 // each end. The contact is separating: on a bilateral one only pushes cause friction (decision 0015).
-#include "support/cases.hpp"
 #include "support/verification.hpp"
-#include "support/test.hpp"
 
 namespace incline_test {
 

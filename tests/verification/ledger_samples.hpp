@@ -4,8 +4,6 @@
 #include "support/paths.hpp"
 #include "verification/expected.hpp"
 
-#include <fstream>
-
 namespace terp::test {
 
 inline constexpr const char* flying_case = R"(scheme = "mpm_gp"

@@ -1,9 +1,7 @@
 // Noise of the pressure in clay that fails, nearly incompressible, on a distorted mesh: distance of points from the
 // plane through the pressures around. Integration at the points locks and gives a checkerboard; mixed schemes do not.
-#include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
-#include "support/test.hpp"
 #include <iostream>
 
 namespace noise_test {

@@ -2,10 +2,8 @@
 // rigid motion gives no stress.
 #include "materials/elastic_constants.hpp"
 #include "simulation/cell_passes.hpp"
-#include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
-#include "support/test.hpp"
 
 namespace patch_test {
 

@@ -1,6 +1,5 @@
 #include "verification/scope.hpp"
 #include "verification/ledger_samples.hpp"
-#include "support/test.hpp"
 
 namespace scope_test {
 

@@ -3,7 +3,6 @@
 #include "followers/followers.hpp"
 #include "simulation/ledger.hpp"
 #include "verification/ledger_samples.hpp"
-#include "support/test.hpp"
 #include <fmt/format.h>
 
 namespace solve_variant_test {

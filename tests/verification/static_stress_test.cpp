@@ -3,12 +3,10 @@
 // error is of first order: on a linear stress h / sqrt(12) over the height.
 //   column:         sigma_yy = -rho g (H - y), sigma_xx = nu / (1 - nu) sigma_yy
 //   infinite slope: as the column with g cos t, and sigma_xy = rho g sin t (H - y), in axes along and across the slope
-#include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/paths.hpp"
 #include "support/verification.hpp"
 #include "simulation/equilibrium.hpp"
-#include "support/test.hpp"
 #include <atomic>
 #include <iostream>
 

@@ -1,7 +1,5 @@
 // Soil in a valley between two banks: the sides of an oblique corner carry it and give no energy (decision 0038).
-#include "support/cases.hpp"
 #include "support/verification.hpp"
-#include "support/test.hpp"
 
 namespace valley_test {
 

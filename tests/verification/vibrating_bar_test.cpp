@@ -1,9 +1,7 @@
 // An elastic bar that vibrates along its axis between fixed ends: v = V sin(pi x / L) cos(omega t), omega = pi c_p / L.
 // Error of the velocity after a period against h, distorted meshes; rectangular: cases/verification/vibrating_bar.
-#include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
-#include "support/test.hpp"
 #include <iostream>
 
 namespace vibrating_bar_test {

@@ -3,7 +3,6 @@
 #include "warnings/setup_warnings.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
-#include "support/test.hpp"
 
 namespace shared_cells_test {
 
