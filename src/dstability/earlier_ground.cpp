@@ -48,10 +48,7 @@ Change change_since(
     const StixProject& project, std::pair<const StixStage*, const StixStage*> stages, Vec<2> between, Real column)
 {
   const auto& [then, now] = stages;
-  Real lowest = 1e30;
-  for (const StixStage* const stage : {then, now})
-    for (const StixLayer& layer : stage->layers)
-      for (const Vec<2>& x : layer.outline) lowest = std::min(lowest, x[1]);
+  const Real lowest = std::min(box_around(then->layers).low[1], box_around(now->layers).low[1]);
   Change change{.labels = fmt::format("`{}`", then->label), .added = {}, .removed = {}};
   for (Real x = between[0] + 0.5 * column; x < between[1]; x += column) {
     const Real rise = ground_of(project, *now, x, lowest) - ground_of(project, *then, x, lowest);

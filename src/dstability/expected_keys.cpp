@@ -1,7 +1,7 @@
 // The table is what all files of a data model have had so far, 2020 to 2026. A key that only some versions have (Notes,
 // WaterMeshId, SigmaTauTable, MinimumEffectiveStress) is not in it.
 
-#include "dstability/expected_keys.hpp"
+#include "dstability/stix_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -92,7 +92,6 @@ constexpr std::array table{ExpectedKeys{"projectinfo", both_models, "ContentVers
         "soilvisualizations", both_models, "SoilVisualizations", {"soils have colours of Terp", ""}, in_words_only},
     ExpectedKeys{"soilvisualizations, SoilVisualizations[]", both_models, "Color SoilId",
         {"the soil has a colour of Terp", ""}, in_words_only},
-    ExpectedKeys{"soilcorrelations", both_models, "SoilCorrelations", {"soils are not correlated", ""}, in_words_only},
     ExpectedKeys{"decorations", both_models, "Excavations", no_such_part},
     ExpectedKeys{"decorations", first_model, "Berms", {"nothing: added layers are in the geometry", ""}, in_words_only},
     ExpectedKeys{
@@ -154,7 +153,7 @@ constexpr std::array table{ExpectedKeys{"projectinfo", both_models, "ContentVers
     ExpectedKeys{"reinforcements", both_models, "ForbiddenLines Geotextiles Nails", no_such_part},
     ExpectedKeys{"calculationsettings", both_models, "AnalysisType CalculationType",
         {"method or kind of the calculation are not known", ""}, in_words_only},
-    ExpectedKeys{"calculationsettings", both_models, "ModelFactorMean ModelFactorStandardDeviation",
+    ExpectedKeys{"calculationsettings", both_models, "ModelFactorMean",
         {"nothing: factors are compared without it", ""}, in_words_only},
     ExpectedKeys{"scenarios", second_model, "Calculations", {"the scenario has none", ""}, in_words_only},
     ExpectedKeys{"scenarios", second_model, "Label", {"the scenario has no name", ""}, in_words_only},
@@ -177,19 +176,17 @@ constexpr std::array table{ExpectedKeys{"projectinfo", both_models, "ContentVers
     ExpectedKeys{"results", both_models, "Points|ReliabilityIndex", {"the slip plane is not drawn", ""}, in_words_only},
     ExpectedKeys{"results", both_models, "Slices|ReliabilityIndex", {"nothing is compared with it", ""}, in_words_only},
     ExpectedKeys{"results, Points[]", both_models, "X Z", {"the place was left out", ""}, in_words_only},
-    ExpectedKeys{"results, Slices[]", both_models,
-        "TotalStress LoadStress TotalPorePressure PiezometricPorePressure EffectiveStress NormalStress YieldStress Pop "
-        "SuOutput CohesionInput PhiInput DilatancyInput ShearStress|OutputShearStress",
+    ExpectedKeys{"results, Slices[]", both_models, "TotalStress TotalPorePressure YieldStress SuOutput",
         {"the slices are not compared in it", ""}, in_words_only},
-    ExpectedKeys{"results, Slices[]", both_models, "BottomLeft BottomRight TopLeft TopRight",
-        {"the slice has no such corner; without a foot it was left out", ""}, in_words_only}};
+    ExpectedKeys{"results, Slices[]", both_models, "BottomLeft BottomRight",
+        {"the slice has no foot and was left out", ""}, in_words_only}};
 
 static_assert(std::ranges::none_of(table, [](const ExpectedKeys& row) { return row.decides && *row.assumed.nl == 0; }));
 
 /// Members by kind that are in all files, and what their absence means; without soils and stages a file is refused.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> whole_members{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> whole_members{
     {{"projectinfo", "the program that wrote the file is not known"},
-        {"soilvisualizations", "soils have colours of Terp"}, {"soilcorrelations", "soils are not correlated"}}};
+        {"soilvisualizations", "soils have colours of Terp"}}};
 
 using StagesOf = std::vector<std::pair<std::size_t, std::size_t>>;  ///< numbers of scenario and stage, from 0
 
@@ -227,14 +224,14 @@ class MissingKeys {
   explicit MissingKeys(int model) : model_(model) {}
 
   /// stages: that the member is of.
-  void look_at(const StixContent& member, const StagesOf& stages)
+  void look_at(const StixMember& member, const StagesOf& stages)
   {
     member_ = &member;
     stages_ = &stages;
-    visit(*member.content, member.kind, "");
+    visit(member.content, member.kind, "");
   }
 
-  void look_at_stage(const StixContent& member, const JsonNode& stage, const StagesOf& number)
+  void look_at_stage(const StixMember& member, const JsonNode& stage, const StagesOf& number)
   {
     member_ = &member;
     stages_ = &number;
@@ -294,7 +291,7 @@ class MissingKeys {
   }
 
   int model_;
-  const StixContent* member_ = nullptr;
+  const StixMember* member_ = nullptr;
   const StagesOf* stages_ = nullptr;
   std::map<std::string, Missing> missing_;  ///< by place and key
 };
@@ -321,27 +318,27 @@ class PartsOfStages {
 
 }  // namespace
 
-void tell_missing_keys(const std::vector<StixContent>& members, StixNotes& notes)
+void tell_missing_keys(const std::vector<const StixMember*>& members, StixNotes& notes)
 {
-  const auto is_of = [](std::string_view kind) { return [=](const StixContent& m) { return m.kind == kind; }; };
+  const auto is_of = [](std::string_view kind) { return [=](const StixMember* m) { return m->kind == kind; }; };
   MissingKeys missing(std::ranges::any_of(members, is_of("scenarios")) ? second_model : first_model);
   PartsOfStages parts;
   std::size_t scenarios = 0, stages = 0;
-  for (const StixContent& member : members) {
-    if (member.kind == "stages") {
-      parts.add(*member.content, 0, stages);
-      missing.look_at(member, {{0, stages++}});
+  for (const StixMember* const member : members) {
+    if (member->kind == "stages") {
+      parts.add(member->content, 0, stages);
+      missing.look_at(*member, {{0, stages++}});
     }
-    const JsonNode* const list = member.kind == "scenarios" ? member.content->find("Stages") : nullptr;
+    const JsonNode* const list = member->kind == "scenarios" ? member->content.find("Stages") : nullptr;
     for (std::size_t k = 0; list != nullptr && k < list->members.size(); ++k) {
       const JsonNode& stage = list->members[k].second;
       parts.add(stage, scenarios, k);
-      missing.look_at_stage(member, stage, {{scenarios, k}});
+      missing.look_at_stage(*member, stage, {{scenarios, k}});
     }
-    if (member.kind == "scenarios") ++scenarios;
+    if (member->kind == "scenarios") ++scenarios;
   }
-  for (const StixContent& member : members)
-    if (member.kind != "stages") missing.look_at(member, parts.of(*member.content));
+  for (const StixMember* const member : members)
+    if (member->kind != "stages") missing.look_at(*member, parts.of(member->content));
   missing.tell(notes);
   for (const auto& [kind, assumed] : whole_members)
     if (std::ranges::none_of(members, is_of(kind)))

@@ -3,8 +3,6 @@
 
 #include "dstability/ground_column.hpp"
 
-#include "points/polygon.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,22 +10,6 @@
 
 namespace terp {
 namespace {
-
-/// Ends of the section [m].
-struct Reach {
-  Real low = std::numeric_limits<Real>::infinity(), high = -low;
-};
-
-Reach reach_of(const StixStage& stage)
-{
-  Reach reach;
-  for (const StixLayer& layer : stage.layers)
-    for (const Vec<2>& place : layer.outline) {
-      reach.low = std::min(reach.low, place[0]);
-      reach.high = std::max(reach.high, place[0]);
-    }
-  return reach;
-}
 
 /// Elevations at which an outline crosses the vertical line, ascending. An edge belongs to its left end and not to its
 /// right one, so that a corner counts once; at the right end of the section the other way round.
@@ -71,15 +53,26 @@ Real dug_to(const std::vector<StixLine>& excavations, Real x)
 
 }  // namespace
 
+BoundingBox box_around(const std::vector<StixLayer>& layers)
+{
+  constexpr Real far = std::numeric_limits<Real>::infinity();
+  BoundingBox box{{far, far}, {-far, -far}};
+  for (const StixLayer& layer : layers)
+    for (const Vec<2>& x : layer.outline)
+      for (std::size_t d = 0; d < 2; ++d)
+        box.low[d] = std::min(box.low[d], x[d]), box.high[d] = std::max(box.high[d], x[d]);
+  return box;
+}
+
 std::vector<SoilBand> soil_bands(const StixStage& stage, Real x)
 {
-  const Reach reach = reach_of(stage);
-  const Real inside = std::clamp(x, reach.low, std::max(reach.low, reach.high));
+  const auto [low, high] = box_around(stage.layers);
+  const Real inside = std::clamp(x, low[0], std::max(low[0], high[0]));
   std::vector<Crossed> crossed;
   std::vector<Real> levels;
   for (std::size_t k = 0; k < stage.layers.size(); ++k) {
     const StixLine& outline = stage.layers[k].outline;
-    std::vector<Real> at = crossings(outline, inside, inside >= reach.high);
+    std::vector<Real> at = crossings(outline, inside, inside >= high[0]);
     if (at.empty()) continue;
     levels.insert(levels.end(), at.begin(), at.end());
     crossed.push_back({k, std::abs(signed_area(outline)), std::move(at)});

@@ -3,10 +3,14 @@
 #pragma once
 
 #include "dstability/project.hpp"
+#include "points/polygon.hpp"
 
 #include <vector>
 
 namespace terp {
+
+/// Limits of all outlines [m]; of no layer its low corner is above its high one.
+BoundingBox box_around(const std::vector<StixLayer>& layers);
 
 /// A piece of the vertical line within one layer.
 struct SoilBand {

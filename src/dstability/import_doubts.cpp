@@ -25,13 +25,6 @@ constexpr Real inside = 1e-6;      // [m] from an end
 constexpr Real far_below = 2.0;    // heights of the dike between the ground and a phreatic line that is hardly meant
 constexpr std::size_t columns = 112;
 
-BoundingBox box_of(const StixStage& stage)
-{
-  std::vector<DrawnRegion> drawn;
-  for (const StixLayer& layer : stage.layers) drawn.push_back({layer.label, layer.outline});
-  return box_around(drawn);
-}
-
 /// A state line that does not touch a layer, where it is nearest to it.
 struct FarLine {
   Real x, distance;  ///< upright [m]
@@ -51,7 +44,7 @@ class StatesOfLayers {
         has_one_[k].insert(static_cast<std::size_t>(layer - stages_[k]->layers.begin()));
       }
       if (stages_[k]->state_lines.empty()) continue;
-      const BoundingBox box = box_of(*stages_[k]);
+      const BoundingBox box = box_around(stages_[k]->layers);
       for (int i = 0; i <= n; ++i) {
         const Real x = std::lerp(box.low[0] + inside, box.high[0] - inside, static_cast<Real>(i) / n);
         for (const SoilBand& band : soil_bands(*stages_[k], x))
@@ -215,7 +208,7 @@ std::vector<Sentence> doubts_of_datum(const StixSection& section, bool has_shans
   for (std::size_t k = has_shansep ? 0 : stages.size() - 1; k < stages.size(); ++k) {
     const StixStage& stage = *stages[k];
     if (stage.water.is_mesh || !stage.water.phreatic) continue;
-    const BoundingBox box = box_of(stage);
+    const BoundingBox box = box_around(stage.layers);
     Real highest = -1e30, least_depth = 1e30;
     for (int i = 0; i <= n; ++i) {
       const Real x = std::lerp(box.low[0] + inside, box.high[0] - inside, static_cast<Real>(i) / n);
@@ -242,7 +235,7 @@ std::vector<Sentence> doubts_of_embankment(
     Real side;   // 1: at the land's side of the crest, -1: at the water's
     Real slack;  // [m] by which it may lie beyond the highest ground
   };
-  const BoundingBox box = box_of(section.stage());
+  const BoundingBox box = box_around(section.stage().layers);
   std::vector<Sentence> doubts;
   std::vector<Point> given;
   for (const Point& point : {Point{filled<told::toe_water>(), at.toe_water, -1.0, 0.0},

@@ -163,18 +163,6 @@ std::vector<JsonCursor> JsonCursor::list(const char* key)
   return entries;
 }
 
-std::vector<std::string> JsonCursor::texts(const char* key)
-{
-  std::vector<std::string> values;
-  const JsonNode* const value = find(key, JsonKind::list, "a list");
-  if (value == nullptr) return values;
-  for (const auto& [none, entry] : value->members) {
-    if (entry.kind != JsonKind::text) fault(key, "is no list of texts", fmt::format("Got {} in it.", shown(entry)));
-    values.push_back(entry.text);
-  }
-  return values;
-}
-
 Vec<2> JsonCursor::as_place()
 {
   const Vec<2> place{required("X"), required("Z")};

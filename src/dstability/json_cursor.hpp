@@ -61,7 +61,6 @@ class JsonCursor {
   std::string id(const char* key);                    ///< a text that is not empty
   JsonCursor object(const char* key);                 ///< null and no such key: an empty object
   std::vector<JsonCursor> list(const char* key);      ///< null and no such key: an empty list
-  std::vector<std::string> texts(const char* key);    ///< a list of them
   Vec<2> place(const char* key);                      ///< an object with X and Z [m]; required
   StixLine line(const char* key, std::size_t least);  ///< of at least so many places
   Vec<2> place_if_given(const char* key);             ///< the same, not given where there is none

@@ -1,5 +1,6 @@
 #include "dstability/listing.hpp"
 
+#include "dstability/ground_column.hpp"
 #include "dstability/stix_parts.hpp"
 
 #include <fmt/format.h>
@@ -21,10 +22,7 @@ std::string plural(std::size_t n, const char* what) { return fmt::format("{} {}{
 /// Extent of the layers: "x -100 to 150 m, z -15 to 12.66 m".
 std::string extent_of(const StixStage& stage)
 {
-  Vec<2> low{1e300, 1e300}, high{-1e300, -1e300};
-  for (const StixLayer& layer : stage.layers)
-    for (const Vec<2>& place : layer.outline)
-      for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], place[k]), high[k] = std::max(high[k], place[k]);
+  const auto [low, high] = box_around(stage.layers);
   if (stage.layers.empty()) return "nothing";
   return fmt::format("x {:.1f} to {:.1f} m, z {:.2f} to {:.2f} m", low[0], high[0], low[1], high[1]);
 }

@@ -51,7 +51,6 @@ struct StixTable {
 
 struct StixSoil {
   std::string id = {}, code = {}, name = {};
-  bool is_probabilistic = false;
   Real weight_above = not_given, weight_below = not_given;  ///< above and below the phreatic line [N/m^3]
   StixStrengthModel above = StixStrengthModel::none, below = StixStrengthModel::none;
   std::string above_word = {}, below_word = {};  ///< the models as the file calls them
@@ -148,35 +147,45 @@ struct StixEmbankment {
        toe_land = not_given;
 };
 
-struct StixStage {
-  std::string id = {}, label = {}, notes = {};
-  std::vector<StixLayer> layers = {};  ///< in the order of the file
-  std::vector<StixLine> excavations =
-      {};  ///< what is above them, between their ends, is gone; the outlines are not cut
-  std::vector<std::string> added_layers = {};  ///< ids of layers that are embankments; their outlines are in `layers`
-  StixWater water = {};
-  std::vector<StixStatePoint> state_points = {};
-  std::vector<StixStateLine> state_lines = {};
-  std::vector<StixUniformLoad> loads = {};
-  std::vector<StixLayerLoad> layer_loads = {};
-  std::vector<StixDrawnLine> forbidden_lines = {}, geotextiles = {}, nails = {};
+struct StixDecorations {
+  std::vector<StixLine> excavations;      ///< what is above them, between their ends, is gone; the outlines are not cut
+  std::vector<std::string> added_layers;  ///< ids of layers that are embankments; their outlines are in `layers`
+};
+
+struct StixStates {
+  std::vector<StixStatePoint> state_points;
+  std::vector<StixStateLine> state_lines;
+};
+
+struct StixLoads {
+  std::vector<StixUniformLoad> loads;
+  std::vector<StixLayerLoad> layer_loads;
   std::size_t line_loads = 0, trees = 0;  ///< how many; their loads are not taken over
   bool has_earthquake = false;
-  StixEmbankment embankment = {};
+};
+
+struct StixReinforcements {
+  std::vector<StixDrawnLine> forbidden_lines, geotextiles, nails;
+};
+
+/// Its bases are what it names by an id.
+struct StixStage : StixDecorations, StixStates, StixLoads, StixReinforcements {
+  std::string id, label;
+  std::vector<StixLayer> layers;  ///< in the order of the file
+  StixWater water;
+  StixEmbankment embankment;
 };
 
 /// One slice of a stored result. Empty numbers are not a number: drained soil has no s_u.
 struct StixSlice {
-  Vec<2> bottom_left{}, bottom_right{}, top_left{}, top_right{};           ///< [m]
-  Real total_stress = not_given, load_stress = not_given;                  ///< vertical, with loads and free water [Pa]
-  Real pore_pressure = not_given;                                          ///< capped at the total stress [Pa]
-  Real uncapped_pressure = not_given;                                      ///< of the water alone [Pa]
-  Real effective_stress = not_given, normal_stress = not_given;            ///< vertical; across the slip plane [Pa]
-  Real yield_stress = not_given, pop = not_given;                          ///< [Pa]
-  Real su = not_given;                                                     ///< [Pa]
-  Real cohesion = not_given, friction = not_given, dilatancy = not_given;  ///< input [Pa, degrees]
-  Real strength = not_given;                                               ///< in shear, along the slip plane [Pa]
-  std::string model = {};                                                  ///< ShearStrengthModelType
+  Vec<2> bottom_left{}, bottom_right{};  ///< [m]
+  Real total_stress = not_given;         ///< vertical, with loads and free water [Pa]
+  Real pore_pressure = not_given;        ///< capped at the total stress [Pa]
+  Real normal_stress = not_given;        ///< across the slip plane [Pa]
+  Real yield_stress = not_given;         ///< [Pa]
+  Real su = not_given;                   ///< [Pa]
+  Real friction = not_given;             ///< input [degrees]
+  Real strength = not_given;             ///< in shear, along the slip plane [Pa]
 };
 
 struct StixResult {
@@ -197,14 +206,13 @@ struct StixCalculation {
   std::string method = {};  ///< AnalysisType: "Bishop", "SpencerGenetic", ...
   StixCalculationKind kind = StixCalculationKind::deterministic;
   std::string kind_word = {};
-  Real model_factor = not_given, model_factor_deviation = not_given;
-  Real least_effective_stress = 0.0;  ///< MinimumEffectiveStress [Pa]
-  std::size_t stage = 0;              ///< number in its scenario; earlier ones are the history
+  Real model_factor = not_given;
+  std::size_t stage = 0;  ///< number in its scenario; earlier ones are the history
   std::optional<StixResult> result = {};
 };
 
 struct StixScenario {
-  std::string id = {}, label = {}, notes = {};
+  std::string id = {}, label = {};
   std::vector<StixStage> stages = {};
   std::vector<StixCalculation> calculations = {};
 };
@@ -223,8 +231,7 @@ struct StixProject {
   std::string content_version = {};  ///< "1" or "2"
   std::string application = {};      ///< that wrote it last
   std::vector<StixSoil> soils = {};
-  std::vector<std::vector<std::string>> soil_correlations = {};  ///< ids of soils whose strength varies together
-  std::vector<StixScenario> scenarios = {};                      ///< of version 1: one, with all stages
+  std::vector<StixScenario> scenarios = {};  ///< of version 1: one, with all stages
   std::vector<StixRemark> remarks = {};
 };
 

@@ -1,3 +1,4 @@
+#include "dstability/ground_column.hpp"
 #include "dstability/stix_parts.hpp"
 
 #include <fmt/format.h>
@@ -125,9 +126,9 @@ void read_reference_line(StixWater& water, JsonCursor& from)
 void straighten_ends(const JsonCursor& file, std::vector<StixLayer>& layers)
 {
   constexpr Real near_end = 0.01;  // [m]: coordinates of drawings are in cm
-  Real low = 1e30, high = -1e30, most = 0.0;
-  for (const StixLayer& layer : layers)
-    for (const Vec<2>& x : layer.outline) low = std::min(low, x[0]), high = std::max(high, x[0]);
+  const BoundingBox box = box_around(layers);
+  const Real low = box.low[0], high = box.high[0];
+  Real most = 0.0;
   std::size_t moved = 0;
   for (StixLayer& layer : layers)
     for (Vec<2>& x : layer.outline)
@@ -254,11 +255,11 @@ void read_states(JsonCursor& file, StixParts& parts)
         .layer = entry.text("LayerId"),
         .place = entry.place("Point"),
         .preload = read_preload(entry.object("Stress"))};
-    states.points.push_back(std::move(point));
+    states.state_points.push_back(std::move(point));
     entry.pass_over({"IsProbabilistic"});
     end_entry(entry);
   }
-  for (JsonCursor& entry : file.list("StateLines")) read_state_line(entry, states.lines);
+  for (JsonCursor& entry : file.list("StateLines")) read_state_line(entry, states.state_lines);
   parts.states.add(file.id("Id"), file, std::move(states));
   end(file);
 }
@@ -289,11 +290,11 @@ void read_loads(JsonCursor& file, StixParts& parts)
           "Spread", "is out of range", fmt::format("Got {} degrees, allowed are 0 to less than 90.", load.spread));
     if (load.end < load.start) std::swap(load.start, load.end);
     load.consolidation = read_consolidation(entry);
-    loads.uniform.push_back(std::move(load));
+    loads.loads.push_back(std::move(load));
     end_entry(entry);
   }
   for (JsonCursor& entry : file.list("LayerLoads")) {
-    loads.layers.push_back({entry.id("LayerId"), read_consolidation(entry)});
+    loads.layer_loads.push_back({entry.id("LayerId"), read_consolidation(entry)});
     end_entry(entry);
   }
   loads.line_loads = file.list("LineLoads").size();

@@ -32,25 +32,15 @@ Real strength_of(JsonCursor& slice, const StixResult& result)
 
 StixSlice read_slice(JsonCursor& from, const StixResult& result)
 {
-  StixSlice slice{.bottom_left = from.place_if_given("BottomLeft"),
-      .bottom_right = from.place_if_given("BottomRight"),
-      .top_left = from.place_if_given("TopLeft"),
-      .top_right = from.place_if_given("TopRight")};
+  StixSlice slice{.bottom_left = from.place_if_given("BottomLeft"), .bottom_right = from.place_if_given("BottomRight")};
   const auto stress = [&](const char* key) { return pa_per_kpa * from.number(key); };
   slice.total_stress = stress("TotalStress");
-  slice.load_stress = stress("LoadStress");
   slice.pore_pressure = stress("TotalPorePressure");
-  slice.uncapped_pressure = stress("PiezometricPorePressure");
-  slice.effective_stress = stress("EffectiveStress");
   slice.normal_stress = stress("NormalStress");
   slice.yield_stress = stress("YieldStress");
-  slice.pop = stress("Pop");
   slice.su = su_of(from);
-  slice.cohesion = stress("CohesionInput");
   slice.friction = from.number("PhiInput");
-  slice.dilatancy = from.number("DilatancyInput");
   slice.strength = strength_of(from, result);
-  slice.model = from.text("ShearStrengthModelType");
   return slice;
 }
 
@@ -63,9 +53,6 @@ void read_settings(JsonCursor& file, StixParts& parts)
   settings.kind = found == kinds.end() ? StixCalculationKind::unknown : found->second;
   if (found == kinds.end()) file.remark(filled<told::unknown_calculation>(settings.kind_word));
   settings.model_factor = file.number("ModelFactorMean");
-  settings.model_factor_deviation = file.number("ModelFactorStandardDeviation");
-  const Real least = pa_per_kpa * file.number("MinimumEffectiveStress");
-  settings.least_effective_stress = std::isnan(least) ? 0.0 : least;
   parts.settings.add(file.id("Id"), file, std::move(settings));
   // Where D-Stability looked for slip planes has no meaning here: its keys are not asked for.
 }

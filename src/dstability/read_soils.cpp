@@ -61,7 +61,6 @@ void read_model(JsonCursor& soil, const char* key, const Read& read)
 StixSoil read_soil(JsonCursor& from)
 {
   StixSoil soil{.id = from.id("Id"), .code = from.text("Code"), .name = from.text("Name")};
-  soil.is_probabilistic = from.flag("IsProbabilistic");
   soil.weight_above = pa_per_kpa * from.number("VolumetricWeightAbovePhreaticLevel");
   soil.weight_below = pa_per_kpa * from.number("VolumetricWeightBelowPhreaticLevel");
   soil.above_word = from.text("ShearStrengthModelTypeAbovePhreaticLevel");
@@ -79,7 +78,7 @@ StixSoil read_soil(JsonCursor& from)
   soil.su_table = read_table(from.object("SuTable"), "SuTablePoints", "Su", "SuTable");
   soil.sigma_tau_table =
       read_table(from.object("SigmaTauTable"), "SigmaTauTablePoints", "ShearStrength", "SigmaTauTable");
-  from.pass_over({"Notes", "MohrCoulombClassicShearStrengthModel"});
+  from.pass_over({"IsProbabilistic", "Notes", "MohrCoulombClassicShearStrengthModel"});
   from.tell_unknown();
   for (const auto* word : {&soil.above_word, &soil.below_word})
     if (model_of(*word) == StixStrengthModel::unknown) from.remark(filled<told::unknown_model>(*word, soil.name));

@@ -5,7 +5,6 @@
 #include "dstability/read_stix.hpp"
 
 #include "base/utf8.hpp"
-#include "dstability/expected_keys.hpp"
 #include "dstability/section.hpp"
 #include "dstability/stix_parts.hpp"
 #include "output/files.hpp"
@@ -20,19 +19,13 @@
 namespace terp {
 namespace {
 
-struct Member {
-  std::string name;  ///< "geometries/geometry_3.json"
-  std::string kind;  ///< "geometries": its folder; of one without, its name without ending: "soils"
-  JsonNode content;
-};
-
 struct StixSource {
   StixNotes notes;
-  std::vector<Member> members;
+  std::vector<StixMember> members;
   StixParts parts;
   StixProject project;
 
-  JsonCursor cursor(const Member& member) { return {member.content, member.name, notes}; }
+  JsonCursor cursor(const StixMember& member) { return {member.content, member.name, notes}; }
 };
 
 using ReadMember = void (*)(JsonCursor&, StixParts&);
@@ -52,11 +45,10 @@ constexpr std::array part_kinds{PartKind{"geometries", read_geometry}, PartKind{
 const std::vector<std::string> all_planes{"SlipPlaneResults"};
 
 /// Known, and without meaning here.
-constexpr std::array passed_over{std::string_view("nailpropertiesforsoils")};
+constexpr std::array passed_over{std::string_view("nailpropertiesforsoils"), std::string_view("soilcorrelations")};
 /// Read by name in `read_project`.
 constexpr std::array read_by_name{std::string_view("projectinfo"), std::string_view("soils"),
-    std::string_view("soilcorrelations"), std::string_view("scenarios"), std::string_view("stages"),
-    std::string_view("results")};
+    std::string_view("scenarios"), std::string_view("stages"), std::string_view("results")};
 
 std::string kind_of(const std::string& name)
 {
@@ -90,7 +82,7 @@ void unpack(StixSource& source, ZipMembers& zip)
 /// What has a version is of one that Terp knows, or is told.
 void check_versions(StixSource& source)
 {
-  for (const Member& member : source.members) {
+  for (const StixMember& member : source.members) {
     JsonCursor file = source.cursor(member);
     if (member.content.kind != JsonKind::object) {
       source.notes.fault(member.name, "is no object", fmt::format("Got {}.", words_of(member.content.kind)));
@@ -109,7 +101,7 @@ void check_versions(StixSource& source)
 }
 
 /// "bishop/bishopresult_1" of results/bishop/bishopresult_1.json.
-std::string result_name(const Member& member)
+std::string result_name(const StixMember& member)
 {
   const std::size_t start = std::min(member.name.find('/') + 1, member.name.size()), end = member.name.rfind(".json");
   return member.name.substr(start, end - start);
@@ -117,15 +109,12 @@ std::string result_name(const Member& member)
 
 void read_members(StixSource& source)
 {
-  for (const Member& member : source.members) {
+  for (const StixMember& member : source.members) {
     JsonCursor file = source.cursor(member);
     const auto part = std::ranges::find(part_kinds, member.kind, &PartKind::kind);
     if (part != part_kinds.end()) part->read(file, source.parts);
     if (member.kind == "soils") read_soils(file, source.project.soils);
     if (member.kind == "results") read_result(file, result_name(member), source.parts);
-    if (member.kind == "soilcorrelations")
-      for (JsonCursor& entry : file.list("SoilCorrelations"))
-        source.project.soil_correlations.push_back(entry.texts("CorrelatedSoilIds"));
   }
   for (StixSoil& soil : source.project.soils)
     if (const auto found = source.parts.colours.find(soil.id); found != source.parts.colours.end())
@@ -188,34 +177,23 @@ void set_water(JsonCursor& from, const StixParts& parts, StixStage& stage)
 
 StixStage read_stage(JsonCursor& from, const StixParts& parts, const StixProject& project)
 {
-  StixStage stage{.id = from.id("Id"), .label = from.text("Label"), .notes = from.text("Notes")};
+  StixStage stage;
+  stage.id = from.id("Id"), stage.label = from.text("Label");
   if (const auto* layers = part_of(from, "GeometryId", parts.geometries, Need::must_be_named)) stage.layers = *layers;
   if (const auto* soils = part_of(from, "SoilLayersId", parts.soil_layers, Need::must_be_named))
     set_soils(from, *soils, project, stage);
   set_water(from, parts, stage);
-  if (const auto* states = part_of(from, "StateId", parts.states)) {
-    stage.state_points = states->points;
-    stage.state_lines = states->lines;
-  }
-  if (const auto* decorations = part_of(from, "DecorationsId", parts.decorations)) {
-    stage.excavations = decorations->excavations;
-    stage.added_layers = decorations->added_layers;
-  }
-  if (const auto* loads = part_of(from, "LoadsId", parts.loads)) {
-    stage.loads = loads->uniform;
-    stage.layer_loads = loads->layers;
-    stage.line_loads = loads->line_loads;
-    stage.trees = loads->trees;
-    stage.has_earthquake = loads->has_earthquake;
-  }
-  if (const auto* all = part_of(from, "ReinforcementsId", parts.reinforcements)) {
-    stage.forbidden_lines = all->forbidden_lines;
-    stage.geotextiles = all->geotextiles;
-    stage.nails = all->nails;
-  }
+  const auto take = [&]<class Part>(const char* key, const StixById<Part>& things) {
+    if (const Part* part = part_of(from, key, things)) static_cast<Part&>(stage) = *part;
+  };
+  take("StateId", parts.states);
+  take("DecorationsId", parts.decorations);
+  take("LoadsId", parts.loads);
+  take("ReinforcementsId", parts.reinforcements);
   if (const auto* at = part_of(from, "WaternetCreatorSettingsId", parts.embankments, Need::may_be_missing))
     stage.embankment = *at;
   part_of(from, "StateCorrelationsId", parts.state_correlations, Need::may_be_missing);
+  from.pass_over({"Notes"});
   return stage;
 }
 
@@ -226,7 +204,7 @@ void remark_on_results(StixSource& source)
   for (const StixScenario& scenario : source.project.scenarios)
     for (const StixCalculation& calculation : scenario.calculations)
       if (calculation.result) named.insert(calculation.result->name);
-  for (const Member& member : source.members)
+  for (const StixMember& member : source.members)
     if (member.kind == "results" && !named.contains(result_name(member)))
       source.notes.remark(member.name, filled<told::result_of_none>());
 }
@@ -248,7 +226,7 @@ StixCalculation read_calculation(JsonCursor& from, const StixParts& parts, std::
 
 StixScenario read_scenario(JsonCursor& file, const StixParts& parts, const StixProject& project)
 {
-  StixScenario scenario{.id = file.id("Id"), .label = file.text("Label"), .notes = file.text("Notes")};
+  StixScenario scenario{.id = file.id("Id"), .label = file.text("Label")};
   for (JsonCursor& entry : file.list("Stages")) {
     scenario.stages.push_back(read_stage(entry, parts, project));
     entry.tell_unknown();
@@ -260,16 +238,16 @@ StixScenario read_scenario(JsonCursor& file, const StixParts& parts, const StixP
     entry.tell_unknown();
   }
   if (scenario.stages.empty()) file.fault("Stages", "has no stage", "A scenario has one at least.");
-  file.pass_over({"ContentVersion"});
+  file.pass_over({"ContentVersion", "Notes"});
   file.tell_unknown();
   return scenario;
 }
 
 /// Data model 1: the stages of the file are one sequence, which stands in `members`.
-StixScenario read_stages(StixSource& source, const std::vector<const Member*>& members)
+StixScenario read_stages(StixSource& source, const std::vector<const StixMember*>& members)
 {
   StixScenario scenario;
-  for (const Member* const member : members) {
+  for (const StixMember* const member : members) {
     JsonCursor file = source.cursor(*member);
     const std::size_t number = scenario.stages.size();
     scenario.stages.push_back(read_stage(file, source.parts, source.project));
@@ -282,12 +260,12 @@ StixScenario read_stages(StixSource& source, const std::vector<const Member*>& m
 
 /// Scenarios, or stages of data model 1, in the order of their ids. D-Stability numbers all that it writes anew. The
 /// names of members say less: other programs sort them as texts, _10 before _2, and write them in that order.
-std::vector<const Member*> members_of(StixSource& source, std::string_view kind)
+std::vector<const StixMember*> members_of(StixSource& source, std::string_view kind)
 {
-  std::vector<const Member*> members;
-  for (const Member& member : source.members)
+  std::vector<const StixMember*> members;
+  for (const StixMember& member : source.members)
     if (member.kind == kind) members.push_back(&member);
-  std::ranges::stable_sort(members, {}, [](const Member* member) {
+  std::ranges::stable_sort(members, {}, [](const StixMember* member) {
     const JsonNode* const id = member->content.find("Id");
     const std::string digits = id == nullptr ? "" : id->text;
     return std::pair(digits.size(), digits);  // whole numbers without leading zeros
@@ -297,14 +275,11 @@ std::vector<const Member*> members_of(StixSource& source, std::string_view kind)
 
 void look_for_missing_keys(StixSource& source)
 {
-  std::vector<StixContent> contents;
-  for (const char* kind : {"scenarios", "stages"})  // in the order of their numbers
-    for (const Member* const member : members_of(source, kind))
-      contents.push_back({member->name, member->kind, &member->content});
-  for (const Member& member : source.members)
-    if (member.kind != "scenarios" && member.kind != "stages")
-      contents.push_back({member.name, member.kind, &member.content});
-  tell_missing_keys(contents, source.notes);
+  std::vector<const StixMember*> members = members_of(source, "scenarios");
+  std::ranges::copy(members_of(source, "stages"), std::back_inserter(members));
+  for (const StixMember& member : source.members)
+    if (member.kind != "scenarios" && member.kind != "stages") members.push_back(&member);
+  tell_missing_keys(members, source.notes);
 }
 
 /// Scenarios, their stages and their calculations have ids that nothing else has.
@@ -332,7 +307,7 @@ void check_ids(StixSource& source)
 
 void read_scenarios(StixSource& source)
 {
-  for (const Member* const member : members_of(source, "scenarios")) {
+  for (const StixMember* const member : members_of(source, "scenarios")) {
     JsonCursor file = source.cursor(*member);
     source.project.scenarios.push_back(read_scenario(file, source.parts, source.project));
   }
@@ -403,7 +378,7 @@ StixProject read_stix_bytes(std::string bytes, const std::string& path, ZipLimit
   ZipMembers zip(path, std::move(bytes), limits);
   unpack(source, zip);
   check_versions(source);
-  if (std::ranges::none_of(source.members, [](const Member& m) { return m.kind == "soils"; }))
+  if (std::ranges::none_of(source.members, [](const StixMember& m) { return m.kind == "soils"; }))
     source.notes.fault("soils.json", "is missing",
         std::ranges::any_of(zip.names(), [](const std::string& name) { return name.ends_with("/soils.json"); })
             ? "All members lie in a folder. Zip the files in it, not the folder itself."

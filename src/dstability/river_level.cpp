@@ -31,25 +31,14 @@ RiverInStage river_in(const StixSection& section, const StixRiver& river, Vec<2>
   return {.at_left = at_left, .ends = ends, .level = level_at(at_left), .inland = level_at(!at_left)};
 }
 
-std::vector<DrawnRegion> drawn_of(const StixStage& stage)
-{
-  std::vector<DrawnRegion> drawn;
-  for (const StixLayer& layer : stage.layers) drawn.push_back({layer.label, layer.outline});
-  return drawn;
-}
-
-Vec<2> ends_of(const StixStage& stage)
-{
-  const BoundingBox box = box_around(drawn_of(stage));
-  return {box.low[0], box.high[0]};
-}
-
 /// A level below all ground is no river: it is mistyped, or of another datum.
 void check_level(const StixStage& stage, Real level)
 {
+  std::vector<DrawnRegion> drawn;
+  for (const StixLayer& layer : stage.layers) drawn.push_back({layer.label, layer.outline});
   std::vector<DrawnExcavation> pits;
   for (const StixLine& pit : stage.excavations) pits.push_back({"", pit});
-  const Real lowest = std::ranges::min(ground_line(drawn_of(stage), pits), {}, [](const Vec<2>& x) { return x[1]; })[1];
+  const Real lowest = std::ranges::min(ground_line(drawn, pits), {}, [](const Vec<2>& x) { return x[1]; })[1];
   if (level < lowest - beneath)
     throw InputError(
         {"", fmt::format("no river stands at {:.2f} m: the lowest ground of the section is at {:.2f} m", level, lowest),
@@ -85,7 +74,8 @@ RiverLevel with_river_level(
     const StixProject& project, std::size_t scenario, std::size_t stage, StixBasis basis, Real level)
 {
   const StixSection section(project, scenario, stage, basis);
-  const Vec<2> ends = ends_of(section.stage());
+  const BoundingBox box = box_around(section.stage().layers);
+  const Vec<2> ends{box.low[0], box.high[0]};
   RiverLevel moved{project, stage == 0 ? 1 : stage, find_river(section, ends), {}};
   check_river_to_move(
       section, moved.river, moved.river.side == "right" ? ends[1] - off_the_end : ends[0] + off_the_end);

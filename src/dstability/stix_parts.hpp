@@ -34,25 +34,11 @@ class StixById {
   std::map<std::string, std::pair<T, std::string>> things_;
 };
 
-struct StixStates {
-  std::vector<StixStatePoint> points;
-  std::vector<StixStateLine> lines;
-};
-
-struct StixDecorations {
-  std::vector<StixLine> excavations;
-  std::vector<std::string> added_layers;
-};
-
-struct StixLoads {
-  std::vector<StixUniformLoad> uniform;
-  std::vector<StixLayerLoad> layers;
-  std::size_t line_loads = 0, trees = 0;
-  bool has_earthquake = false;
-};
-
-struct StixReinforcements {
-  std::vector<StixDrawnLine> forbidden_lines, geotextiles, nails;
+/// A member of the file.
+struct StixMember {
+  std::string name;  ///< "geometries/geometry_3.json"
+  std::string kind;  ///< "geometries": its folder; of one without, its name without ending: "soils"
+  JsonNode content;
 };
 
 struct StixParts {
@@ -91,6 +77,12 @@ void read_settings(JsonCursor& file, StixParts& parts);
 void read_colours(JsonCursor& file, StixParts& parts);
 /// name: of the member below results/, without its ending.
 void read_result(JsonCursor& file, const std::string& name, StixParts& parts);
+
+/// Tells of each key that is missing in members that should have it, once for all of a kind and all entries of a list,
+/// with the stages that it is of (expected_keys.cpp). Scenarios, or stages of data model 1, stand in the order in which
+/// they are numbered. So a damaged file, or one of another program, is not read as if it said nothing of loads, states
+/// or water.
+void tell_missing_keys(const std::vector<const StixMember*>& members, StixNotes& notes);
 
 inline constexpr Real pa_per_kpa = 1000.0;  ///< also N per kN
 

@@ -1,5 +1,3 @@
-#include "dstability/expected_keys.hpp"
-
 #include "archives.hpp"
 #include "dstability/import_doubts.hpp"
 

@@ -41,8 +41,7 @@ TEST(ImportDoubts, SayWhichLayerHasNoPop)
 {
   const char* const weakest =
       "The layer `clay (clay)` has SHANSEP strength, but no state point or state line of any stage gives it a POP "
-      "above "
-      "zero: it counts as normally consolidated, the weakest that it can be.";
+      "above zero: it counts as normally consolidated, the weakest that it can be.";
   EXPECT_THAT(notes_of(project_of({clay_on_sand()})), ElementsAre(weakest));
   const StixPreload none{.kind = StixPreload::Kind::pop, .pop = {.value = 0.0}};
   EXPECT_THAT(notes_of(project_of({with_state(none)})), ElementsAre(weakest));

@@ -41,8 +41,7 @@ TEST(RiverLevel, IsThatOfTheLaterStageAndItsHistoryStays)
   EXPECT_EQ(moved.sentence.en,
       "The river stands at 0.50 m instead of the 2.00 m of the file (--river). The heads in the ground move in "
       "proportion to their height over the phreatic line at the land's end (-1.00 m), as in a steady state. After a "
-      "fast "
-      "fall the pressures in the outer slope would be higher. Undrained strengths are those of this water.");
+      "fast fall the pressures in the outer slope would be higher. Undrained strengths are those of this water.");
 }
 
 TEST(RiverLevel, OfAFirstStageIsAStageAfterItWithoutStatesOfItsOwn)

@@ -65,8 +65,7 @@ TEST(RiverSide, IsInDoubtWhereThePointsOfTheEmbankmentContradictOrLieOutside)
   at.toe_water = at.toe_land = not_given, at.top_land = 140.0;
   EXPECT_EQ(river_of(project).doubt.en,
       "The file has a point of its embankment at x = 140.00 m, outside of the section (-20.00 to 40.00 m). The river "
-      "is "
-      "taken to be at the left end.");
+      "is taken to be at the left end.");
 }
 
 TEST(RiverSide, WithoutASideInTheFileIsThatOfTheHigherPhreaticLine)

@@ -46,9 +46,8 @@ TEST(SectionPart, SaysWhatItLeavesOutAndHowToTakeAll)
 {
   EXPECT_EQ(describe(part_that_matters(dike(), {}, {102, 4}, clay_is_undrained), dike()),
       "Only the part from x = 74 to 130 m and above z = -6 m was taken over. Beyond the toes at x = 92.0 and 112.0 m "
-      "it "
-      "has three times the height of the dike (4.00 m) and twice the thickness of the undrained soil there; below the "
-      "undrained soil half the height. --between 0,300 --base -23 takes all of it.");
+      "it has three times the height of the dike (4.00 m) and twice the thickness of the undrained soil there; below "
+      "the undrained soil half the height. --between 0,300 --base -23 takes all of it.");
   EXPECT_THAT(problems_of([] {
     part_of(dike(), {.between = {900.0, 990.0}});
   }),

@@ -31,7 +31,8 @@ inline std::vector<StixSoil> two_soils()
 /// Clay from z = -6 to 0 m on sand from -10 to -6 m, x from 0 to 20 m; phreatic line at z = -1 m, water of 10 kN/m3.
 inline StixStage clay_on_sand()
 {
-  StixStage stage{.id = "1", .label = "daily"};
+  StixStage stage;
+  stage.id = "1", stage.label = "daily";
   stage.layers = {box_layer("clay", {0.0, -6.0}, {20.0, 0.0}, 1), box_layer("sand", {0.0, -10.0}, {20.0, -6.0}, 0)};
   stage.water.unit_weight = 10e3;
   stage.water.head_lines = {{.id = "p", .label = "phreatic", .line = {{0.0, -1.0}, {20.0, -1.0}}}};
@@ -43,7 +44,7 @@ inline StixProject project_of(std::vector<StixStage> stages)
 {
   StixProject project{.path = "hand.stix"};
   project.soils = two_soils();
-  project.scenarios.push_back({.id = "0", .label = "", .notes = "", .stages = std::move(stages), .calculations = {}});
+  project.scenarios.push_back({.id = "0", .label = "", .stages = std::move(stages), .calculations = {}});
   return project;
 }
 

@@ -61,8 +61,7 @@ TEST(StageText, ATriggerIsTheLastStage)
   EXPECT_EQ(lines_of(tables[0]), "[[stage]]; name = \"stage_1\"; until = \"at_rest\"; at_most = 30.0");
   EXPECT_EQ(lines_of(tables[1]),
       "[[stage]]; name = \"weaker_soil\"; trigger = true; until = \"at_rest\"; at_most = 30.0; set = { at_strength = "
-      "1.2 "
-      "}; reset_displacement = true");
+      "1.2 }; reset_displacement = true");
   const auto water =
       stage_tables({.analysed = "Stage 1", .trigger = {.name = "raised_river", .water = "raised_water"}});
   EXPECT_THAT(lines_of(water[1]), HasSubstr("trigger = true; water = \"raised_water\"; ramp = 10.0; until"));

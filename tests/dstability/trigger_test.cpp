@@ -139,9 +139,8 @@ TEST(Trigger, OfWeakerSoilIsTheSmallestFactorThatFailedNotOneThatCrept)
   const FolderTrigger weaker = trigger_after({1.1, 1.12345, 1.12345});
   EXPECT_EQ(weaker.kind, TriggerKind::strength);
   EXPECT_DOUBLE_EQ(weaker.value, 1.1235);
-  EXPECT_EQ(weaker.origin,
-      "terp stability on these cells: it stands at a factor of 1.1, and fails at 1.1235 "
-      "(stability/).");
+  EXPECT_EQ(
+      weaker.origin, "terp stability on these cells: it stands at a factor of 1.1, and fails at 1.1235 (stability/).");
   const FolderTrigger own = trigger_after({0.8, 0.9, 0.9});
   EXPECT_EQ(own.kind, TriggerKind::none);
   EXPECT_TRUE(own.needs_hold);
