@@ -68,11 +68,12 @@ void check_names(const std::string& key, const char* what, const std::vector<Nam
   }
 }
 
-std::string names_of(const Variables& variables)
+/// What the library has, as detail of a message.
+std::string those_of(const Variables& variables)
 {
-  std::vector<std::string> names;
-  for (const auto& variable : variables) names.push_back(variable.name);
-  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+  std::string names;
+  for (const auto& variable : variables) names += (names.empty() ? "" : ", ") + variable.name;
+  return fmt::format("Those of the library, in its order: {}.", names.empty() ? "none" : names);
 }
 
 std::size_t number_of(const std::string& key, const char* what, const Variables& known, const std::string& name)
@@ -81,8 +82,7 @@ std::size_t number_of(const std::string& key, const char* what, const Variables&
   if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
   std::vector<std::string> names;
   for (const auto& variable : known) names.push_back(variable.name);
-  refuse(key, fmt::format("the library has no {} `{}`", what, name),
-      did_you_mean(name, names) + fmt::format("Those of the library, in its order: {}.", names_of(known)));
+  refuse(key, fmt::format("the library has no {} `{}`", what, name), did_you_mean(name, names) + those_of(known));
 }
 
 constexpr std::size_t longest_unit = 20;
@@ -92,7 +92,7 @@ void order_parameters(const Variables& known, std::vector<NamedNumber>& given)
 {
   const auto refuse_count = [&](std::size_t n) {
     refuse("parameters", fmt::format("the library takes {} parameters, the case gives {}", known.size(), n),
-        fmt::format("Those of the library, in its order: {}.", names_of(known)));
+        those_of(known));
   };
   std::vector<NamedNumber> ordered;
   for (const auto& variable : known) ordered.push_back({variable.name, std::numeric_limits<Real>::quiet_NaN()});
@@ -103,8 +103,7 @@ void order_parameters(const Variables& known, std::vector<NamedNumber>& given)
   }
   for (const NamedNumber& number : ordered)
     if (std::isnan(number.value))
-      refuse("parameters", fmt::format("the parameter `{}` of the library is missing", number.name),
-          fmt::format("Those of the library, in its order: {}.", names_of(known)));
+      refuse("parameters", fmt::format("the parameter `{}` of the library is missing", number.name), those_of(known));
   given = std::move(ordered);
 }
 

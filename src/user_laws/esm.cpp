@@ -7,7 +7,6 @@
 
 #include "user_laws/fenced_arrays.hpp"
 
-#include <algorithm>
 #include <limits>
 
 namespace terp {
@@ -20,17 +19,11 @@ using Esm = void (*)(int* npt, int* noel, int* idset, double* stress, double* eu
 constexpr int n_additional = 12;
 constexpr Real not_known = std::numeric_limits<Real>::quiet_NaN();
 
-class EsmCalls final : public LawCalls {
+class EsmCalls final : public FortranCalls {
  public:
   EsmCalls(void* symbol, const LibraryCase& library, const std::string& material, int n_components)
-      : esm_(reinterpret_cast<Esm>(symbol)),
-        n_components_(n_components),
-        n_state_(library.state.size()),
-        porosity_(library.porosity)
+      : FortranCalls(library, material, n_components), esm_(reinterpret_cast<Esm>(symbol)), porosity_(library.porosity)
   {
-    for (const NamedNumber& number : library.parameters) parameters_.push_back(number.value);
-    name_.fill(' ');
-    std::copy_n(material.begin(), std::min(material.size(), name_length), name_.begin());
   }
 
   /// State of a point and parameters, which the law may overwrite.
@@ -50,9 +43,8 @@ class EsmCalls final : public LawCalls {
   {
     double stress[most_tens] = {}, dstran[most_tens] = {}, unloading = 0.0, multiplier = 0.0;
     double *state = arrays.state(), *props = arrays.parameters();
-    for (int k = 0; k < n_tens; ++k) stress[k] = points.sigma[k][p];
+    take(points, stress, state);
     for (int k = 0; k < n_tens; ++k) dstran[k] = (k < 3 ? 1.0 : 2.0) * points.d_eps[k][p];
-    for (std::size_t k = 0; k < n_state_; ++k) state[k] = points.state[k][p];
     std::ranges::copy(parameters_, props);
     Real& was_called = points.state[n_state_][p];
     const double step = was_called > 0.0 ? static_cast<double>(points.step) + 2.0 : 1.0;
@@ -66,17 +58,12 @@ class EsmCalls final : public LawCalls {
         &nprops, props, &phases, &ntens, name_length);
     arrays.check(points);
     if (!is_plane({stress, std::size_t(n_components_)}, points)) return;
-    for (int k = 0; k < n_tens; ++k) points.sigma[k][p] = stress[k];
-    for (std::size_t k = 0; k < n_state_; ++k) points.state[k][p] = state[k];
+    give_back(stress, state, points);
     was_called = 1.0;
   }
 
   Esm esm_;
-  int n_components_;
-  std::size_t n_state_;
   Real porosity_;
-  std::vector<Real> parameters_;
-  std::array<char, name_length> name_;
 };
 
 }  // namespace

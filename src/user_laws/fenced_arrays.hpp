@@ -43,10 +43,8 @@ class FencedArrays {
       return std::memcmp(at, marks.data(), sizeof marks) == 0;
     };
     const auto fail = [&](const char* array, std::size_t n, const char* cure) {
-      points.failed = true;
       points.cure = cure;
-      std::snprintf(
-          points.why.data(), points.why.size(), "the law writes beyond its array %s, of %zu numbers", array, n);
+      points.fail("the law writes beyond its array {}, of {} numbers", array, n);
     };
     if (!is_whole(first_, of_state_) || !is_whole(state() + n_state_, of_state_))
       return fail("STATEV", n_state_, "a larger `state` of the material: the law has more variables");
@@ -69,12 +67,38 @@ inline bool is_plane(std::span<const double> stress, LawPoints& points)
   for (const double component : stress.first(4)) largest = std::max(largest, std::abs(component));
   for (const double component : stress.subspan(4)) {
     if (std::abs(component) <= round_off * largest || points.failed) continue;
-    points.failed = true;
-    std::snprintf(points.why.data(), points.why.size(),
-        "the law returned a shear stress out of the plane, 13 or 23, of %g: plane strain has no place for it",
+    points.fail("the law returned a shear stress out of the plane, 13 or 23, of {:g}: plane strain has no place for it",
         component);
   }
   return !points.failed;
 }
+
+/// What the calls of laws in Fortran share.
+class FortranCalls : public LawCalls {
+ protected:
+  FortranCalls(const LibraryCase& library, const std::string& material, int n_components)
+      : n_components_(n_components), n_state_(library.state.size())
+  {
+    for (const NamedNumber& number : library.parameters) parameters_.push_back(number.value);
+    name_.fill(' ');
+    std::copy_n(material.begin(), std::min(material.size(), name_length), name_.begin());
+  }
+
+  void take(const LawPoints& points, double* stress, double* state) const
+  {
+    for (int k = 0; k < n_tens; ++k) stress[k] = points.sigma[k][points.at];
+    for (std::size_t k = 0; k < n_state_; ++k) state[k] = points.state[k][points.at];
+  }
+  void give_back(const double* stress, const double* state, LawPoints& points) const
+  {
+    for (int k = 0; k < n_tens; ++k) points.sigma[k][points.at] = stress[k];
+    for (std::size_t k = 0; k < n_state_; ++k) points.state[k][points.at] = state[k];
+  }
+
+  int n_components_;
+  std::size_t n_state_;
+  std::vector<Real> parameters_;
+  std::array<char, name_length> name_;
+};
 
 }  // namespace terp

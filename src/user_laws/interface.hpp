@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <fmt/format.h>
 #include <memory>
 #include <optional>
 #include <span>
@@ -60,6 +61,12 @@ struct LawPoints {
   std::array<char, 256> why{};
 
   bool is_at_a_point() const { return at >= 0 && at < n; }
+  template <class... Values>
+  void fail(fmt::format_string<Values...> words, Values&&... values)
+  {
+    failed = true;
+    *fmt::format_to_n(why.data(), why.size() - 1, words, std::forward<Values>(values)...).out = '\0';
+  }
 };
 
 /// The smallest part of a step that a law may ask for, and what helps where it asks for less.
@@ -87,15 +94,18 @@ struct LawVariables {
   bool thread_safe = false;
 };
 
+/// n_components: of stress and strain, 4 or 6; a native library has 4.
+using MakeLaw = std::unique_ptr<LawCalls>(
+    void* symbol, const LibraryCase& library, const std::string& material, int n_components);
+MakeLaw make_native, make_umat, make_esm;
+
 struct InterfaceInfo {
   std::string_view name;                            ///< in the case file: "umat"
   std::span<const std::string_view> usual_symbols;  ///< that are looked for where none is given
   std::string_view meaning;
   /// What the library says of itself; none: it cannot say anything. Throws InputError with a problem without key.
   std::optional<LawVariables> (*describe)(void* symbol);
-  /// n_components: of stress and strain, 4 or 6; a native library has 4.
-  std::unique_ptr<LawCalls> (*make)(
-      void* symbol, const LibraryCase& library, const std::string& material, int n_components);
+  MakeLaw* make;
 };
 
 /// In the order of LawInterface.

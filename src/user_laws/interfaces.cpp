@@ -7,12 +7,6 @@
 namespace terp {
 
 std::optional<LawVariables> describe_native(void* symbol);
-std::unique_ptr<LawCalls> make_native(
-    void* symbol, const LibraryCase& library, const std::string& material, int n_components);
-std::unique_ptr<LawCalls> make_umat(
-    void* symbol, const LibraryCase& library, const std::string& material, int n_components);
-std::unique_ptr<LawCalls> make_esm(
-    void* symbol, const LibraryCase& library, const std::string& material, int n_components);
 
 namespace {
 

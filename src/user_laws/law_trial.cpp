@@ -1,9 +1,10 @@
 #include "user_laws/law_trial.hpp"
 
+#include "user_laws/library_material.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fmt/format.h>
 
 namespace terp {
 
@@ -66,11 +67,6 @@ std::vector<Real> LawTrial::stress_and_state() const
 void LawTrial::end_program(double seconds) const
 {
   constexpr int stopped_itself = 3;  // exit status of a run that stops itself
-  const auto values = [](auto&& row_of, std::size_t n) {
-    std::string text;
-    for (std::size_t k = 0; k < n; ++k) text += fmt::format("{}{:.6g}", k == 0 ? "" : ", ", row_of(k));
-    return n == 0 ? "none" : text;
-  };
   const auto n = static_cast<std::size_t>(arrays_.n);
   const std::string text = fmt::format(
       "error: the law of material `{}` did not return from a trial in {:.3g} s: it may loop without end\n\n"
@@ -80,9 +76,9 @@ void LawTrial::end_program(double seconds) const
       "  try      the law with these numbers by itself; then mend the library\n"
       "  left     nothing was run, and nothing was written\n",
       material_.name, seconds, arrays_.n_points, arrays_.n_points == 1 ? "" : "s", cell_, around_.x[0][0],
-      around_.x[1][0], values([&](std::size_t k) { return sigma_[k][0]; }, 4),
-      values([&](std::size_t k) { return d_eps_[k][0]; }, 4), arrays_.dt,
-      values([&](std::size_t k) { return state_[k * n]; }, static_cast<std::size_t>(material_.n_state())));
+      around_.x[1][0], list_of(4, [&](std::size_t k) { return sigma_[k][0]; }),
+      list_of(4, [&](std::size_t k) { return d_eps_[k][0]; }), arrays_.dt,
+      list_of(static_cast<std::size_t>(material_.n_state()), [&](std::size_t k) { return state_[k * n]; }));
   std::fflush(stdout);
   std::fputs(text.c_str(), stderr);
   std::_Exit(stopped_itself);

@@ -1,16 +1,7 @@
 #include "user_laws/library_material.hpp"
 
-#include <fmt/format.h>
-
 namespace terp {
 namespace {
-
-std::string list_of(int n, auto&& value)
-{
-  std::string text;
-  for (int k = 0; k < n; ++k) text += fmt::format("{}{:.6g}", k == 0 ? "" : ", ", value(k));
-  return n == 0 ? "none" : text;
-}
 
 constexpr const char* what_is_left =
     "  left     what was written before, and the checkpoints, if any (docs/user_laws.md#when-the-law-fails)";
@@ -57,9 +48,9 @@ std::string LibraryMaterial::describe_input(const LawPoints& points, const Point
   return fmt::format(
       "  before   stress xx yy zz xy = {} Pa; strain increment {}; dt = {:.3g} s\n"
       "           state {}\n",
-      list_of(4, [&](int k) { return before.sigma[k][p] * in_use_.stress_unit; }),
-      list_of(4, [&](int k) { return points.d_eps[k][p]; }), points.dt,
-      list_of(static_cast<int>(in_use_.n_state), [&](int k) { return before.state[k * most_points_of_call + p]; }));
+      list_of(4, [&](std::size_t k) { return before.sigma[k][p] * in_use_.stress_unit; }),
+      list_of(4, [&](std::size_t k) { return points.d_eps[k][p]; }), points.dt,
+      list_of(in_use_.n_state, [&](std::size_t k) { return before.state[k * most_points_of_call + p]; }));
 }
 
 void LibraryMaterial::keep_fault(const LawPoints& points, const PointsBefore& before) const

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <filesystem>
 #include <limits>
 
@@ -170,8 +169,7 @@ void LibraryMaterial::call(LawPoints& points) const
     run();
   if (fault.empty()) return;
   crashed_ = true;
-  points.failed = true;
-  fmt::format_to_n(points.why.data(), points.why.size() - 1, "the law {}", fault).out[0] = '\0';
+  points.fail("the law {}", fault);
 }
 
 void LibraryMaterial::check(LawPoints& points) const
@@ -179,10 +177,8 @@ void LibraryMaterial::check(LawPoints& points) const
   const auto look = [&](const Real* row, const char* what) {
     for (int p = 0; p < points.n && !points.failed; ++p) {
       if (std::isfinite(row[p])) continue;
-      points.failed = true;
       points.at = p;
-      fmt::format_to_n(points.why.data(), points.why.size() - 1, "the law returned {} that is not a number", what)
-          .out[0] = '\0';
+      points.fail("the law returned {} that is not a number", what);
     }
   };
   for (const auto& row : points.sigma) look(row.data(), "a stress");

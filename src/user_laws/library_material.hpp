@@ -27,6 +27,15 @@ struct LibraryInUse {
 /// Shared by all materials whose library is this file, whatever its path is written like: it is loaded once.
 std::shared_ptr<const OneAtATime> turns_of(const std::string& path);
 
+/// The first n values, for messages.
+template <class Value>
+std::string list_of(std::size_t n, Value&& value)
+{
+  std::string text;
+  for (std::size_t k = 0; k < n; ++k) text += fmt::format("{}{:.6g}", k == 0 ? "" : ", ", value(k));
+  return n == 0 ? "none" : text;
+}
+
 /// Of the points of a call, for messages.
 struct PointsBefore {
   std::array<LawPoints::Row<Real>, 4> sigma;

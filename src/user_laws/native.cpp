@@ -63,10 +63,9 @@ class NativeCalls final : public LawCalls {
         ++done;
         continue;
       }
-      if (answer != TERP_LAW_SMALLER_STEP || halvings == most_halvings) {
-        points.failed = true;
-        if (answer == TERP_LAW_SMALLER_STEP) points.cure = smaller_steps;
-        return;
+      if (halvings == most_halvings) {
+        points.cure = smaller_steps;
+        return points.fail("the law asks for parts of the step smaller than 1/{} of it", 1 << most_halvings);
       }
       for_each_row([n](const Real* kept, Real* row) { std::copy_n(kept, n, row); });
       done *= 2, ++halvings;
@@ -107,18 +106,13 @@ class NativeCalls final : public LawCalls {
     const int answer = update_(&given);
     for (int p = 0; p < most_points_of_call && !points.failed; ++p) {
       if (std::bit_cast<std::uint64_t>(arrays.behind[p]) == points.beyond.state) continue;
-      points.failed = true;
       points.cure = "a larger n_state in the description that the library gives of itself";
-      std::snprintf(points.why.data(), points.why.size(), "the law writes beyond its state, of %zu numbers", n_state_);
+      points.fail("the law writes beyond its state, of {} numbers", n_state_);
     }
     if (answer == TERP_LAW_OK || points.failed) return answer;
     points.at = std::clamp(given.point, 0, points.n - 1);
-    if (answer == TERP_LAW_SMALLER_STEP)
-      std::snprintf(points.why.data(), points.why.size(), "the law asks for parts of the step smaller than 1/%d of it",
-          1 << most_halvings);
-    else
-      std::snprintf(points.why.data(), points.why.size(), "the law says: %.200s",
-          given.message == nullptr ? "nothing, but that it failed" : given.message);
+    if (answer != TERP_LAW_SMALLER_STEP)
+      points.fail("the law says: {:.200}", given.message == nullptr ? "nothing, but that it failed" : given.message);
     return answer;
   }
 

@@ -52,18 +52,14 @@ Tensor moved(const PointOfUmat& point, Real part)
   return to;
 }
 
-class UmatCalls final : public LawCalls {
+class UmatCalls final : public FortranCalls {
  public:
   UmatCalls(void* symbol, const LibraryCase& library, const std::string& material, int n_components)
-      : umat_(reinterpret_cast<Umat>(symbol)),
-        n_components_(n_components),
-        n_state_(library.state.size()),
+      : FortranCalls(library, material, n_components),
+        umat_(reinterpret_cast<Umat>(symbol)),
         keeps_strain_(keeps(library, "strain")),
         keeps_gradient_(keeps(library, "deformation_gradient"))
   {
-    for (const NamedNumber& number : library.parameters) parameters_.push_back(number.value);
-    name_.fill(' ');
-    std::copy_n(material.begin(), std::min(material.size(), name_length), name_.begin());
     std::ranges::transform(name_, name_.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
   }
 
@@ -126,12 +122,10 @@ class UmatCalls final : public LawCalls {
   /// The whole step in as many parts as the law asks for.
   void advance(LawPoints& points, const FencedArrays& arrays, PointOfUmat& point) const
   {
-    const int p = points.at;
     Real done = 0.0, part = 1.0;
     double stress[most_tens] = {};
     double *state = arrays.state(), *before = points.scratch.data();
-    for (int k = 0; k < n_tens; ++k) stress[k] = points.sigma[k][p];
-    for (std::size_t k = 0; k < n_state_; ++k) state[k] = points.state[k][p];
+    take(points, stress, state);
     if (points.turned && point.knows_strain) turn_strain(point);
     while (done < 1.0) {
       const bool is_last = done + part > 1.0 - 0.5 * smallest_part;  // or round-off would be left
@@ -153,13 +147,11 @@ class UmatCalls final : public LawCalls {
       std::copy_n(before, n_state_, state);
       part *= std::clamp(answer, least_cut, 0.9);
       if (part >= smallest_part) continue;
-      points.failed = true, points.cure = smaller_steps;
-      std::snprintf(points.why.data(), points.why.size(),
-          "the law asks for parts of the step smaller than 1/%.0f of it (PNEWDT = %g)", 1.0 / smallest_part, answer);
-      return;
+      points.cure = smaller_steps;
+      return points.fail("the law asks for parts of the step smaller than 1/{:.0f} of it (PNEWDT = {:g})",
+          1.0 / smallest_part, answer);
     }
-    for (int k = 0; k < n_tens; ++k) points.sigma[k][p] = stress[k];
-    for (std::size_t k = 0; k < n_state_; ++k) points.state[k][p] = state[k];
+    give_back(stress, state, points);
   }
 
   /// As the stress was turned.
@@ -197,19 +189,12 @@ class UmatCalls final : public LawCalls {
         turn.data(), &pnewdt, &celent, dfgrd0.data(), dfgrd1.data(), &noel, &npt, &layer, &kspt, jstep, &kinc,
         name_length);
     arrays.check(points);
-    if (!points.failed && std::isnan(pnewdt)) {
-      points.failed = true;
-      std::snprintf(points.why.data(), points.why.size(), "the law returned a PNEWDT that is not a number");
-    }
+    if (!points.failed && std::isnan(pnewdt)) points.fail("the law returned a PNEWDT that is not a number");
     return pnewdt;
   }
 
   Umat umat_;
-  int n_components_;
-  std::size_t n_state_;
   bool keeps_strain_, keeps_gradient_;
-  std::vector<Real> parameters_;
-  std::array<char, name_length> name_;
 };
 
 }  // namespace
