@@ -16,7 +16,8 @@ StudyProgress::StudyProgress(const Study& study, const StudyPart& part, std::fun
       n_at_a_time_(std::move(n_at_a_time)),
       quiet_(quiet),
       terminal_(is_terminal(stdout)),
-      shows_p_(info_of(study.settings.estimator).counts_alike && !study.settings.fragility)
+      shows_p_(info_of(study.settings.estimator).counts_alike && !study.settings.fragility),
+      sample_(study.settings)
 {
   for (Index n = 0; n < study.n_realisations; ++n)
     if (part.has(study.share_of(n))) ++n_all_, ++levels_[study.is_coarse(n) ? 1 : 0].left;
@@ -26,7 +27,7 @@ void StudyProgress::count(const Realisation& r)
 {
   if (!part_.has(study_.share_of(r.number))) return;
   ++done_, --levels_[study_.is_coarse(r.number) ? 1 : 0].left;
-  if (!r.skipped()) counts_.take(r);
+  sample_.take(r, study_.is_coarse(r.number));
 }
 
 /// Of one thread; a level of which nothing is made yet takes as long as the other.
@@ -51,13 +52,13 @@ void StudyProgress::show(const Realisation& newest, const Realisations& all)
   const double now = std::chrono::duration<double>(Clock::now() - start_).count();
   if (quiet_ || now < next_) return;
   next_ = now + (terminal_ ? 0.2 : 10.0);
-  const Real confidence = study_.settings.confidence;
+  const std::int64_t n_failed = (sample_.counts() + sample_.coarse()).failed;
   const bool adaptive = info_of(study_.settings.estimator).adaptive;  // its end is not known before
-  std::string line = adaptive ? fmt::format("[{}] {} failed", done_, counts_.failed)
-                              : fmt::format("[{}/{}] {} failed", done_, n_all_, counts_.failed);
+  std::string line = adaptive ? fmt::format("[{}] {} failed", done_, n_failed)
+                              : fmt::format("[{}/{}] {} failed", done_, n_all_, n_failed);
   if (shows_p_) {
-    line += "  so far P(I) " + estimate_text(counts_.slide(confidence));
-    if (newest.judges_flood) line += "  P(F) " + estimate_text(counts_.flood(confidence));
+    line += "  so far P(I) " + estimate_text(sample_.slide());
+    if (newest.judges_flood) line += "  P(F) " + estimate_text(sample_.flood());
   }
   if (!adaptive)
     line += fmt::format("  ETA {}{}", study_.settings.stop.cov > 0.0 ? "at most " : "",

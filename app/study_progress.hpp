@@ -37,7 +37,7 @@ class StudyProgress {
   Index done_ = 0, n_all_ = 0;
   std::array<Level, 2> levels_ = {};
   bool begun_ = false;
-  EventCounts counts_ = {};
+  Sample sample_;
 };
 
 }  // namespace terp

@@ -38,14 +38,13 @@ std::string row_of(const StudyQuantity& q)
 
 std::string table_of(const StudiedSequence& s)
 {
-  std::string head = "<tr><th></th><th></th>";
-  for (const StudyRun& run : s.sequence.runs) head += html_cell("th", fmt::format("{:g} m", run.cell));
-  for (const char* title : {"change", "order", "limit", "error", ""}) head += html_cell("th", title);
+  std::vector<std::string> titles{"", ""};
+  for (const StudyRun& run : s.sequence.runs) titles.push_back(fmt::format("{:g} m", run.cell));
+  titles.insert(titles.end(), {"change", "order", "limit", "error", ""});
   std::string rows;
   for (const StudyQuantity& q : s.quantities)
     if (q.has_values()) rows += row_of(q);
-  return fmt::format(
-      "<div class=\"scroll\"><table><thead>{}</tr></thead>\n<tbody>{}</tbody></table></div>\n", head, rows);
+  return html_table(titles, rows);
 }
 
 /// Each quantity over the size of the cells, all sequences in one chart; the limit at no size with its error.
@@ -132,9 +131,10 @@ std::string section_of(const StudiedSequence& s, Real tolerance)
 std::string section_of_variants(const MeshStudy& study)
 {
   if (study.spreads.empty()) return "";
-  std::string head = "<tr><th></th><th></th>", rows;
-  for (const StudiedSequence& s : study.sequences) head += html_cell("th", s.sequence.name);
-  for (const char* title : {"range", "share"}) head += html_cell("th", title);
+  std::vector<std::string> titles{"", ""};
+  for (const StudiedSequence& s : study.sequences) titles.push_back(s.sequence.name);
+  titles.insert(titles.end(), {"range", "share"});
+  std::string rows;
   for (const StudySpread& s : study.spreads) {
     const RunMeasure& m = s.measure;
     rows += fmt::format("<tr class=\"{}\">", s.matters ? "depends" : "same") + html_cell("th", m.label) +
@@ -142,10 +142,8 @@ std::string section_of_variants(const MeshStudy& study)
     for (const auto& value : s.values) rows += html_cell("td", text_of(m, value));
     rows += html_cell("td", text_of(m, s.range)) + html_cell("td", percent(s.share)) + "</tr>\n";
   }
-  return "<section><h2>All variants</h2>\n" + html_cell("p", answer_on_variants(study), " class=\"answer\"") +
-         fmt::format(
-             "\n<div class=\"scroll\"><table><thead>{}</tr></thead>\n<tbody>{}</tbody></table></div>\n</section>\n",
-             head, rows);
+  return "<section><h2>All variants</h2>\n" + html_cell("p", answer_on_variants(study), " class=\"answer\"") + '\n' +
+         html_table(titles, rows) + "</section>\n";
 }
 
 }  // namespace

@@ -55,6 +55,14 @@ std::string html_cell(const char* tag, const std::string& text, const char* attr
   return fmt::format("<{0}{2}>{1}</{0}>", tag, escaped_for_markup(text), attributes);
 }
 
+std::string html_table(const std::vector<std::string>& titles, const std::string& rows)
+{
+  std::string head;
+  for (const std::string& title : titles) head += html_cell("th", title);
+  return fmt::format(
+      "<div class=\"scroll\"><table><thead><tr>{}</tr></thead>\n<tbody>{}</tbody></table></div>\n", head, rows);
+}
+
 std::string html_list(const std::vector<std::string>& items, const char* name)
 {
   std::string list;

@@ -23,6 +23,9 @@ std::string html_cell(const char* tag, const std::string& text, const char* attr
 /// A list; empty if there are no items. name: attributes.
 std::string html_list(const std::vector<std::string>& items, const char* name);
 
+/// A table that scrolls by itself. rows: <tr>.
+std::string html_table(const std::vector<std::string>& titles, const std::string& rows);
+
 /// The charts that have a point, side by side; empty if there are none.
 std::string html_figures(const std::vector<LineChart>& charts);
 

@@ -3,9 +3,6 @@
 #pragma once
 
 #include "study/engine.hpp"
-#include "study/reliability.hpp"
-
-#include <optional>
 
 namespace terp {
 
@@ -19,10 +16,6 @@ Real limit_state_of(const StudySettings& settings, const Realisation& realisatio
 StudyEnd run_adaptive(const Study& study, const std::string& folder, const EngineOptions& options,
     const std::atomic<bool>& stop, Realisations& rows);
 
-struct AdaptiveFound {
-  std::optional<ReliabilityResult> result = {};  ///< none: it asks for a realisation that is missing, or has a fault
-  std::string fault = {};                        ///< why it ended without a result; empty: none
-};
 AdaptiveFound replay_adaptive(const Study& study, const Realisations& rows);
 
 /// At the confidence of the study, of the lognormal distribution with the coefficient of variation of the estimate.
@@ -31,7 +24,7 @@ std::optional<Bounds> rough_bounds(const Study& study, const ReliabilityResult& 
 
 std::string adaptive_text(const Study& study, const Realisations& rows, const ReliabilityResult& result);
 std::vector<std::string> remarks_on_adaptive(
-    const Study& study, const Realisations& rows, const StudyEstimates& estimates, const AdaptiveFound& found);
+    const Study& study, const Realisations& rows, const StudyEstimates& estimates);
 /// <section> of the page; empty without a result.
 std::string adaptive_section(const Study& study, const std::optional<ReliabilityResult>& result);
 

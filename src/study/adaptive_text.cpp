@@ -66,17 +66,16 @@ std::string adaptive_text(const Study& study, const Realisations& rows, const Re
   return out;
 }
 
-std::vector<std::string> remarks_on_adaptive(
-    const Study& study, const Realisations& rows, const StudyEstimates& e, const AdaptiveFound& found)
+std::vector<std::string> remarks_on_adaptive(const Study& study, const Realisations& rows, const StudyEstimates& e)
 {
-  std::vector<std::string> remarks = remarks_on_realisations(study, e);
-  const auto& r = found.result;
+  std::vector<std::string> remarks;
+  const auto& r = e.adaptive.result;
   const std::int64_t n_known =
       study.settings.adaptive.of_flood ? e.counts.judged : e.counts.solved + e.counts.slid_as_drawn;
   if (const std::int64_t n = e.counts.n() - n_known; n > 0)
     remarks.push_back(fmt::format("Of {} realisations it is not known: each counts as the event.", n));
-  if (!found.fault.empty()) {
-    remarks.push_back(found.fault);
+  if (!e.adaptive.fault.empty()) {
+    remarks.push_back(e.adaptive.fault);
     return remarks;
   }
   if (!r) {
@@ -103,14 +102,13 @@ std::string adaptive_section(const Study& study, const std::optional<Reliability
           fmt::format("{} {}{}.", event_name(study), r->probability > 0.0 ? "= " : "is ", result_words(study, *r)),
           " class=\"answer\"");
   if (r->design_point.empty()) return out + html_cell("p", foot, " class=\"muted\"") + "</section>\n";
-  out += "\n<div class=\"scroll\"><table><thead><tr>" + html_cell("th", "design point") + html_cell("th", "influence") +
-         "</tr></thead>\n<tbody>";
+  std::string rows;
   const std::vector<Real> values = draw_at(study, r->design_point).inputs;
   for (std::size_t k = 0; k < values.size(); ++k)
-    out += "<tr>" + html_cell("th", design_value(study, values, k)) +
-           html_cell("td", fmt::format("{:.3f}", r->importance[k])) + "</tr>\n";
-  return out + "</tbody></table></div>\n" + html_cell("p", foot + ' ' + words_of_influence, " class=\"muted\"") +
-         "</section>\n";
+    rows += "<tr>" + html_cell("th", design_value(study, values, k)) +
+            html_cell("td", fmt::format("{:.3f}", r->importance[k])) + "</tr>\n";
+  return out + '\n' + html_table({"design point", "influence"}, rows) +
+         html_cell("p", foot + ' ' + words_of_influence, " class=\"muted\"") + "</section>\n";
 }
 
 }  // namespace terp

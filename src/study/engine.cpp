@@ -1,6 +1,6 @@
 // How it thinks: workers take the next number, solve it, and give the result to one thread (of processes, ranks.hpp:
 // the one that hands out), which appends it to the store and looks whether the rule is met. Which numbers are in the
-// table follows from the numbers alone (count_in_table): workers may finish in any order.
+// table follows from the numbers alone (TableCounter): workers may finish in any order.
 
 #include "study/engine.hpp"
 

@@ -2,7 +2,7 @@
 // (EventCounts::unknown): soil that slides as drawn has I and not F, and without a water level F is not known. An event
 // is a pointer to its member, so that all estimators share one text.
 
-#include "study/estimates.hpp"
+#include "study/adaptive.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -71,19 +71,6 @@ std::int64_t EventCounts::unknown(std::int64_t EventCounts::*event) const
 {
   if (event == &EventCounts::slid) return failed;
   return event == &EventCounts::flooded ? n() - judged : failed + slid - slid_judged;
-}
-
-EventEstimate EventCounts::slide(Real confidence) const
-{
-  return estimate_event(slid, n() - failed, failed, confidence);
-}
-EventEstimate EventCounts::flood(Real confidence) const
-{
-  return estimate_event(flooded, judged, n() - judged, confidence);
-}
-EventEstimate EventCounts::flood_after_slide(Real confidence) const
-{
-  return estimate_event(flooded_after_slide, slid_judged, unknown(&EventCounts::flooded_after_slide), confidence);
 }
 
 EventCounts operator+(const EventCounts& a, const EventCounts& b)
@@ -166,7 +153,9 @@ std::optional<Real> Sample::weighted_worth() const
 EventEstimate Sample::flood_after_slide(Real confidence) const
 {
   const bool two_stage = settings_->estimator == Estimator::two_stage;
-  if (!two_stage && settings_->estimator != Estimator::multilevel) return all_.flood_after_slide(confidence);
+  if (!two_stage && settings_->estimator != Estimator::multilevel)
+    return estimate_event(
+        all_.flooded_after_slide, all_.slid_judged, all_.unknown(&EventCounts::flooded_after_slide), confidence);
   const Real of_each = 0.5 + 0.5 * confidence;
   const EventEstimate both = estimate(&EventCounts::flooded_after_slide, of_each),
                       slide = estimate(&EventCounts::slid, of_each);
@@ -212,18 +201,11 @@ void TableCounter::take(const Realisations& rows)
   }
 }
 
-Index count_in_table(const Study& study, const Realisations& rows, bool& rule_met)
-{
-  TableCounter counter(study);
-  counter.take(rows);
-  rule_met = counter.rule_met();
-  return counter.n();
-}
-
 StudyEstimates estimate(const Study& study, const Realisations& rows)
 {
   StudyEstimates e(study.settings);
-  e.n_made = count_in_table(study, rows, e.rule_met);
+  const TableCounter table(study, rows);
+  e.n_made = table.n(), e.rule_met = table.rule_met();
   e.n_beyond = static_cast<Index>(rows.size()) - e.n_made;
   const std::size_t moves = outcome_number("still_moves"), volume = outcome_number("slide_volume");
   Index n_skipped = 0, n_coarse = 0;
@@ -253,22 +235,8 @@ StudyEstimates estimate(const Study& study, const Realisations& rows)
   e.judges_flood = e.sample.judges_flood();
   e.slide = e.sample.slide(), e.flood = e.sample.flood(), e.flood_after_slide = e.sample.flood_after_slide();
   e.sensitivities = find_sensitivities(study, rows, e.n_made);
+  if (info_of(study.settings.estimator).adaptive) e.adaptive = replay_adaptive(study, rows);
   return e;
-}
-
-std::vector<RunningEstimate> running_estimates(
-    const Study& study, const Realisations& rows, bool of_flood, std::size_t most)
-{
-  bool met = false;
-  const Index n_made = count_in_table(study, rows, met);
-  const Index stride = 1 + n_made / static_cast<Index>(most);
-  std::vector<RunningEstimate> list;
-  Sample sample(study.settings);
-  for (Index n = 0; n < n_made; ++n) {
-    sample.take(rows.at(n), study.is_coarse(n));
-    if ((n + 1) % stride == 0 || n + 1 == n_made) list.push_back({n + 1, of_flood ? sample.flood() : sample.slide()});
-  }
-  return list;
 }
 
 }  // namespace terp

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "study/multilevel.hpp"
+#include "study/reliability.hpp"
 #include "study/statistics.hpp"
 #include "study/store.hpp"
 
@@ -34,9 +35,6 @@ struct EventCounts {
   std::int64_t unknown(std::int64_t EventCounts::*event) const;
 
   void take(const Realisation& realisation);
-  EventEstimate slide(Real confidence) const;
-  EventEstimate flood(Real confidence) const;
-  EventEstimate flood_after_slide(Real confidence) const;
 };
 
 EventCounts operator+(const EventCounts& a, const EventCounts& b);
@@ -87,6 +85,12 @@ struct Sensitivity {
   std::optional<Real> with_slide, with_height;  ///< with_slide: or as EstimatorInfo::inputs_go_with says
 };
 
+/// What a method that chooses its realisations says of those that are kept.
+struct AdaptiveFound {
+  std::optional<ReliabilityResult> result = {};  ///< none: it asks for a realisation that is missing, or has a fault
+  std::string fault = {};                        ///< why it ended without a result; empty: none
+};
+
 struct FaultCount {
   std::string what;
   Index first = 0;
@@ -108,6 +112,7 @@ struct StudyEstimates {
   std::vector<Sensitivity> sensitivities;
   std::vector<FaultCount> faults;
   Sample sample;
+  AdaptiveFound adaptive = {};  ///< of such a method
   double mean_wall_s = 0.0;
   double mean_processor_s = 0.0;
   double screening_s = 0.0, full_s = 0.0;  ///< means of the two stages, of processor time; 0: not known
@@ -116,9 +121,13 @@ struct StudyEstimates {
 };
 
 /// Counts a table as it grows, each realisation once: the first ones without a gap, up to where the rule stops.
+/// So neither the order in which they were solved nor how long each took has a say in P.
 class TableCounter {
  public:
-  explicit TableCounter(const Study& study) : study_(study), counts_(study.settings) {}
+  explicit TableCounter(const Study& study, const Realisations& rows = {}) : study_(study), counts_(study.settings)
+  {
+    take(rows);
+  }
   void take(const Realisations& rows);
   Index n() const { return n_; }
   bool rule_met() const { return rule_met_; }
@@ -130,18 +139,6 @@ class TableCounter {
   bool rule_met_ = false;
 };
 
-/// The realisations that count: the first ones without a gap, up to the one at which the rule stops. So neither the
-/// order in which they were solved nor how long each took has a say in P.
-Index count_in_table(const Study& study, const Realisations& rows, bool& rule_met);
-
 StudyEstimates estimate(const Study& study, const Realisations& rows);
-
-/// P of an event after each realisation, as far as they are in the table: at most `most` of them.
-struct RunningEstimate {
-  Index n;
-  EventEstimate event;
-};
-std::vector<RunningEstimate> running_estimates(
-    const Study& study, const Realisations& rows, bool of_flood, std::size_t most = 200);
 
 }  // namespace terp

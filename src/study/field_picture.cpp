@@ -37,8 +37,7 @@ std::string field_picture(const Study& study, std::size_t field, Index realisati
   const FieldOverTrend over(study, field, realisation);
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:g} {:g}\" role=\"img\" font-size=\"11.5\">\n<text "
-      "x=\"0\" "
-      "y=\"14\">realisation {}, over the trend: dark 0.5, bright 2</text>\n",
+      "x=\"0\" y=\"14\">realisation {}, over the trend: dark 0.5, bright 2</text>\n",
       width, height + margin, realisation);
   const Real dx = width / nx, dy = height / ny;
   for (int j = 0; j < ny; ++j)

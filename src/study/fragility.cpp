@@ -58,8 +58,7 @@ LevelCounts count_levels(const Study& study, const Realisations& rows)
 {
   LevelCounts counts;
   counts.levels.assign(static_cast<std::size_t>(study.n_levels()), Sample(study.settings));
-  bool met = false;
-  const Index n = count_in_table(study, rows, met);
+  const Index n = TableCounter(study, rows).n();
   bool slid = false, flooded = false;  // of this sample, at the last level where it is known
   for (Index k = 0; k < n; ++k) {
     const Realisation& r = rows.at(k);
@@ -147,7 +146,9 @@ FragilityCurve estimate_fragility(const Study& study, const Realisations& rows)
   bool has_all = true, has_all_floods = true;
   for (std::size_t k = 0; k < load.levels.size(); ++k) {
     const Sample& c = counts.levels[k];
-    curve.levels.push_back({load.levels[k], c.slide(confidence), c.flood(confidence), c.flood_after_slide(confidence)});
+    curve.levels.push_back({load.levels[k], c.slide(), {}, {}});
+    if (curve.judges_flood)
+      curve.levels.back().flood = c.flood(), curve.levels.back().flood_after_slide = c.flood_after_slide();
     has_all = has_all && curve.levels.back().slide.probability().has_value();
     has_all_floods = has_all_floods && curve.levels.back().flood.probability().has_value();
   }

@@ -10,7 +10,7 @@ namespace terp {
 
 struct LevelEstimate {
   Real level = 0.0;
-  EventEstimate slide, flood, flood_after_slide;  ///< P(I|h), P(F|h), P(F|I, h)
+  EventEstimate slide, flood, flood_after_slide;  ///< P(I|h), P(F|h), P(F|I, h); empty where floods are not judged
 };
 
 /// Of an event over all levels that the load may have.

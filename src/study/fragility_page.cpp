@@ -68,17 +68,13 @@ std::string cells_of(const EventEstimate& e, bool with_beta)
 std::string table_of_levels(const Study& study, const FragilityCurve& curve)
 {
   const std::string bounds = fmt::format("{:g} % bounds", 100.0 * study.settings.confidence);
-  std::string out = "<div class=\"scroll\"><table><thead><tr>";
-  for (const std::string& title : {study.settings.fragility->label(), std::string("P(I|h)"), bounds,
-           std::string("beta"), std::string("P(F|h)"), bounds, std::string("beta"), std::string("P(F|I, h)"), bounds})
-    out += html_cell("th", title);
-  out += "</tr></thead>\n<tbody>";
-  const EventEstimate none;
+  std::string rows;
   for (const LevelEstimate& at : curve.levels)
-    out += "<tr>" + html_cell("th", fmt::format("{:g}", at.level)) + cells_of(at.slide, true) +
-           cells_of(curve.judges_flood ? at.flood : none, true) +
-           cells_of(curve.judges_flood ? at.flood_after_slide : none, false) + "</tr>\n";
-  return out + "</tbody></table></div>\n";
+    rows += "<tr>" + html_cell("th", fmt::format("{:g}", at.level)) + cells_of(at.slide, true) +
+            cells_of(at.flood, true) + cells_of(at.flood_after_slide, false) + "</tr>\n";
+  return html_table(
+      {study.settings.fragility->label(), "P(I|h)", bounds, "beta", "P(F|h)", bounds, "beta", "P(F|I, h)", bounds},
+      rows);
 }
 
 std::string answer(const Study& study, const FragilityCurve& curve)

@@ -109,8 +109,7 @@ std::string fragility_text(const Study& study, const FragilityCurve& curve)
       "  {:>9}  {:<28}{:>6}  {:<28}{:>6}  {}\n", load.name.substr(0, 9), "P(I)", "beta", "P(F)", "beta", "P(F|I)");
   for (const LevelEstimate& at : curve.levels)
     out += fmt::format("  {:>9.5g}  {:<28}{:>6}  {:<28}{:>6}  {}\n", at.level, estimate_text(at.slide),
-        beta_text(at.slide), curve.judges_flood ? estimate_text(at.flood) : "-",
-        curve.judges_flood ? beta_text(at.flood) : "-", curve.judges_flood ? estimate_text(at.flood_after_slide) : "-");
+        beta_text(at.slide), estimate_text(at.flood), beta_text(at.flood), estimate_text(at.flood_after_slide));
   if (!curve.slide) return out;
   out += fmt::format("  over the {}\n", distribution_words(load)) + line_of_integral("P(I)", *curve.slide);
   if (curve.flood) out += line_of_integral("P(F)", *curve.flood);
@@ -139,11 +138,9 @@ std::string fragility_csv(const Study& study, const FragilityCurve& curve)
   out += ",weight\n";
   for (std::size_t k = 0; k < curve.levels.size(); ++k) {
     const LevelEstimate& at = curve.levels[k];
-    const EventEstimate none;
     out += fmt::format("{},{},{},{},{}", at.level, at.slide.solved, at.slide.failed, at.slide.happened,
         curve.judges_flood ? fmt::format("{}", at.flood.happened) : "nan");
-    out += csv_of(at.slide) + csv_of(curve.judges_flood ? at.flood : none) +
-           csv_of(curve.judges_flood ? at.flood_after_slide : none) + fmt::format(",{}\n", weights[k]);
+    out += csv_of(at.slide) + csv_of(at.flood) + csv_of(at.flood_after_slide) + fmt::format(",{}\n", weights[k]);
   }
   return out;
 }

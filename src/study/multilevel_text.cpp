@@ -34,8 +34,7 @@ std::string savings_text(const TwoLevelCounts& c, const LevelSavings& s)
   std::string text =
       fmt::format("A coarse realisation took {:.2g} s of processor time, a fine one {:.2g} s. ", s.coarse_s, s.fine_s);
   text += fmt::format(
-      "Monte Carlo with the fine case alone would have taken {}about {:.2g} times as long for the same "
-      "variance.",
+      "Monte Carlo with the fine case alone would have taken {}about {:.2g} times as long for the same variance.",
       s.same_bounds ? fmt::format("{:.2g} times as long for bounds as narrow, ", *s.same_bounds) : "", s.same_variance);
   if (c.lost() + c.gained() == 0) text += " No pair differs, and half a pair is counted as if it did.";
   return text;

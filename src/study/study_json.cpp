@@ -25,10 +25,9 @@ Json integral_json(const std::optional<CurveIntegral>& i)
 }
 
 /// Only the event that the method looks for has a P: its realisations are no random sample.
-void add_method(const Study& study, const Realisations& rows, const StudyEstimates& e, Json& json)
+void add_method(const Study& study, const StudyEstimates& e, Json& json)
 {
-  const AdaptiveFound found = replay_adaptive(study, rows);
-  const auto& r = found.result;
+  const auto& r = e.adaptive.result;
   const auto bounds = r ? rough_bounds(study, *r) : std::nullopt;
   const bool is_hit = r && r->probability > 0.0;
   json["rule_met"] = r.has_value();
@@ -42,7 +41,6 @@ void add_method(const Study& study, const Realisations& rows, const StudyEstimat
                            {"at_most", is_hit ? Json() : Json(r->at_most)}, {"cov", or_null(r->cov)},
                            {"converged", r->converged}, {"design_point", r->design_point}, {"influence", r->importance}}
                      : Json();
-  json["remarks"] = remarks_on_adaptive(study, rows, e, found);
 }
 
 Json group_json(const PairGroup& g) { return {{"pairs", g.n}, {"happened", g.happened}, {"unknown", g.unknown}}; }
@@ -75,7 +73,7 @@ Json levels_json(const Study& study, const StudyEstimates& e)
 void add_events(const Study& study, const Realisations& rows, const StudyEstimates& e, Json& json)
 {
   if (info_of(study.settings.estimator).adaptive) {
-    add_method(study, rows, e, json);
+    add_method(study, e, json);
     return;
   }
   const bool one_p = study.settings.estimator != Estimator::sweep && !study.settings.fragility;
@@ -109,7 +107,7 @@ std::string study_json(const Study& study, const Realisations& rows)
   json["faults"] = Json::array();
   for (const FaultCount& fault : e.faults)
     json["faults"].push_back({{"what", fault.what}, {"first", fault.first}, {"count", fault.n}});
-  if (!json.contains("remarks")) json["remarks"] = remarks_on_study(study, rows, e);
+  json["remarks"] = remarks_on_study(study, rows, e);
   return json.dump(2) + '\n';
 }
 

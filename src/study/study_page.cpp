@@ -21,7 +21,8 @@
 namespace terp {
 namespace {
 
-constexpr Index most_rows = 500;  // of the table; results.csv has all
+constexpr Index most_rows = 500;    // of the table; results.csv has all
+constexpr Index most_places = 200;  // of a line over the realisations
 
 std::string bounds_cell(const EventEstimate& e)
 {
@@ -37,14 +38,6 @@ std::string event_row(const Study& study, const char* name, const char* meaning,
                              e.failed > 0 ? fmt::format(", {} unknown", e.failed) : "")) +
          html_cell("td", meaning) + "</tr>\n";
 }
-
-std::string head_of_table(const std::vector<std::string>& titles)
-{
-  std::string head = "<div class=\"scroll\"><table><thead><tr>";
-  for (const std::string& title : titles) head += html_cell("th", title);
-  return head + "</tr></thead>\n<tbody>";
-}
-constexpr const char* end_of_table = "</tbody></table></div>\n";
 
 std::string answer(const Study& study, const StudyEstimates& e)
 {
@@ -72,18 +65,17 @@ std::string answer(const Study& study, const StudyEstimates& e)
 std::string probability_section(const Study& study, const StudyEstimates& e)
 {
   const bool is_cube = is_of_points(study.settings.estimator);
-  std::string out =
-      "<section><h2>Probabilities</h2>\n" + html_cell("p", answer(study, e), " class=\"answer\"") + '\n' +
-      head_of_table({"", "estimate",
-          fmt::format("{:g} % bounds{}", 100.0 * study.settings.confidence, is_cube ? ", if independent" : ""),
-          "realisations", "meaning"});
-  out += event_row(study, "P(I)", slide_words(study.settings).c_str(), e.slide);
+  std::string rows = event_row(study, "P(I)", slide_words(study.settings).c_str(), e.slide);
   if (e.judges_flood) {
-    out += event_row(study, "P(F)", flood_words, e.flood);
-    out += event_row(study, "P(F|I)", "the land floods, where there is a slide", e.flood_after_slide);
+    rows += event_row(study, "P(F)", flood_words, e.flood);
+    rows += event_row(study, "P(F|I)", "the land floods, where there is a slide", e.flood_after_slide);
   }
-  out += end_of_table;
-  return out +
+  return "<section><h2>Probabilities</h2>\n" + html_cell("p", answer(study, e), " class=\"answer\"") + '\n' +
+         html_table(
+             {"", "estimate",
+                 fmt::format("{:g} % bounds{}", 100.0 * study.settings.confidence, is_cube ? ", if independent" : ""),
+                 "realisations", "meaning"},
+             rows) +
          html_cell("p",
              words_of_probability +
                  std::string(
@@ -106,11 +98,16 @@ LineChart convergence_chart(const Study& study, const Realisations& rows, bool o
       .y_label = "probability"};
   const std::size_t style = of_flood ? 1 : 0;
   chart.lines = {line_of("estimate", style, 0), line_of("bounds, of each n alone", style, 2), line_of("", style, 2)};
-  for (const RunningEstimate& at : running_estimates(study, rows, of_flood)) {
-    const auto n = static_cast<Real>(at.n);
-    chart.lines[0].points.push_back({n, at.event.probability().value_or(std::nan(""))});
-    chart.lines[1].points.push_back({n, at.event.bounds.low});
-    chart.lines[2].points.push_back({n, at.event.bounds.high});
+  const Index n_made = TableCounter(study, rows).n(), stride = 1 + n_made / most_places;
+  Sample sample(study.settings);
+  for (Index k = 0; k < n_made; ++k) {
+    sample.take(rows.at(k), study.is_coarse(k));
+    if ((k + 1) % stride != 0 && k + 1 != n_made) continue;
+    const EventEstimate event = of_flood ? sample.flood() : sample.slide();
+    const auto n = static_cast<Real>(k + 1);
+    chart.lines[0].points.push_back({n, event.probability().value_or(std::nan(""))});
+    chart.lines[1].points.push_back({n, event.bounds.low});
+    chart.lines[2].points.push_back({n, event.bounds.high});
   }
   return chart;
 }
@@ -208,15 +205,16 @@ std::string bar(const std::optional<Real>& rho)
 
 std::string sensitivity_section(const Study& study, const StudyEstimates& e)
 {
-  std::string out = "<section><h2>What matters</h2>\n" +
-                    head_of_table({"", fmt::format("with {}", info_of(study.settings.estimator).inputs_go_with),
-                        "with the height that remains"});
+  std::string rows;
   const std::vector<std::string> labels = input_labels(study);
   for (std::size_t k = 0; k < labels.size(); ++k) {
     const Sensitivity& s = e.sensitivities[k];
-    out += "<tr>" + html_cell("th", labels[k]) + bar(s.with_slide) + bar(s.with_height) + "</tr>\n";
+    rows += "<tr>" + html_cell("th", labels[k]) + bar(s.with_slide) + bar(s.with_height) + "</tr>\n";
   }
-  return out + end_of_table +
+  return "<section><h2>What matters</h2>\n" +
+         html_table({"", fmt::format("with {}", info_of(study.settings.estimator).inputs_go_with),
+                        "with the height that remains"},
+             rows) +
          "<p class=\"muted\">Spearman's rank correlation: +1 or -1 where the input decides alone, near 0 where it does "
          "not matter. Of n realisations, one below 2/sqrt(n) may be chance. Keys are written without "
          "<code>material.</code>; of a field it is the mean over its trend.</p></section>\n";
@@ -283,16 +281,16 @@ std::string kinds_section(const Study& study, const Realisations& rows, Index n)
   std::vector<std::string> titles{
       "", "realisations", "share", "slid [m^2], median", "remains [m], median", "for example"};
   if (load) titles.insert(titles.begin(), load->label());
-  std::string out = "<section><h2>What happened</h2>\n" + head_of_table(titles);
+  std::string cells;
   for (std::size_t level = 0; level < static_cast<std::size_t>(study.n_levels()); ++level) {
     const auto kinds = kinds_at(study, rows, n, level);
     std::size_t n_counted = 0;
     for (const auto& kind : kinds) n_counted += kind.second.size();
     for (const auto& [kind, members] : kinds)
-      out += "<tr>" + (load ? html_cell("th", fmt::format("{:g}", load->levels[level])) : "") + html_cell("th", kind) +
-             kind_cells(members, n_counted) + "</tr>\n";
+      cells += "<tr>" + (load ? html_cell("th", fmt::format("{:g}", load->levels[level])) : "") +
+               html_cell("th", kind) + kind_cells(members, n_counted) + "</tr>\n";
   }
-  return out + end_of_table +
+  return "<section><h2>What happened</h2>\n" + html_table(titles, cells) +
          "<p class=\"muted\">Slides are counted as retreats of the crest (docs/formats.md); a slide beside it leaves "
          "the crest where it is. The example is the one with the median volume: <code>terp study run STUDY.toml --keep "
          "N</code> opens it.</p></section>\n";
@@ -324,9 +322,9 @@ std::string realisations_section(const Study& study, const Realisations& rows, I
   for (std::size_t i = 0; i < labels.size(); ++i) titles.push_back(label_with_unit(study, i, labels[i]));
   for (const char* title : {"slid [m^2]", "remains [m]", "slides at [s]", "floods at [s]", "why there is no result"})
     titles.emplace_back(title);
-  std::string out = "<section><h2>Realisations</h2>\n" + head_of_table(titles);
-  for (Index k = 0; k < std::min(n, most_rows); ++k) out += realisation_row(study, rows.at(k));
-  return out + end_of_table +
+  std::string cells;
+  for (Index k = 0; k < std::min(n, most_rows); ++k) cells += realisation_row(study, rows.at(k));
+  return "<section><h2>Realisations</h2>\n" + html_table(titles, cells) +
          fmt::format(
              "<p class=\"muted\">{}<code>terp study run STUDY.toml --keep 17</code> solves realisation 17 once "
              "more, with the same bits, and with all that the report of a run shows.</p></section>\n",
@@ -351,12 +349,11 @@ std::string page_of_study(const Study& study, const Realisations& rows, const st
 {
   const StudyEstimates e = estimate(study, rows);
   const bool adaptive = info_of(study.settings.estimator).adaptive;
-  const AdaptiveFound found = adaptive ? replay_adaptive(study, rows) : AdaptiveFound{};
-  std::string body = notes(adaptive ? remarks_on_adaptive(study, rows, e, found) : remarks_on_study(study, rows, e));
+  std::string body = notes(remarks_on_study(study, rows, e));
   if (study.settings.estimator == Estimator::sweep) {
     body += sweep_section(study, rows, e.n_made);
   } else if (adaptive) {
-    body += adaptive_section(study, found.result);
+    body += adaptive_section(study, e.adaptive.result);
   } else {
     std::vector<LineChart> charts;
     if (study.settings.fragility) {

@@ -83,13 +83,41 @@ std::string head_line(const StudySettings& s, const StudyEstimates& e)
       counts_text(e.counts), e.mean_wall_s);
 }
 
-std::string adaptive_study_text(const Study& study, const Realisations& rows, const StudyEstimates& e)
+/// What the realisations and the case say against the numbers, whatever the estimator.
+std::vector<std::string> remarks_on_realisations(const Study& study, const StudyEstimates& e)
 {
-  const AdaptiveFound found = replay_adaptive(study, rows);
-  std::string out = head_line(study.settings, e);
-  if (found.result) out += adaptive_text(study, rows, *found.result);
-  for (const std::string& remark : remarks_on_adaptive(study, rows, e, found)) out += "  note: " + remark + '\n';
-  return out;
+  std::vector<std::string> remarks;
+  for (const FaultCount& fault : e.faults)
+    remarks.push_back(fmt::format("{} realisation{} {}, first {}: {}", fault.n, fault.n == 1 ? "" : "s",
+        fault.slides ? fault.n == 1 ? "slides" : "slide" : "failed", fault.first, fault.what));
+  const bool adaptive = info_of(study.settings.estimator).adaptive, of_flood = study.settings.adaptive.of_flood;
+  const auto add_moving = [&](Index n, const char* event, const char* p) {
+    if (n > 0)
+      remarks.push_back(
+          fmt::format("{} realisations end without a {} while their soil still moves: {} may be too low. "
+                      "End the case at rest, or later.",
+              n, event, p));
+  };
+  if (!adaptive || !of_flood) add_moving(e.n_moving_without_slide, "slide", "P(I)");
+  if (!adaptive || of_flood) add_moving(e.n_moving_without_flood, "flood", "P(F)");
+  if (e.n_ended_early > 0)
+    remarks.push_back(
+        fmt::format("{} realisations end with their events (`ends_run`): what remains of them at the end of the case "
+                    "is not known, and histograms leave them out.",
+            e.n_ended_early));
+  const Case& base = study.base.values;
+  if (base.at_strength != 1.0)
+    remarks.push_back(
+        fmt::format("All strengths are divided by {:g} (at_strength): P is that of weaker soil, not of the "
+                    "section as it is.",
+            base.at_strength));
+  if (const auto stage = std::ranges::find_if(base.stages, [](const StageCase& s) { return s.trigger; });
+      stage != base.stages.end())
+    remarks.push_back(
+        fmt::format("The case has the trigger `{}`: P is that of a slide or a flood once the trigger acts, "
+                    "not of the section as it is.",
+            stage->name));
+  return remarks;
 }
 
 }  // namespace
@@ -148,45 +176,13 @@ std::string worth_of_residual_strength(const StudyEstimates& e)
       "Of 100 slides {:.0f} flood the land ({}): that is what the residual strength is worth.", 100.0 * *p, bounds);
 }
 
-std::vector<std::string> remarks_on_realisations(const Study& study, const StudyEstimates& e)
-{
-  std::vector<std::string> remarks;
-  for (const FaultCount& fault : e.faults)
-    remarks.push_back(fmt::format("{} realisation{} {}, first {}: {}", fault.n, fault.n == 1 ? "" : "s",
-        fault.slides ? fault.n == 1 ? "slides" : "slide" : "failed", fault.first, fault.what));
-  const bool adaptive = info_of(study.settings.estimator).adaptive, of_flood = study.settings.adaptive.of_flood;
-  const auto add_moving = [&](Index n, const char* event, const char* p) {
-    if (n > 0)
-      remarks.push_back(
-          fmt::format("{} realisations end without a {} while their soil still moves: {} may be too low. "
-                      "End the case at rest, or later.",
-              n, event, p));
-  };
-  if (!adaptive || !of_flood) add_moving(e.n_moving_without_slide, "slide", "P(I)");
-  if (!adaptive || of_flood) add_moving(e.n_moving_without_flood, "flood", "P(F)");
-  if (e.n_ended_early > 0)
-    remarks.push_back(
-        fmt::format("{} realisations end with their events (`ends_run`): what remains of them at the end of the case "
-                    "is not known, and histograms leave them out.",
-            e.n_ended_early));
-  const Case& base = study.base.values;
-  if (base.at_strength != 1.0)
-    remarks.push_back(
-        fmt::format("All strengths are divided by {:g} (at_strength): P is that of weaker soil, not of the "
-                    "section as it is.",
-            base.at_strength));
-  if (const auto stage = std::ranges::find_if(base.stages, [](const StageCase& s) { return s.trigger; });
-      stage != base.stages.end())
-    remarks.push_back(
-        fmt::format("The case has the trigger `{}`: P is that of a slide or a flood once the trigger acts, "
-                    "not of the section as it is.",
-            stage->name));
-  return remarks;
-}
-
 std::vector<std::string> remarks_on_study(const Study& study, const Realisations& rows, const StudyEstimates& e)
 {
   std::vector<std::string> remarks = remarks_on_realisations(study, e);
+  if (info_of(study.settings.estimator).adaptive) {
+    std::ranges::move(remarks_on_adaptive(study, rows, e), std::back_inserter(remarks));
+    return remarks;
+  }
   const EventCounts counted = e.sample.counts();  // what of them is not known bounds P
   if (counted.slid_as_drawn > 0)
     remarks.push_back(
@@ -233,10 +229,11 @@ std::string study_text(const Study& study, const Realisations& rows)
 {
   const StudySettings& s = study.settings;
   const StudyEstimates e = estimate(study, rows);
-  if (info_of(s.estimator).adaptive) return adaptive_study_text(study, rows, e);
   std::string out = head_line(s, e);
   if (s.estimator == Estimator::sweep) {
     out += sweep_lines(study, rows, e.n_made);
+  } else if (info_of(s.estimator).adaptive) {
+    if (e.adaptive.result) out += adaptive_text(study, rows, *e.adaptive.result);
   } else if (s.fragility) {
     out += fragility_text(study, estimate_fragility(study, rows)) + sensitivity_lines(study, e);
   } else {
@@ -256,8 +253,7 @@ std::string study_text(const Study& study, const Realisations& rows)
 
 std::string study_csv(const Study& study, const Realisations& rows)
 {
-  bool met = false;
-  const Index n = count_in_table(study, rows, met);
+  const Index n = TableCounter(study, rows).n();
   const std::vector<RowLabel> labels = row_labels(study);
   std::string out = "realisation,solved";
   for (const RowLabel& label : labels) out += fmt::format(",{}", label.name);

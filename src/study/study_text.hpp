@@ -46,9 +46,6 @@ inline constexpr const char* words_of_probability =
     "the case: not per year, and not of the length of a dike. Bounds hold what the number of realisations leaves open, "
     "not what the model or the input leave open.";
 
-/// What the realisations and the case say against the numbers, whatever the estimator.
-std::vector<std::string> remarks_on_realisations(const Study& study, const StudyEstimates& estimates);
-
 /// What to know before the numbers are used: failures, the stop rule, the estimator.
 std::vector<std::string> remarks_on_study(
     const Study& study, const Realisations& rows, const StudyEstimates& estimates);

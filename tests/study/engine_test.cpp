@@ -1,6 +1,5 @@
 #include "study/engine.hpp"
 
-#include "base/checksum.hpp"
 #include <fmt/format.h>
 
 #include <regex>
@@ -60,10 +59,6 @@ TEST(Engine, AStoreOfAnotherStudyIsRefused)
   const StudyWithStores stiffer(
       changed(column_study, "seed = 3", "seed = 3\nset = { \"material.clay.density\" = 2000.0 }"));
   EXPECT_THAT(refusal<FileError>([&] { read_store(stiffer.study, place.of("done")); }), HasSubstr("another study"));
-  const std::string row = digits_of("terp study\t1\t0.1.0\ta\tb") + "\tterp study\t1\t0.1.0\ta\tb\n";
-  write_file_atomically(place.of("old") + "/part_1_of_1.rows", row);
-  EXPECT_THAT(refusal<FileError>([&] { read_store(place.study, place.of("old")); }),
-      HasSubstr("this store has format 1, and this terp reads format 7\n  Solve it anew: terp study run"));
   write_file_atomically(place.of("bad") + "/part_1_of_1.rows", "0123456789abcdef\tother\n");
   EXPECT_EQ(read_store(place.study, place.of("bad")).n_broken, 1);
 }

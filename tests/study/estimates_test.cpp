@@ -139,12 +139,11 @@ TEST(Estimates, OnlyWhatHasNoGapBeforeItCounts)
 TEST(Estimates, ARuleOnTheCoefficientOfVariationStopsAtTheSameRealisation)
 {
   const Study study = study_with("number = 600\ncov = 0.2");
-  bool met = false;
   // F in every sixth, from the first on: the last of 1/0.2^2 = 25 events is realisation 6 x 24
-  const Index n = count_in_table(study, rows_of(200), met);
-  EXPECT_TRUE(met);
-  EXPECT_EQ(n, 145);
-  EXPECT_EQ(count_in_table(study, rows_of(600), met), n);
+  const TableCounter few(study, rows_of(200));
+  EXPECT_TRUE(few.rule_met());
+  EXPECT_EQ(few.n(), 145);
+  EXPECT_EQ(TableCounter(study, rows_of(600)).n(), 145);
 }
 
 TEST(Estimates, ThePageStandsAloneAndSaysWhatTheNumbersMean)

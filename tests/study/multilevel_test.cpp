@@ -202,7 +202,7 @@ TEST(Multilevel, PairsComeFirstAndHaveTheSameInput)
   EXPECT_NE(study_of(changed(two_levels, "cell\" = 1.0", "cell\" = 0.25")).case_digits, study.case_digits);
 }
 
-TEST(Multilevel, TheTableHasTheSameBitsOnThreadsInPartsAndAfterAKill)
+TEST(Multilevel, TheTableHasTheSameBitsOnThreadsAndInParts)
 {
   const StudyWithStores place(two_levels);
   const std::string table = study_csv(place.study, place.run("one"));
@@ -213,12 +213,6 @@ TEST(Multilevel, TheTableHasTheSameBitsOnThreadsInPartsAndAfterAKill)
   const Realisations first = place.run("first", {.part = {1, 2}});
   EXPECT_TRUE(first.contains(0) && first.contains(1) && !first.contains(2)) << "both of a pair are for one part";
   EXPECT_EQ(study_csv(place.study, place.run("parts")), table);
-  const std::string file = "/part_1_of_1.rows", text = read_file(place.folder.path() + "/one" + file);
-  make_folder(place.folder.path() + "/cut");
-  for (const std::size_t size : {text.size() - 40, text.size() / 2, std::size_t{30}}) {
-    write_file_atomically(place.folder.path() + "/cut" + file, text.substr(0, size));
-    EXPECT_EQ(study_csv(place.study, place.run("cut", {.threads = 2})), table) << size;
-  }
 }
 
 // On each level a realisation is that of Monte Carlo with the cells of the level, to the bit.
@@ -336,8 +330,7 @@ TEST(Multilevel, WithOneMistakeHasOneMessage)
           {"pairs = 5", "pairs = 0", "`pairs` is out of range"},
           {"pairs = 5", "pairs = 13",
               "there are more pairs than realisations\n\n   12 | pairs = 13\n      |         ^^\n  Got 13, and "
-              "`number` is "
-              "12."},
+              "`number` is 12."},
           {"coarse = { \"mesh.cell\" = 1.0 }\n", "\n", "`multilevel` needs `coarse`"},
           {"coarse = { \"mesh.cell\" = 1.0 }", "coarse = 2.0", "`coarse` must be a table of keys and values"},
           {"coarse = { \"mesh.cell\" = 1.0 }", "coarse = {}", "`coarse` changes nothing of the case"},

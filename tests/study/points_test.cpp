@@ -53,16 +53,6 @@ TEST(Points, AShiftMakesEachPointUniform)
   EXPECT_NEAR(squares / n, 1.0 / 3.0, 4.0 * std::sqrt(4.0 / 45.0 / n));
 }
 
-TEST(Points, ALatinHypercubeHasOneInEachStratum)
-{
-  const auto points = make_points(settings_of("latin_hypercube", 40));
-  for (const auto& column : points) {
-    std::set<int> strata;
-    for (const Real u : column) strata.insert(static_cast<int>(u * 40.0));
-    EXPECT_EQ(strata.size(), 40u);
-  }
-}
-
 TEST(Points, ANumberThatIsNoPowerOfTwoIsDoubted)
 {
   const std::string sobol = changed(column_study, "monte_carlo", "sobol");
