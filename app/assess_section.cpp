@@ -23,7 +23,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <new>
 
@@ -49,10 +49,7 @@ std::string question_of(const PlannedSection& section, const AssessCommand& comm
 {
   const ImportCommand& import = command.import;
   std::string text = is_stix(section.file) ? read_file(section.file) : "";
-  text += fmt::format("|{}|{}|{}|{}|{}|{}|{}", import.scenario, import.stage, import.strength, import.cell,
-      import.trigger, command.stability, import.river.value_or(not_given));
-  if (import.base) text += fmt::format("|{}", *import.base);
-  for (const double x : import.between) text += fmt::format("|{}", x);
+  text += fmt::format("|{}|{}|", command.stability, fmt::join(given_options(import), "|"));
   return digits_of(text + (import.soil_defaults.empty() ? soil_defaults_table() : read_file(import.soil_defaults)));
 }
 

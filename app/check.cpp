@@ -67,8 +67,7 @@ void check_picture(const std::string& path)
   if (path.empty() || path.ends_with(".svg")) return;
   throw CaseError(
       printable(fmt::format("error: --picture {0}: the picture is an SVG file, which every browser opens\n"
-                            "  Write --picture {1}. For PNG: rsvg-convert {1} -o {0} (Debian package "
-                            "librsvg2-bin)\n",
+                            "  Write --picture {1}. For PNG: rsvg-convert {1} -o {0} (Debian package librsvg2-bin)\n",
           path, std::filesystem::path(path).replace_extension(".svg").string())));
 }
 
@@ -150,9 +149,8 @@ void print_start(Simulation& simulation)
   if (is_flat(first_section(model, simulation.state.points, ground_of(model)))) return;
   make_steps(model, simulation.state, simulation.work, {.most_steps = 1});
   fmt::print(
-      "  initial stress k0 on ground that is not level: {:.2g} % of the weight is out of balance at t = 0 and acts "
-      "at once;\n                 at rest begins stress = \"equilibrium\", or a first stage with until = "
-      "\"at_rest\"\n",
+      "  initial stress k0 on ground that is not level: {:.2g} % of the weight is out of balance at t = 0 and acts at "
+      "once;\n                 at rest begins stress = \"equilibrium\", or a first stage with until = \"at_rest\"\n",
       100.0 * simulation.work.unbalanced_ratio);
 }
 

@@ -29,9 +29,8 @@ void add_stage_options(CLI::App* command, ImportCommand& options, const char* wh
 void declare_import(CLI::App& app, ImportCommand& command)
 {
   CLI::App* import = add_command(app, "import", "Understand",
-      "what a D-Stability file or a drawing (DXF) holds\nScenarios, stages, calculations with their stored "
-      "results, soils, and what\nis left out; regions of a drawing. With -o a case folder\n(docs/dstability.md, "
-      "docs/dxf.md).",
+      "what a D-Stability file or a drawing (DXF) holds\nScenarios, stages, calculations with their stored results, "
+      "soils, and what\nis left out; regions of a drawing. With -o a case folder\n(docs/dstability.md, docs/dxf.md).",
       "  terp import section.stix --slices slices.csv\n  terp import section.stix --scenario 1 --stage 2 -o "
       "section\n  terp import section.stix --trigger strength -o section\n  terp import section.dxf -o section\n");
   add_option(import, "FILE", command.path, "D-Stability file (.stix) or drawing (.dxf)");

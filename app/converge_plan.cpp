@@ -38,17 +38,6 @@ std::vector<double> sizes_of(const ConvergeOptions& options)
   return cells;
 }
 
-/// As it stands in a TOML text between quotes.
-std::string escaped(const std::string& text)
-{
-  std::string result;
-  for (const char c : text) {
-    if (c == '\\' || c == '"') result += '\\';
-    result += c;
-  }
-  return result;
-}
-
 /// "a=1; b=2" -> "a=1", "b=2".
 std::vector<std::string> changes_of_variant(const std::string& text)
 {
@@ -237,8 +226,9 @@ struct Planner {
   void turn(PlannedRun& run, double angle) const
   {
     try {
-      const std::string path = turned_mesh_file(read_case(options.run.path, run.changes).values, angle);
-      run.changes.push_back(fmt::format("mesh={{ file = \"{}\" }}", escaped(path)));
+      Node file;
+      file.kind = NodeKind::text, file.text = turned_mesh_file(read_case(options.run.path, run.changes).values, angle);
+      run.changes.push_back(fmt::format("mesh={{ file = {} }}", toml_value(file)));
     } catch (const MeshError& error) {
       throw CaseError(printable(fmt::format("error: {}: {}\n", run.label, error.what())));
     }

@@ -2,7 +2,6 @@
 #include "drawing/dxf_regions.hpp"
 #include "dstability/drawing_folder.hpp"
 #include "dstability/read_stix.hpp"
-#include "import_checks.hpp"
 #include "import_options.hpp"
 #include "input/case_file.hpp"
 #include "input/printable.hpp"

@@ -7,7 +7,6 @@
 #include "points/csv_rows.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -52,29 +51,6 @@ void refuse_import(const std::string& path, const InputError& error)
 void refuse_import(const std::string& what, const std::string& cure)
 {
   throw CaseError(printable(fmt::format("error: {}\n  {}\n", what, cure)));
-}
-
-std::string ignored_options(const ImportCommand& given, bool is_changed_by_hand)
-{
-  std::vector<std::string> options;
-  const auto add = [&](const char* name, bool is_given, const auto& value) {
-    if (is_given) options.push_back(fmt::format("--{} {}", name, value));
-  };
-  if (!is_changed_by_hand) {
-    add("scenario", given.scenario != 0, given.scenario);
-    add("stage", given.stage != 0, given.stage);
-    add("strength", !given.strength.empty(), given.strength);
-    add("cell", given.cell != 0.0, given.cell);
-    add("between", !given.between.empty(), fmt::format("{}", fmt::join(given.between, ",")));
-    add("base", given.base.has_value(), given.base.value_or(0.0));
-    add("river", given.river.has_value(), given.river.value_or(0.0));
-    add("soil-defaults", !given.soil_defaults.empty(), given.soil_defaults);
-  }
-  add("trigger", !given.trigger.empty(), given.trigger);
-  if (options.empty()) return "";
-  return printable(fmt::format("{} {} not applied: {}", fmt::join(options, ", "), options.size() > 1 ? "were" : "was",
-      is_changed_by_hand ? "the case was changed by hand, and is solved as it stands; --force imports it anew"
-                         : "a case file is run as it is"));
 }
 
 std::vector<SoilKind> soil_kinds(const ImportCommand& command)

@@ -17,6 +17,10 @@ namespace terp {
 std::vector<SoilKind> soil_kinds(const ImportCommand& command);
 std::optional<Vec<2>> between_of(const ImportCommand& command);
 
+/// Throws CaseError if an option is of the other kind of file, or of the other of list and case folder.
+void refuse_unused_options(const ImportCommand& command, bool is_drawing);
+/// With their values: "--cell 0.5".
+std::vector<std::string> given_options(const ImportCommand& command);
 /// Which of the options given do not act on a section whose case is run as it is, and why. Empty: none was given.
 /// One that was changed by hand has all of them but the trigger: with others it is refused.
 std::string ignored_options(const ImportCommand& given, bool is_changed_by_hand);

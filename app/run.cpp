@@ -11,7 +11,6 @@
 #include "output/summary_keeper.hpp"
 #include "parallel/instructions.hpp"
 #include "progress.hpp"
-#include "run_warnings.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/library_watch.hpp"
 #include "simulation/no_equilibrium.hpp"

@@ -1,5 +1,4 @@
-#include "run_warnings.hpp"
-
+#include "commands.hpp"
 #include "input/printable.hpp"
 #include "simulation/model.hpp"
 #include "simulation/summary.hpp"

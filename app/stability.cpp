@@ -45,8 +45,7 @@ void check_options(const BisectionOptions& o)
   if (o.from && o.to && !(*o.from < *o.to))
     throw CaseError(
         fmt::format("error: --from {:g} --to {:g}: the first must be the smaller one\n  --from is a factor at which "
-                    "the soil is believed to stand, "
-                    "--to one at which it is not.\n",
+                    "the soil is believed to stand, --to one at which it is not.\n",
             *o.from, *o.to));
 }
 

@@ -63,8 +63,7 @@ TEST(Check, DrawsTheSection)
   EXPECT_THAT(text_of(svg), AllOf(StartsWith("<svg "), HasSubstr("bottom: contact")));
   EXPECT_EQ(error_with(2, test::terp(column_command("check", {"--picture", "section.png"}))),
       "error: --picture section.png: the picture is an SVG file, which every browser opens\n  Write --picture "
-      "section.svg. "
-      "For PNG: rsvg-convert section.svg -o section.png (Debian package librsvg2-bin)\n");
+      "section.svg. For PNG: rsvg-convert section.svg -o section.png (Debian package librsvg2-bin)\n");
 }
 
 /// The number before `unit` in the line of `terp check` that begins with `word`.

@@ -154,8 +154,7 @@ TEST_F(Converge, RefusesToTurnOtherMeshesThanSquares)
                       "left = [[0, 0], [0, 3]] }, cells = [16, 3] }"),
       HasSubstr("as it is a grid between four sides\n"));
   const std::string outline =
-      "polygon = [[0, 0], [16, 0], [16, 3], [0, 3]], cell = 1, edges = { bottom = [0], right = "
-      "[1], left = [3] }";
+      "polygon = [[0, 0], [16, 0], [16, 3], [0, 3]], cell = 1, edges = { bottom = [0], right = [1], left = [3] }";
   EXPECT_THAT(refused("{ " + outline + " }"), HasSubstr("as its cells follow the bodies (mesh.follow_bodies = false "));
   EXPECT_THAT(refused("{ " + outline + ", follow_bodies = false, refine = [{ box = [[0, 0], [1, 1]], cell = 0.5 }] }"),
       HasSubstr("as it is refined\n"));
