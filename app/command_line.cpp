@@ -177,7 +177,6 @@ void declare_viewers(CLI::App& app, CommandLine& line)
       "VTK and h5py read the frames as they are (docs/python.md).",
       "  terp export runs/dike --frames 0,10:20,last\n  terp export runs/dike --dxf after.dxf --profile after.csv\n");
   add_option(exported, "RUN", line.exported.run, "run folder")->required();
-  add_option(exported, "--format F", line.exported.format, "csv")->group("");
   add_option(exported, "--field NAME", line.exported.fields, "only this field; may be given several times")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -69,7 +69,7 @@ struct ReportCommand {
 };
 
 struct ExportCommand {
-  std::string run, format = "csv", frames, folder;
+  std::string run, frames, folder;
   std::string dxf, profile;  ///< files of the section at the end; empty: none
   std::vector<std::string> fields;
 };

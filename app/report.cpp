@@ -63,11 +63,6 @@ int report_runs(const ReportCommand& command)
 
 int export_run(const ExportCommand& command)
 {
-  if (command.format != "csv")
-    throw CaseError(
-        fmt::format("error: there is no format `{}`\n  Formats: csv. The frames of a run are VTKHDF files, which "
-                    "ParaView, VTK and h5py read as they are: docs/python.md\n",
-            command.format));
   if (!command.dxf.empty() || !command.profile.empty()) {
     const SectionExport section = export_section(read_run(command.run));
     for (const auto& [path, text] :
@@ -79,7 +74,7 @@ int export_run(const ExportCommand& command)
     return solved;
   }
   Frames frames = read_run(command.run).frames();
-  const std::string folder = command.folder.empty() ? path_in(command.run, command.format) : command.folder;
+  const std::string folder = command.folder.empty() ? path_in(command.run, "csv") : command.folder;
   const auto paths = export_frames(frames, {command.fields, command.frames, folder});
   for (const auto& warning : frames.warnings()) fmt::print(stderr, "warning: {}\n", warning.en);
   const std::size_t n = paths.size() - 1;

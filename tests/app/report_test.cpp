@@ -120,8 +120,6 @@ TEST(Export, WritesTheFramesAndSaysWhere)
   EXPECT_TRUE(std::filesystem::exists(folder + "/frame_00002.csv"));
   EXPECT_THAT(succeeded(test::terp({"export", runs().gp, "--frames", "last", "-o", folder})).out,
       StartsWith("1 frame in " + folder + ", listed in "));
-  EXPECT_THAT(error_with(2, test::terp({"export", runs().gp, "--format", "vtu"})),
-      StartsWith("error: there is no format `vtu`\n  Formats: csv. The frames of a run are VTKHDF files"));
 }
 
 TEST(Watch, SaysHowFarARunCameAndThatItIsFinished)
