@@ -26,10 +26,10 @@ FieldValue by_map(ValueMap map);
 /// S_u = S sigma'_v (sigma'_p / sigma'_v)^m, at least `minimum`. sigma'_p = sigma'_v,daily + pop, or ocr times
 /// sigma'_v,daily, or yield_stress: exactly one of the three is given.
 struct Shansep {
-  FieldValue S, m;                    ///< [-]
-  FieldValue pop, ocr, yield_stress;  ///< [Pa], [-], [Pa]
-  FieldValue minimum;                 ///< [Pa]; may be empty
-  std::string water, daily;           ///< situations of sigma'_v and of sigma'_v,daily; empty: the start
+  FieldValue S, m;                                   ///< [-]
+  FieldValue pop = {}, ocr = {}, yield_stress = {};  ///< [Pa], [-], [Pa]
+  FieldValue minimum = {};                           ///< [Pa]; may be empty
+  std::string water = {}, daily = {};                ///< situations of sigma'_v and of sigma'_v,daily; empty: the start
 };
 FieldValue by_shansep(const Shansep& soil);
 /// sigma'_p of it [Pa].

@@ -13,24 +13,16 @@ Section section_of(const std::vector<Real>& heights)
 
 TEST(Section, AColumnAtAWallHasOneSlopeWithAFreeToe)
 {
-  const auto slopes = find_slopes(section_of({4.0, 4.0, 4.0, none, none, none}));
-  ASSERT_EQ(slopes.size(), 1);
-  EXPECT_EQ(slopes[0].facing, Facing::right);
-  EXPECT_TRUE(slopes[0].free_toe);
-  EXPECT_EQ(slopes[0].crest, 13.0);
-  EXPECT_EQ(slopes[0].toe, 13.0);
-  EXPECT_EQ(slopes[0].height, 4.0);
-}
-
-TEST(Section, ItsMirrorImageHasTheMirrorImage)
-{
-  const auto slopes = find_slopes(section_of({none, none, none, 4.0, 4.0, 4.0}));
-  ASSERT_EQ(slopes.size(), 1);
-  EXPECT_EQ(slopes[0].facing, Facing::left);
-  EXPECT_TRUE(slopes[0].free_toe);
-  EXPECT_EQ(slopes[0].crest, 13.0);
-  EXPECT_EQ(slopes[0].toe, 13.0);
-  EXPECT_EQ(slopes[0].height, 4.0);
+  for (const auto& [facing, heights] : {std::pair{Facing::right, std::vector{4.0, 4.0, 4.0, none, none, none}},
+           std::pair{Facing::left, std::vector{none, none, none, 4.0, 4.0, 4.0}}}) {
+    const auto slopes = find_slopes(section_of(heights));
+    ASSERT_EQ(slopes.size(), 1);
+    EXPECT_EQ(slopes[0].facing, facing);
+    EXPECT_TRUE(slopes[0].free_toe);
+    EXPECT_EQ(slopes[0].crest, 13.0);
+    EXPECT_EQ(slopes[0].toe, 13.0);
+    EXPECT_EQ(slopes[0].height, 4.0);
+  }
 }
 
 TEST(Section, GroundThatReachesTheSideOfTheMeshIsNoFreeToeAndTheSlopeEndsWhereItBegins)

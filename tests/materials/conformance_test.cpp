@@ -2,7 +2,6 @@
 #include "materials/material_axes.hpp"
 #include "materials/soil_material.hpp"
 #include "materials/probe.hpp"
-#include "support/random.hpp"
 #include <bit>
 
 namespace conformance_test {
@@ -39,13 +38,6 @@ std::vector<Real> values_of(const std::vector<int>& numbers, const std::vector<R
   return values;
 }
 
-Stress random_increment(Real size, Random& random)
-{
-  Stress d_eps;
-  for (int c = 0; c < 4; ++c) d_eps[c] = random.between(-size, size);
-  return d_eps;
-}
-
 /// No strength is raised by the rate of a step that takes as long [s].
 constexpr Real slow_step = 1e9;
 
@@ -69,7 +61,7 @@ class EveryMaterial : public TestWithParam<Setting> {
   {
     Probe point = probe();
     Random random(seed);
-    for (int k = 0; k < n; ++k) point.strain(random_increment(0.02, random));
+    for (int k = 0; k < n; ++k) point.strain(random_tensor(0.02, random));
     return point;
   }
 };
@@ -157,7 +149,7 @@ TEST_P(EveryMaterial, LooksAtTheLengthOfTheStepIfItSaysSoAndNotOtherwise)
   bool same = true;
   Random random(55);
   for (int step = 0; step < 50; ++step) {
-    const Stress d_eps = random_increment(0.002, random);
+    const Stress d_eps = random_tensor(0.002, random);
     once.strain(d_eps);
     slower.strain(d_eps);
     same = same && bits_of(once) == bits_of(slower);
@@ -172,7 +164,7 @@ TEST_P(EveryMaterial, GivesTheSameBitsWhenItsParametersComeFromThePoints)
   Probe uniform = probe(), from_point(type(), parameters(), varying, values_of(varying, parameters()));
   Random random(56);
   for (int step = 0; step < 200; ++step) {
-    const Stress d_eps = random_increment(step % 2 ? 0.02 : 0.0005, random);
+    const Stress d_eps = random_tensor(step % 2 ? 0.02 : 0.0005, random);
     uniform.strain(d_eps);
     from_point.strain(d_eps);
     ASSERT_EQ(bits_of(from_point), bits_of(uniform)) << "step " << step;
@@ -203,7 +195,7 @@ TEST_P(EveryMaterial, ActsOnEachPointWithItsOwnParameters)  // lanes side by sid
   Random random(57);
   for (int step = 0; step < 200; ++step) {
     std::vector<Stress> d_eps;
-    for (int k = 0; k < pack_width; ++k) d_eps.push_back(random_increment(k % 3 ? 0.001 : 0.02, random));
+    for (int k = 0; k < pack_width; ++k) d_eps.push_back(random_tensor(k % 3 ? 0.001 : 0.02, random));
     std::vector<Probe*> all;
     for (auto& point : together) all.push_back(&point);
     Probe::strain_together(all, d_eps, 0);
@@ -222,7 +214,7 @@ TEST_P(EveryMaterial, GivesTheSameAnswerInPacksAndOneByOne)
   for (int step = 0; step < 300; ++step) {
     std::vector<Stress> d_eps;
     const Real size = std::pow(10.0, random.between(-6.0, -1.7));  // elastic, face and edge lanes side by side
-    for (int k = 0; k < pack_width; ++k) d_eps.push_back(random_increment(k % 3 ? size : 0.02, random));
+    for (int k = 0; k < pack_width; ++k) d_eps.push_back(random_tensor(k % 3 ? size : 0.02, random));
     std::vector<Probe*> all;
     for (auto& point : together) all.push_back(&point);
     Probe::strain_together(all, d_eps, 0);
@@ -249,7 +241,7 @@ TEST_P(EveryMaterial, DoesNotDependOnTheFrame)  // turn input and axes by 30 deg
   Probe straight = probe(), turned(type(), seen_from(type(), parameters(), 30.0));
   Real largest = 0.0;
   for (int step = 0; step < 200; ++step) {
-    const Stress d_eps = random_increment(0.002, random);
+    const Stress d_eps = random_tensor(0.002, random);
     straight.strain(d_eps);
     turned.strain(rotated(d_eps, angle));
     const Stress back = rotated(turned.sigma, -angle);
@@ -268,8 +260,11 @@ TEST_P(EveryMaterial, StaysFiniteAndInsideItsYieldSurfaceOnRandomWalks)
     if (type().depends_on_rate && !fast) point.dt = slow_step;
     Random random(53 + seed);
     const Real size = seed % 2 ? 0.02 : 0.0005;
+    const int strain = find_role(type().state, Role::plastic_strain);
     for (int step = 0; step < 1000; ++step) {
-      point.strain(random_increment(size, random));
+      const Real before = strain < 0 ? 0.0 : point.state[strain];
+      point.strain(random_tensor(size, random));
+      ASSERT_TRUE(strain < 0 || point.state[strain] >= before) << "step " << step;
       for (int c = 0; c < 4; ++c) ASSERT_TRUE(std::isfinite(point.sigma[c]));
       for (const Real value : point.state) ASSERT_TRUE(std::isfinite(value));
       ASSERT_GE(point.plastic_work, 0.0);
@@ -304,7 +299,7 @@ TEST_P(EveryMaterial, IsNeverStifferThanTheModuliThatTheTimeStepHoldsFor)
   Probe point = probe();
   Random random(58);
   for (int step = 0; step < 1000; ++step) {
-    point.strain(random_increment(step % 2 ? 0.02 : 0.0005, random));
+    point.strain(random_tensor(step % 2 ? 0.02 : 0.0005, random));
     const Moduli now = point.moduli();
     ASSERT_LE(now.bulk, point.law().bulk_modulus()) << "step " << step;
     ASSERT_LE(now.shear, point.law().shear_modulus()) << "step " << step;
@@ -322,7 +317,7 @@ TEST_P(EveryMaterial, HasTheSameStressesAtSmallerStrainsInShorterTimesWhenScaled
   stiff.dt = soft.dt / std::sqrt(s);
   Random random(7);
   for (int step = 0; step < 200; ++step) {
-    Stress d_eps = random_increment(0.002, random);
+    Stress d_eps = random_tensor(0.002, random);
     soft.strain(d_eps);
     for (int c = 0; c < 4; ++c) d_eps[c] /= s;
     stiff.strain(d_eps);

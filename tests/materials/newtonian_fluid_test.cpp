@@ -7,15 +7,6 @@ Probe fluid(Real bulk, Real viscosity, Real tension_cutoff = 0.0)
   return {*find_material("newtonian_fluid"), {bulk, viscosity, tension_cutoff}};
 }
 
-TEST(NewtonianFluid, TakesItsPressureFromTheChangeOfVolume)
-{
-  Probe point = fluid(2e6, 0.0);
-  for (int k = 0; k < 10; ++k) point.strain({{-3e-4, 1e-4, 0.0, 2e-3}});
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(point.sigma[c], -2e6 * 2e-3, 1e-9);
-  EXPECT_EQ(point.sigma[3], 0.0);
-  EXPECT_EQ(point.plastic_work, 0.0);
-}
-
 TEST(NewtonianFluid, TakesItsShearStressFromTheRate)  // tau = mu gamma', gamma' = 2 eps_xy / dt
 {
   Probe point = fluid(2e6, 0.7);
@@ -24,13 +15,6 @@ TEST(NewtonianFluid, TakesItsShearStressFromTheRate)  // tau = mu gamma', gamma'
   EXPECT_NEAR(point.plastic_work, 0.7 * std::pow(2.0 * 0.002, 2) / point.dt, 1e-12) << "dissipation mu gamma'^2 dt";
   point.strain(Stress{});
   EXPECT_EQ(point.sigma[3], 0.0) << "no shear stress at rest";
-}
-
-TEST(NewtonianFluid, HasNoBulkViscosity)
-{
-  Probe thin = fluid(2e6, 0.0), thick = fluid(2e6, 50.0);
-  for (Probe* point : {&thin, &thick}) point->strain({{-1e-4, -1e-4, -1e-4, 0.0}});
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(thick.sigma[c], thin.sigma[c], 1e-12);
 }
 
 TEST(NewtonianFluid, TearsAndGivesNoPressureBeforeItHasClosed)

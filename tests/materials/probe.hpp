@@ -4,6 +4,7 @@
 #include "base/tensor.hpp"
 #include "materials/material.hpp"
 #include "parallel/pack.hpp"
+#include "support/random.hpp"
 #include "support/test.hpp"
 
 namespace terp::test {
@@ -108,6 +109,21 @@ class Probe {
   const MaterialType* type_;
   std::shared_ptr<const Material> law_;  // a copy of a point has the same law
 };
+
+/// Strains by n equal parts.
+inline void strain_in_parts(Probe& point, Stress d_eps, int n)
+{
+  for (int k = 0; k < 4; ++k) d_eps[k] /= n;
+  for (int k = 0; k < n; ++k) point.strain(d_eps);
+}
+
+/// Each component between -size and size.
+inline Stress random_tensor(Real size, Random& random)
+{
+  Stress tensor;
+  for (int c = 0; c < 4; ++c) tensor[c] = random.between(-size, size);
+  return tensor;
+}
 
 /// Principal stresses from large to small, by the textbook formula [Pa].
 inline std::array<Real, 3> sorted_principal(const Stress& s)

@@ -1,7 +1,6 @@
 #include "materials/scaled_softening.hpp"
 
 #include "materials/probe.hpp"
-#include "support/random.hpp"
 
 namespace scaled_softening_test {
 
@@ -10,13 +9,6 @@ const std::vector<Real> quick_clay{2e6, 0.48, 8e3, 2e3, 50.0, 200.0, 3.0, 0.1, 1
 const std::vector<Real> sand{5e6, 0.3, 4e3, 35.0, 5.0, INFINITY, 500.0, 28.0, 0.0, 40.0};
 
 const MaterialType& scaled(const char* law) { return *find_material(law)->scaled; }
-
-Stress random_increment(Real size, Random& random)
-{
-  Stress d_eps;
-  for (int c = 0; c < 4; ++c) d_eps[c] = random.between(-size, size);
-  return d_eps;
-}
 
 TEST(ScaledSoftening, IsAFormOfLawsThatSoften)
 {
@@ -38,7 +30,7 @@ TEST(ScaledSoftening, IsTheLawItselfInCellsOfTheReferenceWidth)
     Probe point(*find_material(law), parameters), form(scaled(law), parameters);
     Random random(31);
     for (int step = 0; step < 400; ++step) {
-      const Stress d_eps = random_increment(step % 2 ? 0.01 : 0.0005, random);
+      const Stress d_eps = random_tensor(step % 2 ? 0.01 : 0.0005, random);
       point.strain(d_eps);
       form.strain(d_eps);
       for (int c = 0; c < 4; ++c) ASSERT_NEAR(form.sigma[c], point.sigma[c], 1e-6) << law << ", step " << step;
@@ -90,7 +82,7 @@ TEST(ScaledSoftening, AStrengthNeverRisesWhenThePointComesToAnotherCell)
   Real strength = point.derived(0);
   for (int step = 0; step < 3000; ++step) {
     point.scale = std::pow(10.0, random.between(-1.0, 0.5));
-    point.strain(random_increment(0.001, random));
+    point.strain(random_tensor(0.001, random));
     ASSERT_LE(point.derived(0), strength * (1.0 + 1e-15));
     strength = point.derived(0);
   }

@@ -62,27 +62,6 @@ TEST(CheckOutline, FindsNothingWrongWithASoundBody)
   EXPECT_THAT(check_outline({{}, {5, 5}, {}, {3, 4}}), IsEmpty());
 }
 
-TEST(CheckOutline, RefusesTooFewCorners)
-{
-  EXPECT_THAT(check_outline(body({})), ElementsAre("the polygon has 0 different corners; it needs at least 3"));
-  EXPECT_THAT(check_outline(body({{1.5, 2.0}, {3.0, 0.0}, {1.5, 2.0}})),
-      ElementsAre("the polygon has 2 different corners from (1.5, 2) m; it needs at least 3"));
-}
-
-TEST(CheckOutline, RefusesAPolygonThatIsALine)
-{
-  EXPECT_THAT(check_outline(body({{1.0, 2.0}, {3.0, 3.0}, {5.0, 4.0}})),
-      ElementsAre("the polygon has no area: all its corners lie on a line in the box from (1, 2) to (5, 4) m"));
-}
-
-TEST(CheckOutline, RefusesABowTieAndSaysWhereItCrosses)
-{
-  EXPECT_THAT(check_outline(body({{0.0, 0.0}, {2.0, 2.0}, {2.0, 0.0}, {0.0, 1.0}})),
-      ElementsAre(
-          "the polygon crosses itself: its side from (0, 0) to (2, 2) m crosses its side from (2, 0) to (0, 1) m "
-          "at (0.666667, 0.666667) m"));
-}
-
 TEST(CheckOutline, LetsAPolygonTouchItself)
 {
   const Polygon keyhole{{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {2.0, 4.0}, {2.0, 3.0}, {3.0, 1.0}, {1.0, 1.0}, {2.0, 3.0},
@@ -90,40 +69,34 @@ TEST(CheckOutline, LetsAPolygonTouchItself)
   EXPECT_THAT(check_outline(body(keyhole)), IsEmpty());
 }
 
-TEST(CheckOutline, RefusesAHoleOutsideItsBody)
+TEST(CheckOutline, SaysWhatMakesAnOutlineNoBody)
 {
-  EXPECT_THAT(check_outline(body(box({0.0, 0.0}, {6.0, 2.0}), {box({7.0, 0.5}, {8.0, 1.0})})),
-      ElementsAre("hole 1 lies outside its body: its corner (7, 0.5) m"));
-  const Polygon notched{{0.0, 0.0}, {6.0, 0.0}, {6.0, 2.0}, {4.0, 2.0}, {3.0, 0.5}, {2.0, 2.0}, {0.0, 2.0}};
-  EXPECT_THAT(check_outline(body(notched, {box({1.0, 1.0}, {5.0, 1.5})})),
-      ElementsAre(HasSubstr("hole 1 lies outside its body: it crosses the polygon at (")));
-}
-
-TEST(CheckOutline, RefusesHolesInEachOther)
-{
+  using Found = testing::Matcher<const std::string&>;
   const Polygon ground = box({0.0, 0.0}, {6.0, 2.0});
-  EXPECT_THAT(check_outline(body(ground, {box({1.0, 0.5}, {3.0, 1.5}), box({2.0, 1.0}, {4.0, 1.8})})),
-      ElementsAre(AllOf(HasSubstr("hole 1 and hole 2 cross at ("), HasSubstr(") m"))));
-  EXPECT_THAT(check_outline(body(ground, {box({1.0, 0.5}, {3.0, 1.5}), box({2.0, 1.0}, {2.5, 1.2})})),
-      ElementsAre("hole 1 and hole 2 lie in each other at (2, 1) m"));
-}
-
-TEST(CheckOutline, NamesTheHoleThatIsUnsound)
-{
-  EXPECT_THAT(check_outline(body(box({0.0, 0.0}, {6.0, 2.0}), {box({1.0, 0.5}, {2.0, 1.0}), {{3.0, 1.0}, {4.0, 1.0}}})),
-      ElementsAre("hole 2 has 2 different corners from (3, 1) m; it needs at least 3"));
-}
-
-TEST(CheckOutline, RefusesACornerThatIsNotANumber)
-{
-  EXPECT_THAT(check_outline(body({{0.0, 0.0}, {std::numeric_limits<Real>::quiet_NaN(), 1.0}, {2.0, 0.0}})),
-      ElementsAre("the polygon has a corner that is not a number: (nan, 1)"));
-}
-
-TEST(CheckOutline, RefusesCellsAndAPolygonInOneBody)
-{
-  EXPECT_THAT(check_outline({box({0.0, 0.0}, {1.0, 1.0}), {5, 5}, {}, {3, 4}}),
-      ElementsAre("a body of whole cells has no polygon and no holes"));
+  const Polygon notched{{0.0, 0.0}, {6.0, 0.0}, {6.0, 2.0}, {4.0, 2.0}, {3.0, 0.5}, {2.0, 2.0}, {0.0, 2.0}};
+  const std::pair<BodyOutline, Found> rows[] = {
+      {body({}), "the polygon has 0 different corners; it needs at least 3"},
+      {body({{1.5, 2.0}, {3.0, 0.0}, {1.5, 2.0}}),
+          "the polygon has 2 different corners from (1.5, 2) m; it needs at least 3"},
+      {body({{1.0, 2.0}, {3.0, 3.0}, {5.0, 4.0}}),
+          "the polygon has no area: all its corners lie on a line in the box from (1, 2) to (5, 4) m"},
+      {body({{0.0, 0.0}, {2.0, 2.0}, {2.0, 0.0}, {0.0, 1.0}}),
+          "the polygon crosses itself: its side from (0, 0) to (2, 2) m crosses its side from (2, 0) to (0, 1) m "
+          "at (0.666667, 0.666667) m"},
+      {body(ground, {box({7.0, 0.5}, {8.0, 1.0})}), "hole 1 lies outside its body: its corner (7, 0.5) m"},
+      {body(notched, {box({1.0, 1.0}, {5.0, 1.5})}),
+          HasSubstr("hole 1 lies outside its body: it crosses the polygon at (")},
+      {body(ground, {box({1.0, 0.5}, {3.0, 1.5}), box({2.0, 1.0}, {4.0, 1.8})}),
+          AllOf(HasSubstr("hole 1 and hole 2 cross at ("), HasSubstr(") m"))},
+      {body(ground, {box({1.0, 0.5}, {3.0, 1.5}), box({2.0, 1.0}, {2.5, 1.2})}),
+          "hole 1 and hole 2 lie in each other at (2, 1) m"},
+      {body(ground, {box({1.0, 0.5}, {2.0, 1.0}), {{3.0, 1.0}, {4.0, 1.0}}}),
+          "hole 2 has 2 different corners from (3, 1) m; it needs at least 3"},
+      {body({{0.0, 0.0}, {std::numeric_limits<Real>::quiet_NaN(), 1.0}, {2.0, 0.0}}),
+          "the polygon has a corner that is not a number: (nan, 1)"},
+      {{box({0.0, 0.0}, {1.0, 1.0}), {5, 5}, {}, {3, 4}}, "a body of whole cells has no polygon and no holes"},
+  };
+  for (const auto& [outline, found] : rows) EXPECT_THAT(check_outline(outline), ElementsAre(found));
 }
 
 }  // namespace body_outline_test

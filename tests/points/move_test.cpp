@@ -19,7 +19,7 @@ struct OnePoint {
   {
     add_point(mesh, 5,
         {.volume = 0.01, .mass = 20.0, .v = {1.0, -2.0}, .sigma = {4.0, 5.0, 6.0, 7.0}, .state = {0.03}, .id = 9},
-        points);
+        points, 2, 3);
     points.update_occupied();
     auto& block = only_block(points, 5);
     block.row(Rows::x)[0] = x[0];
@@ -47,33 +47,7 @@ TEST(MoveToNewCell, TakesAPointOverASideWithAllItCarries)
   for (int k = 0; k < 4; ++k) EXPECT_EQ(moved.row(Rows::sigma + k), 4.0 + k);
   EXPECT_EQ(moved.row(Rows::state), 0.03);
   EXPECT_EQ(moved.row(Rows::id), 9.0);
-}
-
-TEST(MoveToNewCell, KeepsMaterialAndBody)
-{
-  const Mesh<2> mesh = regular();
-  PointBlocks<2> points(mesh.n_cells(), 1);
-  test::add_point(mesh, 5, {}, points, 2, 3);
-  test::only_block(points, 5).row(Rows::x)[0] = 0.55;
-  std::vector<Real> values(points.n_rows());
-  move_to_new_cell(mesh, closed(mesh), points, {points.first_block(5), 0}, values);
-  points.update_occupied();
-  ASSERT_THAT(points.occupied(), testing::ElementsAre(6));
-  EXPECT_TRUE(test::only_block(points, 6) == (BlockKey{6, 2, 3}));
-}
-
-TEST(MoveToNewCell, TakesAPointOverACornerAndFar)
-{
-  EXPECT_EQ(OnePoint(regular(), {0.51, 0.51}).cell(), 10);
-  EXPECT_EQ(OnePoint(regular(), {0.99, 0.01}).cell(), 3);
-}
-
-TEST(MoveToNewCell, LeavesAPointThatIsStillInItsCell)
-{
-  const OnePoint moved(regular(), {0.3, 0.45});
-  EXPECT_EQ(moved.cell(), 5);
-  EXPECT_EQ(moved.outcome, Moved::inside);
-  EXPECT_NEAR(moved.row(Rows::xi), -0.6, 1e-14);
+  EXPECT_TRUE(moved.points.block(moved.points.first_block(6)) == (BlockKey{6, 2, 3}));
 }
 
 TEST(MoveToNewCell, PutsAPointThatLeftTheMeshBackOnTheWallAndCountsIt)

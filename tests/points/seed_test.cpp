@@ -49,45 +49,6 @@ TEST(SeedPoints, ShareOutTheWholeVolumeOfDistortedCells)
   for (Index e = 0; e < mesh.n_cells(); ++e) EXPECT_NEAR(of_cell[e], mesh.geometry(e).volume, 1e-15);
 }
 
-TEST(SeedPoints, LieWhereTheirLocalCoordinatesSay)
-{
-  const auto mesh = distorted_rectangle(6, 5, 0.2, 0.3, 32);
-  const std::vector<BodyOutline> bodies{{box({0.0, 0.0}, {0.77, 0.61}), {3, 3}}};
-  const auto seeds = seed_points(mesh, bodies);
-  ASSERT_FALSE(seeds.empty());
-  for (const auto& seed : seeds) {
-    const auto offset = Quad4::offset_from_centre(mesh.geometry(seed.cell).map, seed.local);
-    for (int d = 0; d < 2; ++d) EXPECT_NEAR(seed.x[d], mesh.centres[seed.cell][d] + offset[d], 1e-15);
-    EXPECT_TRUE(seed.x[0] < 0.77 && seed.x[1] < 0.61);
-    EXPECT_TRUE(std::abs(seed.local[0]) < 1.0 && std::abs(seed.local[1]) < 1.0);
-  }
-}
-
-TEST(SeedPoints, LeaveOutWhatLiesOutsideTheBody)
-{
-  const std::vector<BodyOutline> bodies{{{{0.0, 0.0}, {2.0, 0.0}, {0.0, 1.0}}, {10, 10}}};  // a triangle
-  const auto seeds = seed_points(make_rectangle({0.0, 0.0}, {2.0, 1.0}, {2, 1}), bodies);
-  for (const auto& seed : seeds) EXPECT_LT(seed.x[0] / 2.0 + seed.x[1], 1.0 + 1e-12);
-  EXPECT_NEAR(total_volume(seeds), 1.0, 1e-14);
-}
-
-TEST(SeedPoints, GiveAPlaceToTheBodyDrawnLast)
-{
-  const std::vector<BodyOutline> bodies{{box({0.0, 0.0}, {4.0, 2.0}), {4, 4}}, {box({1.0, 0.0}, {2.0, 1.0}), {2, 2}}};
-  const auto seeds = seed_points(make_rectangle({0.0, 0.0}, {4.0, 2.0}, {4, 2}), bodies);
-  EXPECT_NEAR(total_volume(seeds, 0), 7.0, 1e-13);
-  EXPECT_NEAR(total_volume(seeds, 1), 1.0, 1e-13);
-  for (const auto& seed : seeds) EXPECT_EQ(seed.body, seed.cell == 1 ? 1 : 0);
-}
-
-TEST(SeedPoints, AreInOrderOfCells)
-{
-  const std::vector<BodyOutline> bodies{{box({2.0, 0.0}, {4.0, 2.0}), {2, 2}}, {box({0.0, 0.0}, {2.0, 2.0}), {2, 2}}};
-  const auto seeds = seed_points(make_rectangle({0.0, 0.0}, {4.0, 2.0}, {4, 2}), bodies);
-  EXPECT_TRUE(std::is_sorted(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.cell < b.cell; }));
-  EXPECT_EQ(seeds.size(), 32u);
-}
-
 TEST(SeedPoints, FillWholeCellsOfARegionAndLetLaterPolygonsLieOnTop)
 {
   const auto mesh = distorted_rectangle(6, 5, 0.2, 0.3, 33);

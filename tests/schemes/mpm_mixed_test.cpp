@@ -1,3 +1,4 @@
+// How fast it diffuses a state that moves: ledger, `transport`.
 #include "support/simulations.hpp"
 
 namespace mpm_mixed_test {
@@ -54,69 +55,6 @@ TEST(MpmMixed, AStateThatItsLawKeepsBySubCellTakesTheMeanThere)
 {
   for (const Point& p : points_after_one_step(Averaging::sub_cell))
     EXPECT_NEAR(p.eps_eq_p(), 1e-5 * mean_of(sub_cell_of(p)), 1e-16);
-}
-
-/// Variance of the plastic strain along x about its centre [m^2].
-Real variance(const State& state)
-{
-  Real sum = 0.0, first = 0.0, second = 0.0;
-  for (const Point& p : points_by_id(state)) {
-    sum += p.eps_eq_p();
-    first += p.eps_eq_p() * p.x[0];
-    second += p.eps_eq_p() * p.x[0] * p.x[0];
-  }
-  return second / sum - (first / sum) * (first / sum);
-}
-
-/// A bar that moves along x with a bell of plastic strain in it, far from its ends. Weights are the points' own
-/// volumes, with which the mean over a cell keeps the sum of the state.
-Simulation make_moving_bar(Index n)
-{
-  Case c = free_box("mpm_mixed", {0.0, 0.25}, {10.0, 0.75});
-  c.method.shares = Shares::point;  // with overlapping ones the state stays with its point
-  c.mesh.size = {20.0, 1.0};
-  c.method.weights = Weights::summed;
-  c.bodies[0].points_per_cell = {n, n};
-  c.bodies[0].velocity = {4.7123, 0.0};
-  Model model = build_model(c, 1);
-  State state = build_state(model);
-  edit_points(state, [](const PointBlock<2>& block, Index lane) {
-    const Real distance = (block.row(Rows::x)[lane] - 5.0) / 0.6;
-    block.row(Rows::state)[lane] = 0.05 * std::exp(-0.5 * distance * distance);
-  });
-  return Simulation(std::move(model), std::move(state));
-}
-
-TEST(MpmMixed, InRigidTranslationAStateDiffusesLikeFirstOrderUpwind)
-{
-  for (const Index n : {3, 5}) {
-    Simulation s = make_moving_bar(n);
-    s.step();  // the first averaging, before anything has moved, is not part of the law
-    const Real start = variance(s.state), time = s.state.time;
-    s.step(700);
-    const Real path = 4.7123 * (s.state.time - time), h = 0.25;
-    ASSERT_GT(path, 12.0 * h);
-    const Real expected = (1.0 - 1.0 / n) * h * path;
-    EXPECT_NEAR(variance(s.state) - start, expected, 0.05 * expected) << n << " points per direction";
-  }
-}
-
-TEST(MpmMixed, DiffusionMovesTheSumOfTheStateWithTheSoil)
-{
-  Simulation s = make_moving_bar(5);
-  const auto sum_and_centre = [&] {
-    Real sum = 0.0, first = 0.0;
-    for (const Point& p : points_by_id(s.state)) {
-      sum += p.volume * p.eps_eq_p();
-      first += p.volume * p.eps_eq_p() * p.x[0];
-    }
-    return std::pair(sum, first / sum);
-  };
-  const auto [sum, centre] = sum_and_centre();
-  s.step(700);
-  const auto [sum_after, centre_after] = sum_and_centre();
-  EXPECT_NEAR(sum_after, sum, 1e-12 * sum);
-  EXPECT_NEAR(centre_after, centre + 4.7123 * s.state.time, 0.001);
 }
 
 }  // namespace mpm_mixed_test

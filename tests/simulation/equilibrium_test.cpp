@@ -4,8 +4,6 @@
 
 namespace equilibrium_test {
 
-constexpr Real g = 9.81;
-
 std::string seek(Simulation& s, bool stopped = false)
 {
   return find_equilibrium(s.model, s.state, std::atomic<bool>{stopped}).fault;
@@ -32,22 +30,6 @@ std::array<Real, 2> difference_in_shear(const State& a, const State& b)
     square += d * d, of_a += points[k].sigma[3] * points[k].sigma[3];
   }
   return {largest / std::sqrt(of_a / static_cast<Real>(points.size())), std::sqrt(square / of_a)};
-}
-
-TEST(Equilibrium, AnElasticBoxComesToRestUnderItsWeight)
-{
-  Simulation s(confined_box(InitialStress::equilibrium));
-  ASSERT_EQ(seek(s), "");
-  std::vector<Vec<2>> mean(s.model.mesh->cells.size(), {0.0, 0.0});  // stress xx, yy of each cell [Pa]
-  for (const Point& p : points_by_id(s.state))
-    for (int k = 0; k < 2; ++k) mean[p.cell][k] += p.sigma[k] / 25.0;
-  for (Index cell = 0; cell < 6 * 16; ++cell) {
-    const Real vertical = -2000.0 * g * (1.5 - s.model.mesh->centres[cell][1]);
-    EXPECT_NEAR(mean[cell][1], vertical, 0.001 * 2000.0 * g * 1.5);
-    EXPECT_NEAR(mean[cell][0], 0.3 / 0.7 * vertical, 0.001 * 2000.0 * g * 1.5);  // nu / (1 - nu), confined
-  }
-  s.step();
-  EXPECT_LE(s.work.unbalanced_ratio, 2e-4);
 }
 
 TEST(Equilibrium, ItChangesTheStressAndNothingElse)

@@ -169,11 +169,17 @@ std::string message_of_run(Simulation& s, Saboteur& saboteur)
   return refusal<RunError>([&] { s.run(); });
 }
 
-TEST(Guards, ARunThatMeetsNotANumberStopsAfterThatStepAndKeepsItsState)
+/// The column with a row of the ledger at every step.
+Simulation column_with_rows()
 {
   Case c = column("mpm_gp");
-  c.output.ledger_every = 1e-9;  // every step
-  Simulation s(c);
+  c.output.ledger_every = 1e-9;
+  return Simulation(c);
+}
+
+TEST(Guards, ARunThatMeetsNotANumberStopsAfterThatStepAndKeepsItsState)
+{
+  Simulation s = column_with_rows();
   Saboteur saboteur;
   saboteur.at_step = 4;
   const std::string message = message_of_run(s, saboteur);
@@ -186,9 +192,7 @@ TEST(Guards, ARunThatMeetsNotANumberStopsAfterThatStepAndKeepsItsState)
 
 TEST(Guards, ARunThatGainsEnergyStopsAtItsNextRow)
 {
-  Case c = column("mpm_gp");
-  c.output.ledger_every = 1e-9;  // every step
-  Simulation s(c);
+  Simulation s = column_with_rows();
   Saboteur saboteur;
   saboteur.at_step = 120;
   saboteur.velocity = 30.0;

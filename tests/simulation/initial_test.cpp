@@ -12,19 +12,6 @@ TEST(InitialStress, NoneStartsWithoutStress)
     EXPECT_EQ(p.sigma, (std::array<Real, 4>{}));
 }
 
-TEST(InitialStress, K0CarriesTheWeightOfTheSoilAbove)
-{
-  Case c = confined_box(InitialStress::k0);
-  c.initial.k0 = 0.7;
-  for (const Point& p : points_by_id(Simulation(c).state)) {
-    const Real vertical = -2000.0 * g * (1.5 - p.x[1]);
-    EXPECT_NEAR(p.sigma[1], vertical, 1e-9);
-    EXPECT_NEAR(p.sigma[0], 0.7 * vertical, 1e-9);
-    EXPECT_NEAR(p.sigma[2], 0.7 * vertical, 1e-9);
-    EXPECT_EQ(p.sigma[3], 0.0);
-  }
-}
-
 TEST(InitialStress, K0IsOfTheEffectiveStressAndOfEachMaterial)
 {
   for (const Drainage drainage : {Drainage::drained, Drainage::undrained}) {

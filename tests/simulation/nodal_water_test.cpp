@@ -15,12 +15,28 @@ Case wet_box()
   return c;
 }
 
+/// The same over water that would lift the soil.
+Case lifted_box()
+{
+  Case c = wet_box();
+  c.water.start.head_lines = {{"aquifer", {{0.0, 9.0}}}};
+  c.water.start.reference_lines = {{{{0.0, 0.6}}, "aquifer", "aquifer"}};
+  return c;
+}
+
 /// Pressure at the node at a place [Pa].
 Real at(const Model& model, const std::vector<Real>& values, Vec<2> x)
 {
   for (Index i = 0; i < model.mesh->n_nodes(); ++i)
     if (std::hypot(model.mesh->nodes[i][0] - x[0], model.mesh->nodes[i][1] - x[1]) < 1e-9) return values[i];
   return std::nan("");
+}
+
+std::vector<Index> all_nodes(const Model& model)
+{
+  std::vector<Index> all(static_cast<std::size_t>(model.mesh->n_nodes()));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
 }
 
 TEST(NodalWater, ASituationIsReachedLinearlyAndStays)
@@ -30,29 +46,23 @@ TEST(NodalWater, ASituationIsReachedLinearlyAndStays)
   high.time = 4.0;
   high.phreatic_line = {{0.0, 3.5}};
   const Model model = build_model(c, 1);
-  PorePressure pore;
   for (const auto& [time, level] :
       {std::pair(0.0, 1.5), std::pair(1.0, 2.0), std::pair(4.0, 3.5), std::pair(9.0, 3.5)}) {
-    pore = water_at(model, time);
+    const PorePressure pore = water_at(model, time);
     EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 0.5}), gamma_w * (level - 0.5)) << time;
     EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 1.75}), gamma_w * std::max(level - 1.75, 0.0)) << time;
   }
-  EXPECT_TRUE(pore.suction.empty());
+  EXPECT_TRUE(water_at(model, 0.0).suction.empty());
 }
 
 TEST(NodalWater, IsCutToTheWeightOfSoilAndFreeWaterAbove)
 {
-  Case c = wet_box();
-  c.water.start.head_lines = {{"aquifer", {{0.0, 9.0}}}};
-  c.water.start.reference_lines = {{{{0.0, 0.6}}, "aquifer", "aquifer"}};
+  const Case c = lifted_box();
   const Model model = build_model(c, 1);
-  PorePressure pore;
-  pore = water_at(model, 0.0);
+  const PorePressure pore = water_at(model, 0.0);
   EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 0.5}), 2000.0 * 9.81 * 0.5 + gamma_w * 0.5);
   EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 0.75}), gamma_w * 0.75);
-  std::vector<Index> all(static_cast<std::size_t>(model.mesh->n_nodes()));
-  std::iota(all.begin(), all.end(), 0);
-  const CappedWater capped = model.water->find_capped(all);
+  const CappedWater capped = model.water->find_capped(all_nodes(model));
   EXPECT_EQ(capped.n, 3 * 17);  // rows at 0, 0.25 and 0.5 m
   EXPECT_NEAR(capped.where[1], 0.5, 1e-9);
   EXPECT_DOUBLE_EQ(capped.most, gamma_w * 8.5 - 2000.0 * 9.81 * 0.5 - gamma_w * 0.5);
@@ -60,9 +70,7 @@ TEST(NodalWater, IsCutToTheWeightOfSoilAndFreeWaterAbove)
 
 TEST(NodalWater, IsCutToTheWeightOfTheLoadsOfItsTime)
 {
-  Case c = wet_box();
-  c.water.start.head_lines = {{"aquifer", {{0.0, 9.0}}}};
-  c.water.start.reference_lines = {{{{0.0, 0.6}}, "aquifer", "aquifer"}};
+  Case c = lifted_box();
   c.loads = {{.name = "q", .from = 0.5, .to = 1.5, .pressure = 20e3},
       {.name = "later", .from = 0.5, .to = 1.5, .pressure = 8e3, .start = 1.0, .ramp = 1.0}};
   const Model model = build_model(c, 1);
@@ -70,9 +78,7 @@ TEST(NodalWater, IsCutToTheWeightOfTheLoadsOfItsTime)
   EXPECT_DOUBLE_EQ(at(model, water_at(model, 0.0).pressure, {1.0, 0.5}), weight + 20e3);
   EXPECT_DOUBLE_EQ(at(model, water_at(model, 1.5).pressure, {1.0, 0.5}), weight + 24e3);
   EXPECT_DOUBLE_EQ(at(model, water_at(model, 1.5).pressure, {2.0, 0.5}), weight);
-  std::vector<Index> all(static_cast<std::size_t>(model.mesh->n_nodes()));
-  std::iota(all.begin(), all.end(), 0);
-  EXPECT_DOUBLE_EQ(model.water->find_capped(all).most, gamma_w * 8.5 - weight);  // beside the load
+  EXPECT_DOUBLE_EQ(model.water->find_capped(all_nodes(model)).most, gamma_w * 8.5 - weight);  // beside the load
 }
 
 TEST(NodalWater, SuctionHasItsOwnLimit)
@@ -81,8 +87,7 @@ TEST(NodalWater, SuctionHasItsOwnLimit)
   c.water.start.phreatic_line = {{0.0, 0.5}};
   c.water.suction = 2.0e3;
   const Model model = build_model(c, 1);
-  PorePressure pore;
-  pore = water_at(model, 0.0);
+  const PorePressure pore = water_at(model, 0.0);
   EXPECT_EQ(at(model, pore.pressure, {1.0, 0.75}), 0.0);
   EXPECT_DOUBLE_EQ(at(model, pore.suction, {1.0, 0.5}), 0.0);
   EXPECT_DOUBLE_EQ(at(model, pore.suction, {1.0, 0.75}), 2.0e3);
@@ -96,9 +101,8 @@ TEST(NodalWater, AFormulaOfTimeIsRenewedInEveryStep)
   c.water.start.formula_changes = true;
   c.forces.gravity = {0.0, 0.0};  // no weight, and so no limit
   const Model model = build_model(c, 1);
-  PorePressure pore;
   for (const Real time : {0.0, 0.25, 2.0}) {
-    pore = water_at(model, time);
+    const PorePressure pore = water_at(model, time);
     EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 0.5}), 750.0 * time);
   }
 }
@@ -106,8 +110,7 @@ TEST(NodalWater, AFormulaOfTimeIsRenewedInEveryStep)
 TEST(NodalWater, APointHasThePressureOfItsPlace)
 {
   Simulation s(wet_box());
-  PorePressure pore;
-  pore = water_at(s.model, 0.0);
+  const PorePressure pore = water_at(s.model, 0.0);
   for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
     EXPECT_NEAR(pore_pressure_at(s.model, pore, block, lane), gamma_w * (1.5 - block.row(Rows::x + 1)[lane]), 1e-8);
   });

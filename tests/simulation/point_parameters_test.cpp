@@ -24,16 +24,21 @@ const PointField& field_of(const Frame& frame, const std::string& name)
   return *std::ranges::find(frame.fields, name, &PointField::name);
 }
 
+/// The case with rows of the values that its parameters have.
+Case with_rows_of_one_value(Case c)
+{
+  for (const std::size_t k : {shear_modulus, su_peak, eta})
+    c.materials[0].fields.push_back({k, [value = c.materials[0].parameters[k]](Vec<2>) { return value; }});
+  return c;
+}
+
 // MPM-Mixed takes the mean of the points at a Gauss point. The mean of equal numbers is that number to round-off only,
 // which soil that yields amplifies: 1e-16 becomes 1e-6 m in 400 steps with local damping.
 TEST(PointParameters, ARowOfOneValueGivesInMixedTheResultsOfTheUniformParameter)
 {
   Case c = column("mpm_mixed");
   c.forces.local_damping = 0.0;
-  Simulation uniform(c);
-  for (const std::size_t k : {shear_modulus, su_peak, eta})
-    c.materials[0].fields.push_back({k, [value = c.materials[0].parameters[k]](Vec<2>) { return value; }});
-  Simulation rows(c);
+  Simulation uniform(c), rows(with_rows_of_one_value(c));
   EXPECT_EQ(rows.model.dt, uniform.model.dt);
   make_steps(uniform, 200);
   make_steps(rows, 200);
@@ -50,11 +55,7 @@ TEST(PointParameters, ARowOfOneValueGivesInMixedTheResultsOfTheUniformParameter)
 TEST(PointParameters, ARowOfOneValueGivesTheBitsOfTheUniformParameter)
 {
   for (const char* scheme : {"standard_mpm", "mpm_gp"}) {
-    Simulation uniform(column(scheme));
-    Case c = column(scheme);
-    for (const std::size_t k : {shear_modulus, su_peak, eta})
-      c.materials[0].fields.push_back({k, [value = c.materials[0].parameters[k]](Vec<2>) { return value; }});
-    Simulation rows(c);
+    Simulation uniform(column(scheme)), rows(with_rows_of_one_value(column(scheme)));
     EXPECT_EQ(rows.model.dt, uniform.model.dt);
     make_steps(uniform, 400);
     make_steps(rows, 400);

@@ -222,15 +222,4 @@ TEST(Summarise, ABodyWithoutALevelSurfaceHasNoCrest)
   EXPECT_FALSE(summarise(s.model, s.state).crest_x.has_value());
 }
 
-TEST(Run, TheBooksBalanceToAFewPercentOfTheGravityWork)
-{
-  for (const char* scheme : {"mpm_mixed", "mpm_gp"}) {
-    Case c = column(scheme, 0.25);
-    c.time.end = 1.0;
-    Simulation s = followed(c);
-    s.run();
-    EXPECT_LT(summarise(s.model, s.state).energy_balance_error, 0.05) << scheme;
-  }
-}
-
 }  // namespace run_test

@@ -81,15 +81,10 @@ TEST(SofteningScales, TheLongSidesOfCellsCount)  // their area is that of square
 
 TEST(SofteningScales, ALengthShorterThanACellIsRefused)
 {
-  try {
-    with_length(0.04);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.problems(),
-        ElementsAre(told("material.\"clay\".softening.length", "the softening length is shorter than a cell",
-            "Got 0.04 m; cells with this soil measure up to 0.05 m (square root of the area): nothing would spread.\n"
-            "Allowed: at least 0.05 m, better 0.1 m or more. Give that, or smaller cells.")));
-  }
+  EXPECT_THAT(problems_of([] { with_length(0.04); }),
+      ElementsAre(told("material.\"clay\".softening.length", "the softening length is shorter than a cell",
+          "Got 0.04 m; cells with this soil measure up to 0.05 m (square root of the area): nothing would spread.\n"
+          "Allowed: at least 0.05 m, better 0.1 m or more. Give that, or smaller cells.")));
 }
 
 TEST(SofteningScales, ALengthOfMoreThanAHundredCellsIsRefused)  // 200 mm written as 200

@@ -56,14 +56,7 @@ TEST_F(SoilFields, ATableFollowsTheEffectiveStressOfItsWater)
 TEST_F(SoilFields, ShansepTakesSigmaPOfDailyWaterAndSigmaVOfTheAnalysedOne)
 {
   const Real daily = 2000.0 * g * 3.0 - water * 2.0, high = 2000.0 * g * 3.0 - water * 3.0;
-  Shansep soil{.S = number(0.23),
-      .m = number(0.9),
-      .pop = number(15e3),
-      .ocr = {},
-      .yield_stress = {},
-      .minimum = {},
-      .water = "",
-      .daily = ""};
+  Shansep soil{.S = number(0.23), .m = number(0.9), .pop = number(15e3)};
   EXPECT_NEAR(at(by_shansep(soil), 1.0), 0.23 * daily * std::pow((daily + 15e3) / daily, 0.9), 1e-9);
   soil.water = "high";
   EXPECT_NEAR(at(by_shansep(soil), 1.0), 0.23 * high * std::pow((daily + 15e3) / high, 0.9), 1e-9);
@@ -79,14 +72,7 @@ TEST_F(SoilFields, ShansepTakesSigmaPOfDailyWaterAndSigmaVOfTheAnalysedOne)
 
 TEST_F(SoilFields, ShansepIsZeroWhereNothingWeighsAndWhatItIsMadeOfMayVary)
 {
-  const Shansep soil{.S = number(0.3),
-      .m = by_elevation({{0.0, 0.8}, {4.0, 1.0}}),
-      .pop = number(0.0),
-      .ocr = {},
-      .yield_stress = {},
-      .minimum = {},
-      .water = "",
-      .daily = ""};
+  const Shansep soil{.S = number(0.3), .m = by_elevation({{0.0, 0.8}, {4.0, 1.0}}), .pop = number(0.0)};
   EXPECT_EQ(at(by_shansep(soil), 4.0), 0.0);
   EXPECT_NEAR(at(by_shansep(soil), 3.0), 0.3 * 2000.0 * g, 1e-9);
   EXPECT_TRUE(std::isnan(at(within(between(0.85, 1.0), soil.m), 0.5)));

@@ -3,18 +3,22 @@
 
 namespace bisection_test {
 
+Trial trial(Real factor, TrialVerdict verdict)
+{
+  Trial made;
+  made.factor = factor, made.verdict = verdict;
+  return made;
+}
+
 /// Searches among trials that stand below `limit`, creep up to `creep`, and fail above.
 Bisection search(Real limit, const BisectionOptions& options, Real creep = 0.0)
 {
   Bisection found;
-  while (const auto factor = next_factor(found, options)) {
-    Trial trial;
-    trial.factor = *factor;
-    trial.verdict = *factor < limit   ? TrialVerdict::stable
-                    : *factor < creep ? TrialVerdict::undecided
-                                      : TrialVerdict::failed;
-    enter(std::move(trial), found);
-  }
+  while (const auto factor = next_factor(found, options))
+    enter(trial(*factor, *factor < limit   ? TrialVerdict::stable
+                         : *factor < creep ? TrialVerdict::undecided
+                                           : TrialVerdict::failed),
+        found);
   return found;
 }
 
@@ -81,11 +85,8 @@ TEST(Bisection, WhatStandsAboveAFailureDoesNotCount)
 {
   Bisection b;
   for (const auto& [factor, verdict] : {std::pair{1.0, TrialVerdict::stable}, {1.2, TrialVerdict::failed},
-           {1.3, TrialVerdict::stable}, {1.1, TrialVerdict::undecided}}) {
-    Trial trial;
-    trial.factor = factor, trial.verdict = verdict;
-    enter(std::move(trial), b);
-  }
+           {1.3, TrialVerdict::stable}, {1.1, TrialVerdict::undecided}})
+    enter(trial(factor, verdict), b);
   EXPECT_EQ(b.stable, 1.0);
   EXPECT_EQ(b.not_stable, 1.1);
   EXPECT_EQ(b.failed, 1.2);
@@ -108,10 +109,7 @@ TEST(Bisection, GuessesHowManyTrialsAreLeft)
   int left = 4;
   while (const auto factor = next_factor(b, options)) {
     EXPECT_EQ(trials_left(b, options), left--);
-    Trial trial;
-    trial.factor = *factor;
-    trial.verdict = *factor < 1.3 ? TrialVerdict::stable : TrialVerdict::failed;
-    enter(std::move(trial), b);
+    enter(trial(*factor, *factor < 1.3 ? TrialVerdict::stable : TrialVerdict::failed), b);
   }
 }
 

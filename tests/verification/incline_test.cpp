@@ -93,6 +93,6 @@ TEST_P(Incline, BlockSticksWhereTheSlopeIsTooGentle)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Schemes, Incline, testing::Values("mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
+    Schemes, Incline, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
 
 }  // namespace incline_test

@@ -21,11 +21,7 @@ Finding finding(const Quantity& q, Real value, Real reference, Real tolerance)
       .scheme = "mpm_gp",
       .value = value,
       .reference = reference,
-      .tolerance = tolerance,
-      .relative = NAN,
-      .at_least = NAN,
-      .at_most = NAN,
-      .constants = {}};
+      .tolerance = tolerance};
 }
 
 Row judge_one(const Sample& s, const Finding& f)
@@ -164,55 +160,48 @@ TEST(Judge, TheOrderOfConvergenceComparesRunsOfOneScheme)
   EXPECT_EQ(rows[2].verdict, Verdict::pass);
 }
 
-/// Three runs that tend to 5 + shift with the first order.
-std::vector<Solved> refined(const Quantity& load, Real shift)
+/// The rows of a quantity that compares n runs, which tend to 5 + shift with the first order; it is to be 5 within gci.
+std::vector<Row> rows_of_refined(QuantityKind kind, Real shift, std::size_t n = 3)
 {
+  Sample s;
+  s.file.quantities.reserve(2);
+  const Quantity& load = s.add("load");
+  Quantity& compared = s.add("compared");
+  compared.kind = kind, compared.of = "load", compared.over = "h", compared.tolerance = {"gci", {}},
+  compared.reference = {"5", {}};
   std::vector<Solved> runs;
-  for (const Real h : {0.5, 0.25, 0.125}) {
+  for (std::size_t k = 0; k < n; ++k) {
+    const Real h = 0.5 / static_cast<Real>(1 << k);
     Finding f = finding(load, 5.0 + shift + h, NAN, 1.0);
     f.constants = {{"h", h}};
     runs.push_back({.findings = {f}, .fault = ""});
   }
-  return runs;
+  auto rows = judge("case", s.file, std::vector<Solve>(n, {&s.file, &s.coarse, "mpm_gp"}), runs);
+  std::erase_if(rows, [](const Row& row) { return row.quantity != "compared"; });
+  return rows;
 }
 
 TEST(Judge, AnExtrapolatedValueIsHeldAgainstItsOwnUncertainty)
 {
-  Sample s;
-  s.file.quantities.reserve(2);
-  const Quantity& load = s.add("load");
-  Quantity& limit = s.add("limit");
-  limit.kind = QuantityKind::extrapolated, limit.of = "load", limit.over = "h", limit.tolerance = {"gci", {}},
-  limit.reference = {"5", {}};
-  const std::vector<Solve> solves(3, {&s.file, &s.coarse, "mpm_gp"});
-  const auto solved = [&](Real shift) { return refined(load, shift); };
-  EXPECT_EQ(judge("case", s.file, solves, solved(0.1)).back().verdict, Verdict::pass);  // gci = 1.25 * 0.125
-  EXPECT_EQ(judge("case", s.file, solves, solved(0.1)).back().terp, "5.1");
-  EXPECT_EQ(judge("case", s.file, solves, solved(0.2)).back().verdict, Verdict::fail);
-  EXPECT_EQ(
-      judge("case", s.file, {solves[0], solves[1]}, {solved(0.0)[0], solved(0.0)[1]}).size(), 2u);  // too few: no row
+  const auto rows = rows_of_refined(QuantityKind::extrapolated, 0.1);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].verdict, Verdict::pass);  // gci = 1.25 * 0.125
+  EXPECT_EQ(rows[0].terp, "5.1");
+  EXPECT_EQ(rows_of_refined(QuantityKind::extrapolated, 0.2).at(0).verdict, Verdict::fail);
+  EXPECT_TRUE(rows_of_refined(QuantityKind::extrapolated, 0.0, 2).empty()) << "too few: no row";
 }
 
 TEST(Judge, ARunMayErrByWhatRefinementShowsOfItsMesh)
 {
-  Sample s;
-  s.file.quantities.reserve(2);
-  const Quantity& load = s.add("load");
-  Quantity& error = s.add("error");
-  error.kind = QuantityKind::mesh_error, error.of = "load", error.over = "h", error.tolerance = {"gci", {}},
-  error.reference = {"5", {}};
-  const std::vector<Solve> solves(3, {&s.file, &s.coarse, "mpm_gp"});
-  const auto verdicts = [&](Real shift) {
+  const auto verdicts = [](Real shift, std::size_t n) {
     std::vector<Verdict> list;
-    for (const Row& row : judge("case", s.file, solves, refined(load, shift)))
-      if (row.quantity == "error") list.push_back(row.verdict);
+    for (const Row& row : rows_of_refined(QuantityKind::mesh_error, shift, n)) list.push_back(row.verdict);
     return list;
   };
   using enum Verdict;
-  EXPECT_EQ(verdicts(0.0), (std::vector{pass, pass, pass}));
-  EXPECT_EQ(verdicts(0.05), (std::vector{pass, pass, fail}));  // 1.25 * 0.125 < 0.125 + 0.05
-  EXPECT_EQ(judge("case", s.file, {solves[0], solves[1]}, {refined(load, 0.0)[0], refined(load, 0.0)[1]}).size(),
-      2u);  // too few: no row
+  EXPECT_EQ(verdicts(0.0, 3), (std::vector{pass, pass, pass}));
+  EXPECT_EQ(verdicts(0.05, 3), (std::vector{pass, pass, fail}));  // 1.25 * 0.125 < 0.125 + 0.05
+  EXPECT_TRUE(verdicts(0.0, 2).empty()) << "too few: no row";
 }
 
 }  // namespace judge_test

@@ -1,8 +1,8 @@
-// A verification case in a folder of its own: a box that flies through one row of cells.
+// A verification case in a folder of its own: a box that flies through one row of cells; a row of the ledger.
 #pragma once
 
 #include "support/paths.hpp"
-#include "verification/expected.hpp"
+#include "verification/report.hpp"
 
 namespace terp::test {
 
@@ -36,5 +36,18 @@ struct LedgerSample {
   std::string path() const { return folder.path() + "/expected.toml"; }
   ScratchFolder folder;
 };
+
+inline Row row_that_passes(const std::string& case_name)
+{
+  return {.case_name = case_name,
+      .run = "h = 1 m, mpm_gp",
+      .quantity = "stress <zz>",
+      .reference = "a|b",
+      .source = "Euler",
+      .terp = "2",
+      .error = "0.1",
+      .tolerance = "0.2",
+      .verdict = Verdict::pass};
+}
 
 }  // namespace terp::test

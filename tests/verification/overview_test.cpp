@@ -1,5 +1,5 @@
 #include "verification/overview.hpp"
-#include "ledger_rows.hpp"
+#include "verification/ledger_samples.hpp"
 #include "support/test.hpp"
 
 namespace overview_test {

@@ -1,5 +1,5 @@
 #include "verification/report.hpp"
-#include "ledger_rows.hpp"
+#include "verification/ledger_samples.hpp"
 #include "support/test.hpp"
 
 namespace report_test {

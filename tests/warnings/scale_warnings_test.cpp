@@ -28,14 +28,7 @@ TEST(ScaleWarnings, AreSilentOverUsualSoil)
 std::vector<Problem> with_pop(Real pop)
 {
   const auto number = [](Real value) -> FieldValue { return [=](const PlaceInSoil&) { return value; }; };
-  const Shansep soil{.S = number(0.23),
-      .m = number(0.9),
-      .pop = number(pop),
-      .ocr = {},
-      .yield_stress = {},
-      .minimum = number(2e3),
-      .water = "",
-      .daily = ""};
+  const Shansep soil{.S = number(0.23), .m = number(0.9), .pop = number(pop), .minimum = number(2e3)};
   Case c = column("mpm_gp");
   c.forces.gravity = {0.0, -9.81};
   c.materials[0].fields = {{2, by_shansep(soil)}};

@@ -1,5 +1,6 @@
 #include "warnings/setup_warnings.hpp"
 #include "simulation/setup.hpp"
+#include "simulation/setup_mesh.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
 
@@ -14,14 +15,7 @@ std::vector<Problem> warnings_on(const Case& c, Mesh<2> mesh)
   return warnings;
 }
 
-std::vector<Problem> warnings_of(const Case& c)
-{
-  Model model = build_model(c, 1);
-  build_state(model);
-  std::vector<Problem> warnings;
-  find_odd_places(model, warnings);
-  return warnings;
-}
+std::vector<Problem> warnings_of(const Case& c) { return warnings_on(c, build_mesh(c)); }
 
 Case two_layers(Real upper_bottom)
 {
