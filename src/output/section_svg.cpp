@@ -96,11 +96,10 @@ class SectionDrawing : SectionWater {
   void bodies()
   {
     const auto outlines = outlines_of(model_);
-    std::size_t k = 0;
-    for (const BodyCase& body : model_.description.bodies) {
-      if (!body.points_file.empty()) continue;
-      const BodyOutline& outline = outlines[k++];
-      if (!body.is_there) continue;
+    for (std::size_t b = 0; b < outlines.size(); ++b) {
+      const BodyOutline& outline = outlines[b];
+      const BodyCase& body = model_.description.bodies[b];
+      if (!body.points_file.empty() || !body.is_there) continue;
       const std::string& colour = colour_of(material_number(model_, body.material, Zone::above));
       const std::string& colour_below = colour_of(material_number(model_, body.material, Zone::below));
       std::string path;
@@ -112,15 +111,15 @@ class SectionDrawing : SectionWater {
           put("<clipPath id=\"below{0}\"><path d=\"{1}\"/></clipPath><path d=\"{2}\" fill=\"{3}\" "
               "fill-rule=\"evenodd\" "
               "clip-path=\"url(#below{0})\"/>",
-              k, below_water(), path, colour_below);
+              b + 1, below_water(), path, colour_below);
       } else {
         for (const Index cell : outline.cells) path += cell_path(cell);
         put("<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"0.5\"/>", path, colour, colour);
       }
     }
     points_of_files();
-    for (std::size_t b = 0, drawn = 0; b < model_.description.bodies.size(); ++b)
-      if (model_.description.bodies[b].points_file.empty()) coming_or_going(b, outlines[drawn++]);
+    for (std::size_t b = 0; b < outlines.size(); ++b)
+      if (model_.description.bodies[b].points_file.empty()) coming_or_going(b, outlines[b]);
   }
 
   /// The outline of a body that a stage places or removes, with its name and what is done.

@@ -7,7 +7,6 @@
 #include "simulation/initial.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/point_parameters.hpp"
-#include "simulation/setup_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -123,14 +122,13 @@ bool stores_other_stress(const Model& before, const Model& model)
                                                     &SoilMaterial::stores_effective, &SoilMaterial::stores_effective);
 }
 
-void change_stored_stress(const Model& before, const Model& model, State& state)
+void change_stored_stress(const Model& before, const Model& model, const Seeds& seeds, State& state)
 {
-  const std::vector<Index> body = seeds_of(model).bodies;
   const PorePressure pore = before.water ? water_at(before, state.time) : PorePressure();
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const SoilMaterial& from = before.materials[block.material];
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
-    const Index to = material_in_stage(model, body[id], block.material);
+    const Index to = material_in_stage(model, seeds.bodies[id], block.material);
     if (from.stores_effective == model.materials[to].stores_effective) return;
     Real pressure = before.water ? pore_pressure_at(before, pore, block, lane) : 0.0;
     if (from.excess_row >= 0) {
@@ -141,14 +139,13 @@ void change_stored_stress(const Model& before, const Model& model, State& state)
   });
 }
 
-void change_materials(const Model& model, const std::vector<Real>& carried, State& state)
+void change_materials(const Model& model, const Seeds& seeds, const std::vector<Real>& carried, State& state)
 {
-  const Seeds seeds = seeds_of(model);
   std::vector<MovedPoint> moved = take_changed_points(model, seeds.bodies, state);
   for (auto point = moved.rbegin(); point != moved.rend(); ++point) state.points.add(point->key, point->values);
   state.points.update_occupied();
   const auto varies = [&](const MovedPoint& point) { return model.materials[point.key.material].varies(); };
-  if (std::ranges::any_of(moved, varies)) set_point_parameters(model, seeds.places, state);
+  if (std::ranges::any_of(moved, varies)) set_point_parameters(model, seeds, state);
   std::vector<bool> is_moved(static_cast<std::size_t>(state.n_ids()));
   std::vector<Real> of_moved(is_moved.size(), std::numeric_limits<Real>::quiet_NaN());
   for (const MovedPoint& point : moved) {

@@ -2,8 +2,7 @@
 // Not for: when that is (stages, other_run).
 #pragma once
 
-#include "simulation/model.hpp"
-#include "simulation/state.hpp"
+#include "simulation/setup_points.hpp"
 
 namespace terp {
 
@@ -15,7 +14,7 @@ bool stores_other_stress(const Model& before, const Model& model);
 
 /// Soil that stored effective stress in the model before and stores total stress from now on, or the other way round:
 /// the stress of both differs by the pore pressure of before, with all that the soil had in excess.
-void change_stored_stress(const Model& before, const Model& model, State& state);
+void change_stored_stress(const Model& before, const Model& model, const Seeds& seeds, State& state);
 
 /// The mass of points whose material has another density than before follows it.
 void change_densities(const Model& before, const Model& model, State& state);
@@ -31,6 +30,6 @@ void keep_carried_pressures(const Model& model, const std::vector<Real>& carried
 /// stay; what only the new law knows begins anew, and the mass follows the density. Of two laws of libraries, if they
 /// are not the same one, only the plastic strain stays. carried: of the soil before. Throws RunError where a law does
 /// not admit the stress of a point that is given to it.
-void change_materials(const Model& model, const std::vector<Real>& carried, State& state);
+void change_materials(const Model& model, const Seeds& seeds, const std::vector<Real>& carried, State& state);
 
 }  // namespace terp

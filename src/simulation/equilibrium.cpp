@@ -189,9 +189,8 @@ Search find_equilibrium(const Model& model, State& state, const std::atomic<bool
   }
   undo_stiffening(still, settled);
   settled.followers = std::move(state.followers);  // those of the search, which has none, do not fit
-  const std::vector<Real> places = state.x_initial;
   state = restore(model, image_of_rows(settled, model.rows));
-  set_point_parameters(model, places, state);
+  set_point_parameters(model, seeds_of(make_points(model)), state);
   state.has_no_start = true;
   search.slides_as_drawn = search.slides_as_drawn && model.description.at_strength == 1.0;  // else it was elastic
   return search;

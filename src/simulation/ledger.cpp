@@ -5,7 +5,7 @@
 #include "simulation/ledger.hpp"
 
 #include "simulation/kernels.hpp"
-#include "simulation/node_motion.hpp"
+#include "simulation/mesh_frame.hpp"
 
 #include <algorithm>
 #include <limits>

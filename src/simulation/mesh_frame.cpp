@@ -1,12 +1,21 @@
 #include "simulation/mesh_frame.hpp"
 
-#include "simulation/node_motion.hpp"
+#include "transfer/map_to_corners.hpp"
 
 #include <limits>
-#include <utility>
 
 namespace terp {
 namespace {
+
+/// Adds what a cell's points give to its corners: m_i, and (m v)_i in place of the velocity.
+void add_corners(const std::array<Index, 4>& nodes, const CornerSums<Quad4>& corners, NodeMotion& motion)
+{
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto node = static_cast<std::size_t>(nodes[i]);
+    motion.mass[node] += corners.mass[i];
+    for (std::size_t d = 0; d < 2; ++d) motion.velocity[2 * node + d] += corners.momentum[d][i];
+  }
+}
 
 struct PressureSum {
   Real volume = 0.0;    ///< sum of Omega_p [m^2]
@@ -26,15 +35,35 @@ void add_pressure(const PointBlock<2>& block, PressureSum& sum)
 
 }  // namespace
 
+NodeMotion map_motion(const Model& model, const State& state)
+{
+  const auto n_nodes = static_cast<std::size_t>(model.mesh->n_nodes());
+  NodeMotion motion{.mass = std::vector<Real>(n_nodes), .velocity = std::vector<Real>(2 * n_nodes)};
+  for (const Index cell : state.points.occupied()) {
+    CornerSums<Quad4> corners{};
+    for_each_block(
+        state.points, cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, corners); });
+    add_corners(model.mesh->cells[static_cast<std::size_t>(cell)], corners, motion);
+  }
+  for (std::size_t i = 0; i < n_nodes; ++i)
+    for (std::size_t d = 0; d < 2; ++d) motion.velocity[2 * i + d] /= motion.mass[i] > 0.0 ? motion.mass[i] : 1.0;
+  return motion;
+}
+
+Real kinetic_energy(const NodeMotion& motion)
+{
+  Real sum = 0.0;
+  for (std::size_t i = 0; i < motion.mass.size(); ++i) {
+    const Real vx = motion.velocity[2 * i], vy = motion.velocity[2 * i + 1];
+    sum += 0.5 * motion.mass[i] * (vx * vx + vy * vy);
+  }
+  return sum;
+}
+
 MeshFrame make_mesh_frame(const Model& model, const State& state)
 {
-  NodeMotion motion = map_motion(model, state);
-  MeshFrame frame{.time = state.time,
-      .step = state.step,
-      .mass = std::move(motion.mass),
-      .velocity = std::move(motion.velocity),
-      .pressure =
-          std::vector<Real>(static_cast<std::size_t>(model.mesh->n_cells()), std::numeric_limits<Real>::quiet_NaN())};
+  MeshFrame frame{map_motion(model, state), state.time, state.step,
+      std::vector<Real>(static_cast<std::size_t>(model.mesh->n_cells()), std::numeric_limits<Real>::quiet_NaN())};
   for (const Index cell : state.points.occupied()) {
     PressureSum sum;
     for_each_block(state.points, cell, [&](const PointBlock<2>& block, Index) { add_pressure(block, sum); });

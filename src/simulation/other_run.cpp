@@ -84,9 +84,10 @@ StateImage image_for(const Model& before, const Model& model, const State& state
 }
 
 /// Points have their numbers in the order in which stages place their bodies.
-void check_same_points(const Model& before, const Model& model)
+Seeds seeds_of_both(const Model& before, const Model& model)
 {
-  if (seeds_of(before) == seeds_of(model)) return;
+  Seeds seeds = seeds_of(make_points(model));
+  if (seeds_of(make_points(before)) == seeds) return seeds;
   throw InputError(Problem{"stage", "the points of the other run have other numbers",
       "Stages place other bodies there, or in another order. Place the same bodies in the same order as its case.toml.",
       "stage.place", true});
@@ -142,7 +143,7 @@ std::size_t count_done(const Model& model, const std::string& stage_that_ended)
 
 void begin_from(const Model& before, const std::string& stage_that_ended, Model& model, State& state)
 {
-  check_same_points(before, model);
+  const Seeds seeds = seeds_of_both(before, model);
   const Real energy = kinetic_and_elastic_energy(before, state);
   const std::size_t n_done = count_done(model, stage_that_ended);
   state.stages_done = records_of(before, model, n_done, state);
@@ -160,13 +161,13 @@ void begin_from(const Model& before, const std::string& stage_that_ended, Model&
   }
   model = model_for(std::move(model), state);
   const std::vector<Real> carried = carried_pressures(before, state);
-  change_stored_stress(before, model, state);
+  change_stored_stress(before, model, seeds, state);
   change_densities(before, model, state);
   State own = restore(model, image_for(before, model, state));
-  change_materials(model, carried, own);
-  set_point_parameters(model, seeds_of(model).places, own);
+  change_materials(model, seeds, carried, own);
+  set_point_parameters(model, seeds, own);
   keep_carried_pressures(model, carried, own);
-  change_bodies(model, own);
+  change_bodies(model, seeds, own);
   place_loads(before, state, model, own);
   const State first = build_state(model);
   for (ActiveFollower& active : own.followers) active.follower->begin_from(before, model, first);

@@ -1,6 +1,5 @@
 // The vertical line through a place is cut by the sides of all bodies and followed from the highest crossing down. Each
-// crossing turns its body on or off; of the bodies that are on, the last one of the case counts. `outlines_of` lists
-// every body that has an outline, also those that are not there: the counter k must step over them.
+// crossing turns its body on or off; of the bodies that are on, the last one of the case counts.
 
 #include "simulation/overburden.hpp"
 
@@ -38,21 +37,17 @@ Overburden::Overburden(const Model& model, Real gravity, const IsThere& is_there
   for (const Load& load : model.loads)
     if (load.is_permanent()) loads_.push_back({load.from, load.to, model.pressure_of(load, 0.0)});
   const std::vector<BodyOutline> outlines = outlines_of(model);
-  std::size_t k = 0;
-  for (const BodyCase& body : model.description.bodies) {
-    const bool has_outline = body.points_file.empty();
-    if (!is_there(body)) {
-      k += has_outline;
-      continue;
-    }
-    if (!has_outline) {
+  for (std::size_t b = 0; b < outlines.size(); ++b) {
+    const BodyCase& body = model.description.bodies[b];
+    if (!is_there(body)) continue;
+    if (!body.points_file.empty()) {
       is_known_ = false;
       continue;
     }
     const auto density = [&](Zone zone) {
       return model.materials[material_number(model, body.material, zone)].density;
     };
-    drawn_.push_back({outline_sides(*model.mesh, outlines[k++]), density(Zone::below), density(Zone::above)});
+    drawn_.push_back({outline_sides(*model.mesh, outlines[b]), density(Zone::below), density(Zone::above)});
   }
 }
 

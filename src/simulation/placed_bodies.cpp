@@ -36,12 +36,9 @@ std::vector<Overlap> overlaps_of(
 {
   const std::vector<BodyCase>& bodies = model.description.bodies;
   std::vector<Overlap> overlaps(bodies.size());
-  std::size_t k = 0;
   for (std::size_t other = 0; other < bodies.size(); ++other) {
-    if (!bodies[other].points_file.empty()) continue;
-    const BodyOutline& outline = outlines[k++];
     if (bodies[other].placed >= bodies[body].placed || bodies[other].removed < bodies[body].placed) continue;
-    const std::vector<Side> sides = outline_sides(*model.mesh, outline);
+    const std::vector<Side> sides = outline_sides(*model.mesh, outlines[other]);
     for (const auto& batch : points)
       for (const NewPoint& p : batch)
         if (static_cast<std::size_t>(p.body) == body && encloses(sides, p.x))
@@ -149,11 +146,10 @@ void check_placed_bodies(const Model& model, const PointBatches& points)
   if (!problems.empty()) throw InputError(std::move(problems));
 }
 
-void change_bodies(const Model& model, State& state)
+void change_bodies(const Model& model, const Seeds& seeds, State& state)
 {
   if (model.held_row < 0) return;
   const std::vector<BodyCase>& bodies = model.description.bodies;
-  const Seeds seeds = seeds_of(model);
   const std::vector<Index>& body = seeds.bodies;
   std::vector<bool> comes = bodies_in(state, body, bodies.size()), goes = comes;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -166,7 +162,7 @@ void change_bodies(const Model& model, State& state)
   });
   if (std::ranges::find(comes, true) == comes.end()) return;
   place(model, body, comes, state);
-  set_point_parameters(model, seeds.places, state, comes);
+  set_point_parameters(model, seeds, state, comes);
 }
 
 void remove_held_bodies(const Model& model, State& state)

@@ -19,7 +19,7 @@ void check_placed_bodies(const Model& model, const PointBatches& points);
 /// At the start of a stage: adds the points of bodies that the model has and the state has not, at rest and without
 /// effective stress, and marks those of bodies that the model has not. Throws RunError where soil has moved to the
 /// place of a body.
-void change_bodies(const Model& model, State& state);
+void change_bodies(const Model& model, const Seeds& seeds, State& state);
 
 /// Takes the marked points out; their energy leaves the balance, too.
 void remove_held_bodies(const Model& model, State& state);

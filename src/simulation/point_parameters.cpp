@@ -113,20 +113,17 @@ void check_point_parameter(
         "material"});
 }
 
-void set_point_parameters(
-    const Model& model, std::span<const Real> places, State& state, const std::vector<bool>& of_bodies)
+void set_point_parameters(const Model& model, const Seeds& seeds, State& state, const std::vector<bool>& of_bodies)
 {
   if (!model.ground) return;
-  const bool asks = !of_bodies.empty() || !model.later_ground.empty();
-  const std::vector<Index> bodies = asks ? seeds_of(model).bodies : std::vector<Index>();
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const SoilMaterial& material = model.materials[block.material];
     if (!material.varies()) return;
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
-    const Index body = asks ? bodies[id] : 0;
+    const Index body = seeds.bodies[id];
     if (!of_bodies.empty() && !of_bodies[static_cast<std::size_t>(body)]) return;
     const std::vector<Real> values = parameters_at(model.description.materials[block.material], *material.type,
-        {{places[2 * id], places[2 * id + 1]}, model.ground_with(body)});
+        {{seeds.places[2 * id], seeds.places[2 * id + 1]}, model.ground_with(body)});
     const LawRows rows = material.view(block, lane);
     std::size_t k = 0;
     for (const Real value : varying_values(material, values)) *rows.parameters(k++) = value;

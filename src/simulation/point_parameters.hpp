@@ -2,8 +2,7 @@
 // Not for: which parameters may vary (the laws' tables), nor where the values come from (ParameterField).
 #pragma once
 
-#include "simulation/model.hpp"
-#include "simulation/state.hpp"
+#include "simulation/setup_points.hpp"
 
 namespace terp {
 
@@ -17,10 +16,9 @@ std::vector<Real> parameters_at(const MaterialCase& material, const MaterialType
 /// "material.\"peat\".below.su_peak"
 std::string parameter_key(const MaterialCase& material, std::string_view parameter);
 
-/// Sets the rows of the parameters that vary. places: of the points at t = 0 by id, shape [n_points, 2] [m]; of_bodies:
-/// whose points, by number of the body; empty: of all.
+/// Sets the rows of the parameters that vary. of_bodies: whose points, by number of the body; empty: of all.
 void set_point_parameters(
-    const Model& model, std::span<const Real> places, State& state, const std::vector<bool>& of_bodies = {});
+    const Model& model, const Seeds& seeds, State& state, const std::vector<bool>& of_bodies = {});
 
 /// What limits the time step in a material, or in one of its points.
 struct Stiffness {

@@ -150,8 +150,7 @@ bool lies_wholly_in(const BodyOutline& body, std::span<const Side> sides, const 
 }
 
 /// A point that reaches over the side of a body may be a coarse neighbour; one within it is soil that is there twice.
-void check_drawn_bodies(const Model& model, const std::vector<BodyOutline>& outlines,
-    const std::vector<std::size_t>& drawn, const PointBatches& points)
+void check_drawn_bodies(const Model& model, const std::vector<BodyOutline>& outlines, const PointBatches& points)
 {
   std::vector<std::vector<Side>> sides;
   for (const BodyOutline& outline : outlines) sides.push_back(outline_sides(*model.mesh, outline));
@@ -168,7 +167,7 @@ void check_drawn_bodies(const Model& model, const std::vector<BodyOutline>& outl
             fmt::format("{}: the point of {:.4g} m^2 at {} m lies within body[{}].\nNo soil may be there twice: leave "
                         "the point out, or draw that body "
                         "without its place (`holes`).",
-                line, p.volume, place_text(p.x), drawn[k]),
+                line, p.volume, place_text(p.x), k),
             "body"});
       }
     }
@@ -181,11 +180,10 @@ bool has_file_of_points(const Case& c)
 
 }  // namespace
 
-void check_points_of_files(const Model& model, const std::vector<BodyOutline>& outlines,
-    const std::vector<std::size_t>& drawn, const PointBatches& points)
+void check_points_of_files(const Model& model, const std::vector<BodyOutline>& outlines, const PointBatches& points)
 {
   if (!has_file_of_points(model.description)) return;
-  check_drawn_bodies(model, outlines, drawn, points);
+  check_drawn_bodies(model, outlines, points);
   check_places(model, points);
   check_room_for_points(model, points);
 }

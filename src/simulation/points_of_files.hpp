@@ -7,9 +7,8 @@
 namespace terp {
 
 /// Throws InputError, with the lines of the files, where two points lie at one place, where a point of a file lies in a
-/// body that is drawn, and where points hold more volume than there is room. outlines: of the bodies that are drawn;
-/// drawn: their numbers in the case. Without a file nothing is done.
-void check_points_of_files(const Model& model, const std::vector<BodyOutline>& outlines,
-    const std::vector<std::size_t>& drawn, const PointBatches& points);
+/// body that is drawn, and where points hold more volume than there is room. outlines: outlines_of the model. Without
+/// a file nothing is done.
+void check_points_of_files(const Model& model, const std::vector<BodyOutline>& outlines, const PointBatches& points);
 
 }  // namespace terp

@@ -204,13 +204,6 @@ void set_time_step(const Case& whole, const std::vector<Index>& used, Model& mod
   model.dt = time.end / n;
 }
 
-void take_time_step(const Model& of_run, Model& model)
-{
-  model.largest_density = of_run.largest_density;
-  model.n_steps = of_run.n_steps;
-  model.dt = of_run.dt;
-}
-
 /// What lies above places in a stage: its soil with its gravity in full. Loads do not count: whether undrained soil has
 /// settled under one, as under a road, or not, as under traffic, the case does not say, and strength that it may not
 /// have is not on the safe side.
@@ -235,33 +228,6 @@ void set_ground(const Case& whole, Model& model)
   for (const BodyCase& body : of.bodies)
     if (body.placed > 0 && !model.later_ground.contains(body.placed))
       model.later_ground.emplace(body.placed, ground_in(of, body.placed - 1, model.mesh));
-}
-
-/// Every corner of every body must lie in the built-in rectangle (other meshes: setup_points).
-void check_bodies_in_mesh(const Case& c)
-{
-  if (c.mesh.kind != MeshKind::rectangle && c.mesh.kind != MeshKind::graded) return;
-  const Vec<2> low = c.mesh.origin, high{low[0] + c.mesh.size[0], low[1] + c.mesh.size[1]};
-  for (std::size_t b = 0; b < c.bodies.size(); ++b)
-    for (const auto& x : c.bodies[b].polygon)
-      for (int d = 0; d < 2; ++d) {
-        const Real slack = 1e-9 * c.mesh.size[d];
-        if (x[d] >= low[d] - slack && x[d] <= high[d] + slack) continue;
-        throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",
-            fmt::format(
-                "corner {} m; the mesh covers x = {} to {} m, y = {} to {} m.\nEnlarge mesh.size or move the body.",
-                place_text(x), coordinate_text(low[0]), coordinate_text(high[0]), coordinate_text(low[1]),
-                coordinate_text(high[1])),
-            "mesh", false, keys_of_outline(b)});
-      }
-}
-
-std::vector<Real> first_places(const PointBatches& points)
-{
-  std::vector<Real> places;
-  for (const auto& batch : points)
-    for (const NewPoint& p : batch) places.insert(places.end(), p.x.begin(), p.x.end());
-  return places;
 }
 
 /// of_run: another stage of the same run; nullptr: this is the first model of it.
@@ -317,7 +283,7 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
   check_cells_in_length(model, used);
   if (length > 0.0) model.diffusion = make_node_diffusion(*model.mesh, length);
   if (of_run != nullptr)
-    take_time_step(*of_run, model);
+    model.largest_density = of_run->largest_density, model.n_steps = of_run->n_steps, model.dt = of_run->dt;
   else
     set_time_step(whole, used, model);
   if (description.water.is_given()) model.water = std::make_shared<const NodalWater>(model);
@@ -330,7 +296,6 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
 
 Model build_model(const Case& description, int threads)
 {
-  check_bodies_in_mesh(description);
   return build_model(description, std::make_shared<const Mesh<2>>(build_mesh(description)), threads);
 }
 
@@ -363,7 +328,8 @@ State build_state(Model& model)
   model.bodies = shares_of_bodies(model, points);
   State state;
   state.points = PointBlocks<2>(model.mesh->n_cells(), model.rows);
-  state.x_initial = first_places(points);
+  const Seeds seeds = seeds_of(points);
+  state.x_initial = seeds.places;
   const auto n = static_cast<std::size_t>(state.n_ids());
   state.put_back.assign(n, false);
   check_placed_bodies(model, points);
@@ -374,7 +340,7 @@ State build_state(Model& model)
   check_reference_widths(model, state);
   state.points.reserve(static_cast<std::int64_t>(n / 4));
   if (model.damping.averaging_time > 0.0) state.mean_force.resize(model.mesh->nodes.size());
-  set_point_parameters(model, state.x_initial, state);
+  set_point_parameters(model, seeds, state);
   place_first_loads(model, state);
   set_initial_stress(model, state);
   follow_history_points(model, state);

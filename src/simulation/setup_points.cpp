@@ -6,6 +6,7 @@
 #include "simulation/setup_points.hpp"
 
 #include "base/errors.hpp"
+#include "mesh/box_grid.hpp"
 #include "mesh/locate.hpp"
 #include "mesh/mesh_error.hpp"
 #include "points/points_csv.hpp"
@@ -72,19 +73,20 @@ BodyOutline outline_of(const Model& model, std::size_t b)
 
 void check_outlines(const Model& model, const std::vector<BodyOutline>& outlines)
 {
-  std::size_t k = 0;
-  for (std::size_t b = 0; b < model.description.bodies.size(); ++b) {
-    if (!model.description.bodies[b].points_file.empty()) continue;
-    const BodyOutline& outline = outlines[k++];
-    if (!outline.cells.empty()) continue;
+  for (std::size_t b = 0; b < outlines.size(); ++b) {
+    const BodyOutline& outline = outlines[b];
+    if (!model.description.bodies[b].points_file.empty() || !outline.cells.empty()) continue;
     for (const std::string& text : check_outline(outline))
       throw InputError(Problem{
           body_key(b, "polygon"), "the outline of the body is not usable", text, "body", false, keys_of_outline(b)});
     for (const Vec<2>& x : outline.polygon) {
       if (locate(*model.mesh, x, 0).inside) continue;
+      const auto [low, high] = box_around(model.mesh->nodes);
       throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",
-          fmt::format("corner {} m lies in no cell. Enlarge the mesh or move the body.{}", place_text(x),
-              model.description.mesh.kind == MeshKind::mapped ? grid_cuts_corners : ""),
+          fmt::format("corner {} m lies in no cell; the mesh spans x = {} to {} m, y = {} to {} m.\nEnlarge the mesh "
+                      "or move the body.{}",
+              place_text(x), coordinate_text(low[0]), coordinate_text(high[0]), coordinate_text(low[1]),
+              coordinate_text(high[1]), model.description.mesh.kind == MeshKind::mapped ? grid_cuts_corners : ""),
           "mesh", false, keys_of_outline(b)});
     }
   }
@@ -195,10 +197,10 @@ Index material_number(const Model& model, const std::string& name, Zone zone)
   throw InputError(Problem{"material", "no material `" + name + "`", "", "body"});
 }
 
-Seeds seeds_of(const Model& model)
+Seeds seeds_of(const PointBatches& points)
 {
   Seeds seeds;
-  for (const auto& batch : make_points(model))
+  for (const auto& batch : points)
     for (const NewPoint& p : batch) {
       seeds.bodies.push_back(p.body);
       seeds.places.insert(seeds.places.end(), p.x.begin(), p.x.end());
@@ -230,8 +232,7 @@ std::vector<BodyShare> shares_of_bodies(const Model& model, const PointBatches& 
 std::vector<BodyOutline> outlines_of(const Model& model)
 {
   std::vector<BodyOutline> outlines;
-  for (std::size_t b = 0; b < model.description.bodies.size(); ++b)
-    if (model.description.bodies[b].points_file.empty()) outlines.push_back(outline_of(model, b));
+  for (std::size_t b = 0; b < model.description.bodies.size(); ++b) outlines.push_back(outline_of(model, b));
   return outlines;
 }
 
@@ -240,22 +241,18 @@ PointBatches make_points(const Model& model)
   const std::vector<BodyCase>& bodies = model.description.bodies;
   const auto outlines = outlines_of(model);
   check_outlines(model, outlines);
-  std::vector<std::size_t> drawn;  // number of each outline among the bodies of the case
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    if (bodies[b].points_file.empty()) drawn.push_back(b);
   std::set<StageNumber> stages;
   for (const BodyCase& body : bodies) stages.insert(body.placed);
 
   PointBatches points;
   for (const StageNumber stage : stages) {  // bodies cut each other out where they are drawn together alone
-    std::vector<BodyOutline> together;
-    std::vector<std::size_t> number;
-    for (std::size_t k = 0; k < drawn.size(); ++k)
-      if (bodies[drawn[k]].placed == stage) together.push_back(outlines[k]), number.push_back(drawn[k]);
+    std::vector<BodyOutline> together(bodies.size());
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      if (bodies[b].placed == stage) together[b] = outlines[b];
     for (const Seed& seed : seed_points(*model.mesh, together)) {
-      const std::size_t b = number[seed.body];
+      const auto b = static_cast<std::size_t>(seed.body);
       add_point({seed.x, seed.local, finite_velocity(bodies[b], b, seed.x), seed.volume,
-                    {seed.cell, material_at(model, bodies[b].material, seed.x)}, static_cast<Index>(b)},
+                    {seed.cell, material_at(model, bodies[b].material, seed.x)}, seed.body},
           points);
     }
     for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -265,7 +262,7 @@ PointBatches make_points(const Model& model)
     throw InputError(Problem{"body[0]", "no material points",
         "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.",
         "body", false, {"body", "mesh"}});
-  check_points_of_files(model, outlines, drawn, points);
+  check_points_of_files(model, outlines, points);
   return points;
 }
 

@@ -26,7 +26,8 @@ using PointBatches = std::vector<std::vector<NewPoint>>;
 /// the start, then those of each stage that places some. Throws InputError.
 PointBatches make_points(const Model& model);
 
-/// Body and place of each point as it is seeded, by id. Displacement may be counted from later places.
+/// Body and place of each point as it is seeded, by id, the same in all stages. Displacement may be counted from later
+/// places.
 struct Seeds {
   std::vector<Index> bodies;
   std::vector<Real> places;  ///< [m], shape [n, 2]
@@ -34,12 +35,12 @@ struct Seeds {
   bool operator==(const Seeds&) const = default;
 };
 
-Seeds seeds_of(const Model& model);
+Seeds seeds_of(const PointBatches& points);
 
 /// How points, area and mass are shared among the bodies.
 std::vector<BodyShare> shares_of_bodies(const Model& model, const PointBatches& points);
 
-/// Outlines of the bodies that are drawn (not of those that come as points), in the order of the case.
+/// By number of the body; empty for those that come as points.
 std::vector<BodyOutline> outlines_of(const Model& model);
 
 /// Keys that say where a body and where the mesh is: for problems of the one in the other.

@@ -249,16 +249,17 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   next.ramp.start = model.time_of(state.step);
   remove_held_bodies(model, state);
   const Real before = kinetic_and_elastic_energy(model, state);
+  const Seeds seeds = seeds_of(make_points(next));
   const std::vector<Real> carried = carried_pressures(model, state);
-  if (stores_other_stress(model, next)) change_stored_stress(model, next, state);
-  if (!have_same_materials(model, next)) change_materials(next, carried, state);
+  if (stores_other_stress(model, next)) change_stored_stress(model, next, seeds, state);
+  if (!have_same_materials(model, next)) change_materials(next, seeds, carried, state);
   const auto is_of_material = [](const auto& change) {
     return change.first.starts_with("material") || change.first == "at_strength";
   };
   if (std::ranges::any_of(model.description.stages[next.stage.number].changes, is_of_material))
-    set_point_parameters(next, seeds_of(next).places, state);
+    set_point_parameters(next, seeds, state);
   keep_carried_pressures(next, carried, state);
-  change_bodies(next, state);
+  change_bodies(next, seeds, state);
   state.start_energy += kinetic_and_elastic_energy(next, state) - before;
   place_new_loads(model, next, state);
   ++state.stage;

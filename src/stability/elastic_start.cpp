@@ -117,7 +117,7 @@ ElasticStart settle_elastically(
   State state = build_state(model);
   ElasticStart start;
   start.stiffening = stiffening;
-  start.places = state.x_initial;
+  start.seeds = seeds_of(make_points(model));
   leave_borders_of_sub_cells(*model.mesh, state.points);
   set_scales(model, state, start);
   start.cell = typical_cell_size(*model.mesh);

@@ -1,8 +1,8 @@
 // Where all trials of a search begin: the soil at rest under its weight, with stresses that no strength limits.
 #pragma once
 
-#include "simulation/model.hpp"
 #include "simulation/observer.hpp"
+#include "simulation/setup_points.hpp"
 
 #include <atomic>
 
@@ -13,10 +13,10 @@ inline constexpr Real window_traversals = 2.0;
 
 /// The soil at rest, and the scales by which motion is judged.
 struct ElasticStart {
-  StateImage rest;           ///< at t = 0, no velocity, no strain, no history
-  std::vector<Real> places;  ///< where the points were seeded, by id, shape [n_points, 2] [m]
-  std::int64_t steps = 0;    ///< that the search for it took
-  Real height = 0.0;         ///< H, extent of the soil along gravity [m]
+  StateImage rest;  ///< at t = 0, no velocity, no strain, no history
+  Seeds seeds;
+  std::int64_t steps = 0;  ///< that the search for it took
+  Real height = 0.0;       ///< H, extent of the soil along gravity [m]
   Real relief = 0.0;  ///< height of the slope: of the highest ground over the lower of its feet; of level ground H [m]
   Real cell = 0.0;    ///< size of a typical cell [m]
   Real traversal = 0.0;     ///< time in which a shear wave crosses H in the softest soil [s]

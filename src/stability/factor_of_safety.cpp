@@ -1,10 +1,9 @@
-// Mesh and elastic rest are made once, for all trials: every factor starts from the same state. The mechanism that is
-// kept is that of the smallest factor that did not stand. It goes when a later trial moves that end of the bracket.
+// The mechanism that is kept is that of the smallest factor that did not stand. It goes when a later trial moves that
+// end of the bracket.
 
 #include "stability/factor_of_safety.hpp"
 
 #include "base/errors.hpp"
-#include "simulation/setup_mesh.hpp"
 #include "simulation/state_image.hpp"
 #include "water/water_pressure.hpp"
 
@@ -56,18 +55,18 @@ void check_may_be_judged(const Case& c)
 Trial try_factor(const Case& c, Real factor, const StabilityOptions& options, const std::atomic<bool>& stop)
 {
   check_may_be_judged(c);
-  const Case quiet = quiet_case(c);
-  const auto mesh = std::make_shared<const Mesh<2>>(build_mesh(quiet));
-  const ElasticStart start = settle_elastically(quiet, mesh, options.rules.stiffening, options.threads, stop);
-  check_strengths(reduce_strength(quiet, factor), factor);
-  return run_trial(quiet, mesh, start, factor, options.rules, options.threads, stop, [](const Trial&) {});
+  const Trials trials(c, options.rules, options.threads, stop);
+  check_strengths(reduce_strength(trials.quiet, factor), factor);
+  return trials.run(factor);
 }
 
 StabilityResult find_factor_of_safety(
     const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialTold& told)
 {
   check_may_be_judged(c);
-  const Case quiet = quiet_case(c);
+  const Trials trials(c, options.rules, options.threads, stop);
+  const Case& quiet = trials.quiet;
+  const ElasticStart& start = trials.start;
   StabilityResult result;
   result.options = options;
   result.strengths = strengths_of(quiet);
@@ -77,9 +76,7 @@ StabilityResult find_factor_of_safety(
     result.water = name.empty() ? std::string(name_of_start) : name;
     result.later_water = c.stages.empty() && knots_of(c.water).size() > 1;
   }
-  const auto mesh = std::make_shared<const Mesh<2>>(build_mesh(quiet));
-  const ElasticStart start = settle_elastically(quiet, mesh, options.rules.stiffening, options.threads, stop);
-  result.mesh = mesh;
+  result.mesh = trials.mesh;
   result.height = start.height;
   result.relief = start.relief;
   result.cell = start.cell;
@@ -92,7 +89,7 @@ StabilityResult find_factor_of_safety(
     const auto show = [&](const Trial& trial) {
       if (told) told(trial, result, left);
     };
-    Trial trial = run_trial(quiet, mesh, start, *factor, options.rules, options.threads, stop, show);
+    Trial trial = trials.run(*factor, show);
     result.stopped = stop.load();
     if (result.stopped) break;  // what the trial would have shown is not known
     const auto mechanism = std::exchange(trial.mechanism, nullptr);

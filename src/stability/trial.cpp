@@ -7,6 +7,7 @@
 #include "simulation/reduce.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
+#include "simulation/setup_mesh.hpp"
 #include "simulation/state_image.hpp"
 #include "stability/judged_soil.hpp"
 
@@ -35,12 +36,13 @@ std::string reason_of(const Trial& trial, Real displacement)
 }
 
 /// The trial's model: no shorter in time than its windows may take.
-Model build_trial(Case c, const SharedMesh& mesh, const ElasticStart& start, const TrialRules& rules, int threads)
+Model build_trial(const Trials& of, Real factor)
 {
-  c.forces.local_damping = rules.damping;
+  Case c = reduce_strength(stiffen(of.quiet, of.start.stiffening), factor);
+  c.forces.local_damping = of.rules.damping;
   c.forces.averaging_time = 0.0;
-  c.time.end = window_traversals * start.traversal / std::sqrt(start.stiffening) * rules.most_windows;
-  return build_model(c, mesh, threads);
+  c.time.end = window_traversals * of.start.traversal / std::sqrt(of.start.stiffening) * of.rules.most_windows;
+  return build_model(c, of.mesh, of.threads);
 }
 
 /// The points at the ends of the last two windows, the later one last.
@@ -86,14 +88,22 @@ TrialVerdict judge(const std::vector<TrialWindow>& windows, const TrialRules& ru
   return far && moves_on && !slows_down ? TrialVerdict::failed : TrialVerdict::undecided;
 }
 
-Trial run_trial(const Case& quiet, const SharedMesh& mesh, const ElasticStart& start, Real factor,
-    const TrialRules& rules, int threads, const std::atomic<bool>& stop, const std::function<void(const Trial&)>& told)
+Trials::Trials(const Case& c, const TrialRules& of_all, int n_threads, const std::atomic<bool>& may_stop)
+    : quiet(quiet_case(c)),
+      mesh(std::make_shared<const Mesh<2>>(build_mesh(quiet))),
+      start(settle_elastically(quiet, mesh, of_all.stiffening, n_threads, may_stop)),
+      rules(of_all),
+      threads(n_threads),
+      stop(may_stop)
+{
+}
+
+Trial Trials::run(Real factor, const std::function<void(const Trial&)>& told) const
 {
   const auto began = std::chrono::steady_clock::now();
-  const Model model =
-      build_trial(reduce_strength(stiffen(quiet, start.stiffening), factor), mesh, start, rules, threads);
+  const Model model = build_trial(*this, factor);
   State state = restore(model, start.rest);
-  set_point_parameters(model, start.places, state);  // reduced; the elastic soil did not look at them
+  set_point_parameters(model, start.seeds, state);  // reduced; the elastic soil did not look at them
   Workspace work(model, state);
   JudgedSoil soil(model, state);
   LastWindows last;

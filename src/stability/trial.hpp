@@ -49,8 +49,20 @@ struct Trial {
 /// Judges the windows so far by the scales of `start`; undecided: go on, or, after the last, undecided.
 TrialVerdict judge(const std::vector<TrialWindow>& windows, const TrialRules& rules, const ElasticStart& start);
 
-/// Runs a trial. told: called after each window. Ends undecided where it is when `stop` is set.
-Trial run_trial(const Case& quiet, const SharedMesh& mesh, const ElasticStart& start, Real factor,
-    const TrialRules& rules, int threads, const std::atomic<bool>& stop, const std::function<void(const Trial&)>& told);
+/// The trials of a case: mesh and elastic rest are made once, so that every factor starts from the same state.
+struct Trials {
+  Trials(const Case& c, const TrialRules& of_all, int n_threads, const std::atomic<bool>& may_stop);
+
+  /// told: called after each window. Ends undecided where it is when `stop` is set.
+  Trial run(
+      Real factor, const std::function<void(const Trial&)>& told = [](const Trial&) {}) const;
+
+  Case quiet;
+  SharedMesh mesh;
+  ElasticStart start;
+  TrialRules rules;
+  int threads;
+  const std::atomic<bool>& stop;
+};
 
 }  // namespace terp

@@ -201,19 +201,27 @@ class MaterialScales {
 
 Real size(Vec<2> v) { return std::hypot(v[0], v[1]); }
 
-/// limit: over sqrt(g H); why: what usual speeds are.
-void warn_of_speed(const std::string& key, const std::string& what, Real speed, Real limit, const char* why,
-    const Soil& soil, Problems& warnings)
+/// A body, a side or a footing by its key and its name in a message.
+struct Mover {
+  std::string key, name;
+  Real speed;  ///< [m/s]
+};
+
+/// True if it is very fast.
+bool warn_of_speed(const Mover& mover, const Soil& soil, Problems& warnings)
 {
+  const bool is_body = mover.key.starts_with("body");
   const Real scale = std::sqrt(soil.g * soil.height);
-  if (!(scale > 0.0) || !(speed > limit * scale)) return;
-  warnings.push_back({key, fmt::format("{} is very fast", what),
+  if (!(scale > 0.0) || !(mover.speed > (is_body ? greatest_speed : greatest_push) * scale)) return false;
+  warnings.push_back({mover.key, fmt::format("{} is very fast", mover.name),
       fmt::format("{:.4g} m/s is {:.3g} times sqrt(g H) = {:.3g} m/s (H = {:.3g} m of soil); {}.\n"
                   "Velocities are in m/s: 5 mm/s is 0.005.",
-          speed, speed / scale, scale, soil.height, why),
-      key.starts_with("body")      ? "body.velocity"
-      : key.starts_with("footing") ? "footing.velocity"
-                                   : "boundary.SIDE.velocity"});
+          mover.speed, mover.speed / scale, scale, soil.height,
+          is_body ? "soil that fell from H has 1.4 times" : "usual is a hundredth or less"),
+      is_body                            ? "body.velocity"
+      : mover.key.starts_with("footing") ? "footing.velocity"
+                                         : "boundary.SIDE.velocity"});
+  return true;
 }
 
 /// The greatest, at its nodes [m/s].
@@ -274,24 +282,19 @@ void warn_of_inertia(const std::string& key, const FootingCase& footing, const M
 void check_speeds(const Model& model, const Soil& soil, Problems& warnings)
 {
   const Case& c = model.description;
-  const char *of_body = "soil that fell from H has 1.4 times", *of_push = "usual is a hundredth or less";
   const std::vector<Real> speeds = speeds_of_bodies(model);
   for (std::size_t b = 0; b < c.bodies.size(); ++b)
-    warn_of_speed(fmt::format("body[{}].velocity", b), called(c.bodies[b], b), speeds[b], greatest_speed, of_body, soil,
-        warnings);
-  for (const SideCondition& side : c.sides) {
-    const std::string key = fmt::format("boundary.\"{}\".velocity", side.side);
-    warn_of_speed(key, fmt::format("the side `{}`", side.side), speed_of_side(model, side), greatest_push, of_push,
+    warn_of_speed({fmt::format("body[{}].velocity", b), called(c.bodies[b], b), speeds[b]}, soil, warnings);
+  for (const SideCondition& side : c.sides)
+    warn_of_speed({fmt::format("boundary.\"{}\".velocity", side.side), fmt::format("the side `{}`", side.side),
+                      speed_of_side(model, side)},
         soil, warnings);
-  }
   for (std::size_t k = 0; k < c.footings.size(); ++k) {
+    const FootingCase& f = c.footings[k];
     const std::string key = fmt::format("footing[{}].velocity", k);
-    const std::size_t before = warnings.size();
-    warn_of_speed(key, fmt::format("the footing `{}`", c.footings[k].name), size(c.footings[k].velocity), greatest_push,
-        of_push, soil, warnings);
-    if (warnings.size() > before) continue;
-    warn_of_inertia(key, c.footings[k], model, warnings);
-    warn_of_no_motion(key, c.footings[k], model, soil, warnings);
+    if (warn_of_speed({key, fmt::format("the footing `{}`", f.name), size(f.velocity)}, soil, warnings)) continue;
+    warn_of_inertia(key, f, model, warnings);
+    warn_of_no_motion(key, f, model, soil, warnings);
   }
 }
 
@@ -310,7 +313,6 @@ void find_no_motion(const Model& model, Problems& warnings)
 }
 
 struct PastLoad {
-  std::size_t material = 0;
   Index n = 0;
   Real daily = 0.0, beyond = 0.0;  ///< sums of sigma'_v,daily, and of sigma'_p above it [Pa]
 };
@@ -333,22 +335,22 @@ void find_large_yield_stress(const Model& model, const State& state, Problems& w
       const Real daily = model.ground->effective(x, of, std::isnan(of.time) ? 0.0 : of.time);
       largest = std::max(largest, daily);
       PastLoad& soil = soils[m];
-      soil.material = m, soil.n += 1, soil.daily += daily;
+      soil.n += 1, soil.daily += daily;
       soil.beyond += field.needs.yield_stress({x, model.ground.get()}) - daily;
       break;
     }
   });
-  for (const PastLoad& soil : soils) {
-    const Real n = static_cast<Real>(soil.n), beyond = soil.beyond / n;
-    if (soil.n == 0 || !(beyond > largest)) continue;
-    const MaterialCase& values = model.description.materials[soil.material];
+  for (std::size_t m = 0; m < soils.size(); ++m) {
+    const Real n = static_cast<Real>(soils[m].n), beyond = soils[m].beyond / n;
+    if (soils[m].n == 0 || !(beyond > largest)) continue;
+    const MaterialCase& values = model.description.materials[m];
     warnings.push_back({fmt::format("material.\"{}\"", values.name),
         fmt::format("the yield stress of `{}` is far above what it bears", values.name),
         fmt::format(
             "sigma'_p is on average {} kPa above sigma'_v of daily water, which is {} kPa. That is a former load "
             "larger\nthan the {} kPa that soil with such a strength bears at most in this section. A POP of 15 "
             "kPa is \"15 kPa\" or 15e3.",
-            kilopascal(beyond), kilopascal(soil.daily / n), kilopascal(largest)),
+            kilopascal(beyond), kilopascal(soils[m].daily / n), kilopascal(largest)),
         std::string(values.model), false, {fmt::format("material.\"{}\"", values.name)}});
   }
 }

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <set>
 
 namespace terp {
 namespace {
@@ -80,13 +81,9 @@ class SectionCheck {
   explicit SectionCheck(const Model& model) : model_(model), cell_(typical_cell_size(*model.mesh))
   {
     const auto outlines = outlines_of(model);
-    std::size_t k = 0;
-    for (std::size_t b = 0; b < model.description.bodies.size(); ++b) {
-      if (!model.description.bodies[b].points_file.empty()) continue;
-      number_.push_back(b);
-      obstacles_.push_back({name_of(model.description.bodies[b], b), outline_sides(*model.mesh, outlines[k++])});
-    }
-    n_bodies_ = obstacles_.size();
+    n_bodies_ = outlines.size();
+    for (std::size_t b = 0; b < n_bodies_; ++b)
+      obstacles_.push_back({name_of(model.description.bodies[b], b), outline_sides(*model.mesh, outlines[b])});
     for (const SideCondition& side : model.description.sides) {
       if (info_of(side.kind).action == SideAction{}) continue;
       Obstacle held{fmt::format("the side `{}`", side.side), {}, is_driven(side), resists_along(side),
@@ -105,7 +102,9 @@ class SectionCheck {
   void check(Problems& warnings)
   {
     for (std::size_t b = 0; b < n_bodies_; ++b) look_around(b, warnings);
-    if (number_.size() != model_.description.bodies.size() || n_bodies_ == obstacles_.size() || down_ == Vec<2>{})
+    const auto comes_as_points = [](const BodyCase& body) { return !body.points_file.empty(); };
+    if (std::ranges::any_of(model_.description.bodies, comes_as_points) || n_bodies_ == obstacles_.size() ||
+        down_ == Vec<2>{})
       return;
     find_wedges(warnings);
     find_hanging(warnings);
@@ -213,18 +212,21 @@ class SectionCheck {
     gap.at = x;
   }
 
+  bool is_news(std::size_t body, std::size_t other)
+  {
+    return reported_.insert({std::min(body, other), std::max(body, other)}).second;
+  }
+
   void report_gap(std::size_t body, std::size_t other, const Beside& gap, Problems& warnings)
   {
-    const std::pair pair(std::min(body, other), std::max(body, other));
-    if (std::ranges::find(reported_, pair) != reported_.end()) return;
-    reported_.push_back(pair);
-    warnings.push_back({fmt::format("body[{}]", number_[body]),
+    if (!is_news(body, other)) return;
+    warnings.push_back({fmt::format("body[{}]", body),
         fmt::format("a gap between {} and {}", obstacles_[body].name, obstacles_[other].name),
         fmt::format(
             "It is {:.3g} m wide at {} m, less than a cell of {:.3g} m. Soil on both sides of it acts on the same "
             "nodes,\nand falls by the gap. Draw the two along one line.",
             gap.least, place_text(gap.at), cell_),
-        "body", false, keys_of_outline(number_[body])});
+        "body", false, keys_of_outline(body)});
   }
 
   /// Which bodies a chain of bodies joins to a side that holds them.
@@ -238,7 +240,7 @@ class SectionCheck {
 
   bool is_thrown(std::size_t body) const
   {
-    const BodyCase& values = model_.description.bodies[number_[body]];
+    const BodyCase& values = model_.description.bodies[body];
     return values.velocity_at || values.velocity != Vec<2>{0.0, 0.0};
   }
 
@@ -246,16 +248,14 @@ class SectionCheck {
   {
     const std::vector<bool> held = held_by(meets_, meets_side_);
     for (const auto& [body, other, gap] : wedges_) {
-      const std::pair pair(std::min(body, other), std::max(body, other));
-      if (held[body] || is_thrown(body) || std::ranges::find(reported_, pair) != reported_.end()) continue;
-      reported_.push_back(pair);
-      warnings.push_back({fmt::format("body[{}]", number_[body]),
+      if (held[body] || is_thrown(body) || !is_news(body, other)) continue;
+      warnings.push_back({fmt::format("body[{}]", body),
           fmt::format("a gap like a wedge between {} and {}", obstacles_[body].name, obstacles_[other].name),
           fmt::format(
               "It opens to more than {:.3g} m at {} m. {} lies on {} with one end only, and nothing else carries "
               "it: it turns and falls.\nDraw the two along one line.",
               gap.most, place_text(gap.widest), obstacles_[body].name, obstacles_[other].name),
-          "body", false, keys_of_outline(number_[body])});
+          "body", false, keys_of_outline(body)});
     }
   }
 
@@ -265,7 +265,7 @@ class SectionCheck {
     const std::vector<bool> held = held_by(near_, near_side_);
     std::vector<bool> reported(n_bodies_, false);
     for (std::size_t b = 0; b < n_bodies_; ++b) {
-      if (held[b] || reported[b] || is_thrown(b) || model_.bodies[number_[b]].n_points == 0) continue;
+      if (held[b] || reported[b] || is_thrown(b) || model_.bodies[b].n_points == 0) continue;
       std::vector<bool> first(n_bodies_, false);
       first[b] = true;
       const std::vector<bool> chain = held_by(near_, first);
@@ -279,11 +279,10 @@ class SectionCheck {
       }
       if (thrown) continue;
       const bool alone = std::ranges::count(chain, true) == 1;
-      warnings.push_back(
-          {fmt::format("body[{}]", number_[b]), fmt::format("{} hang{} in the air", names, alone ? "s" : ""),
-              fmt::format("{} no {}side that holds against gravity{}. {}", alone ? "It touches" : "They touch",
-                  alone ? "other body and no " : "", beside_text(chain), fall_of(chain)),
-              "body", false, keys_of_outline(number_[b])});
+      warnings.push_back({fmt::format("body[{}]", b), fmt::format("{} hang{} in the air", names, alone ? "s" : ""),
+          fmt::format("{} no {}side that holds against gravity{}. {}", alone ? "It touches" : "They touch",
+              alone ? "other body and no " : "", beside_text(chain), fall_of(chain)),
+          "body", false, keys_of_outline(b)});
     }
   }
 
@@ -317,14 +316,13 @@ class SectionCheck {
   const Model& model_;
   Real cell_;
   std::size_t n_bodies_ = 0;
-  std::vector<std::size_t> number_;           ///< of each outline among the bodies of the case
   std::vector<Obstacle> obstacles_;           ///< bodies, then held sides
   Vec<2> down_{};                             ///< of length 1; zero without gravity
   Touches near_, meets_;                      ///< which bodies a body is near to, by less than half a cell; and touches
   std::vector<bool> near_side_, meets_side_;  ///< the same of any side that holds against gravity
   std::vector<std::optional<std::size_t>> beside_side_;  ///< a side that each body is near to, which does not hold it
   std::vector<Wedge> wedges_;
-  std::vector<std::pair<std::size_t, std::size_t>> reported_;
+  std::set<std::pair<std::size_t, std::size_t>> reported_;
 };
 
 /// The built-in names say where a side lies; edges of a polygon may be counted from 1 or run clockwise.
@@ -365,9 +363,8 @@ std::optional<Real> drawn_area(const Model& model)
   Vec<2> low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
   std::size_t n_corners = 0;
   const auto outlines = outlines_of(model);
-  if (outlines.size() != model.description.bodies.size()) return std::nullopt;
   for (std::size_t b = 0; b < outlines.size(); ++b) {
-    if (!outlines[b].cells.empty()) return std::nullopt;
+    if (outlines[b].polygon.empty()) return std::nullopt;
     overlay.rings.push_back({outlines[b].polygon, static_cast<Index>(b), false});
     for (const Polygon& hole : outlines[b].holes) overlay.rings.push_back({hole, static_cast<Index>(b), true});
     for (const Vec<2>& x : outlines[b].polygon)

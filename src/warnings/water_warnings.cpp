@@ -144,7 +144,7 @@ void find_drowned_soil(const Model& model, std::vector<Problem>& warnings)
       if (*ground > top) top = *ground, x_top = x;
     }
     if (!std::isfinite(least) || !(least > 0.0)) continue;
-    warnings.push_back({k == 0 ? "water.phreatic_line" : fmt::format("water.situation[{}].phreatic_line", k - 1),
+    warnings.push_back({path_of(k) + ".phreatic_line",
         fmt::format("the water{} stands above all of the soil", of.name.empty() ? "" : fmt::format(" `{}`", of.name)),
         fmt::format(
             "It is {:.3g} m above the highest ground, at x = {:.4g} m, y = {:.4g} m. Terp then computes soil "

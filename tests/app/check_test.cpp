@@ -139,7 +139,7 @@ TEST(Check, PointsAtTheChangeThatSetUpCannotUse)
   };
   EXPECT_THAT(error_after(column_file, "mesh.size=[6.0, 3.0]"),
       AllOf(StartsWith("error: --set mesh.size=[6.0, 3.0]: the body lies outside the mesh\n"),
-          HasSubstr("Enlarge mesh.size")));
+          HasSubstr("Enlarge the mesh")));
   EXPECT_THAT(error_after(column_file, "body[0].box=[[0.0, 0.0], [20.0, 2.0]]"),
       StartsWith("error: --set body[0].box=[[0.0, 0.0], [20.0, 2.0]]: the body lies outside the mesh\n"));
   EXPECT_THAT(error_after(column_file, "mesh.cell=1e-6"),

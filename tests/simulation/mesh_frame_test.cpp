@@ -57,7 +57,7 @@ TEST(MeshFrame, CellsHoldTheMeanPressureOfTheirSoilAndNoneWithoutSoil)
   EXPECT_NEAR(total, wanted, 1e-12 * std::abs(wanted));
 }
 
-TEST(MeshFrame, ABodyInUniformMotionGivesItsVelocityToEveryNodeItTouches)
+TEST(MeshFrame, ABodyInUniformMotionGivesItsVelocityToEveryNodeItTouchesAndItsEnergy)
 {
   Case c = column("mpm_gp");
   c.bodies[0].velocity = {3.0, 0.5};
@@ -67,6 +67,35 @@ TEST(MeshFrame, ABodyInUniformMotionGivesItsVelocityToEveryNodeItTouches)
     EXPECT_NEAR(frame.velocity[2 * i], frame.mass[i] > 0.0 ? 3.0 : 0.0, 1e-14);
     EXPECT_NEAR(frame.velocity[2 * i + 1], frame.mass[i] > 0.0 ? 0.5 : 0.0, 1e-14);
   }
+  const Real mass = 16.0 * s.model.largest_density;
+  EXPECT_NEAR(kinetic_energy(frame), 0.5 * mass * 9.25, 1e-9 * mass);
+}
+
+TEST(NodalKineticEnergy, DoesNotSeeWhatPointsOfACellMoveAgainstEachOther)
+{
+  Simulation s(column("mpm_gp"));
+  constexpr std::array<Real, 5> noise{
+      -1.0, 2.0, 0.0, -2.0, 1.0};  // of five points in a row: no sum and no first moment
+  for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto column_of_points = static_cast<std::size_t>(10.0 * block.row(Rows::x)[lane]);  // cells of 0.5 m
+    block.row(Rows::v)[lane] = noise[column_of_points % 5];
+    block.row(Rows::v + 1)[lane] = 0.0;
+  });
+  const TableRow ledger = keep_ledger(s.model, s.state, s.work);
+  EXPECT_GT(ledger["kinetic"], 1e4);
+  EXPECT_LT(ledger["kinetic_nodal"], 1e-12 * ledger["kinetic"]);
+}
+
+TEST(NodalKineticEnergy, OfALedgerRowIsThatAtTheStartOfTheLastStepAndAtMostThatOfThePoints)
+{
+  Simulation s(column("mpm_gp"));
+  s.step(200);
+  const Real before = kinetic_energy(map_motion(s.model, s.state));
+  make_steps(s);
+  const TableRow row = keep_ledger(s.model, s.state, s.work);
+  EXPECT_NEAR(row["kinetic_nodal"], before, 1e-12 * before);
+  EXPECT_GT(row["kinetic_nodal"], 0.5 * row["kinetic"]);
+  EXPECT_LE(row["kinetic_nodal"], row["kinetic"] * (1.0 + 1e-12));
 }
 
 }  // namespace mesh_frame_test

@@ -1,5 +1,4 @@
 #include "stability/trial.hpp"
-#include "simulation/setup_mesh.hpp"
 #include "support/cases.hpp"
 
 namespace trial_test {
@@ -51,27 +50,16 @@ TEST(Judge, FailsWhenItMovedFarAndDoesNotSlowDown)
   EXPECT_EQ(judge({}, rules, scales()), TrialVerdict::undecided);
 }
 
-/// The column of model 1 on a rough base, which stands up to a factor of about 0.8.
-struct Column {
-  Case quiet;
-  SharedMesh mesh;
-  ElasticStart start;
-  explicit Column(Real stiffening = rules.stiffening)
-      : quiet(quiet_case(column_without_softening("mpm_mixed"))),
-        mesh(std::make_shared<const Mesh<2>>(build_mesh(quiet))),
-        start(settle_elastically(quiet, mesh, stiffening, 1, go))
-  {
-  }
-  Trial at(Real factor, const TrialRules& r = rules) const
-  {
-    return run_trial(quiet, mesh, start, factor, r, 1, go, [](const Trial&) {});
-  }
-};
+/// Of the column of model 1 on a rough base, which stands up to a factor of about 0.8.
+Trials trials(const TrialRules& of_all = rules, const std::atomic<bool>& stop = go)
+{
+  return {column_without_softening("mpm_mixed"), of_all, 1, stop};
+}
 
 TEST(Trial, StandsWithMoreStrengthAndRunsAwayWithLess)
 {
-  const Column column;
-  const Trial strong = column.at(0.5), weak = column.at(2.0);
+  const Trials column = trials();
+  const Trial strong = column.run(0.5), weak = column.run(2.0);
   EXPECT_EQ(strong.verdict, TrialVerdict::stable);
   EXPECT_THAT(strong.reason, StartsWith("at rest: out of balance"));
   EXPECT_LT(strong.windows.back().out_of_balance, 1e-2);
@@ -89,8 +77,8 @@ TEST(Trial, StandsWithMoreStrengthAndRunsAwayWithLess)
 
 TEST(Trial, IsTheSameEachTime)
 {
-  const Column column;
-  const Trial a = column.at(1.1), b = column.at(1.1);
+  const Trials column = trials();
+  const Trial a = column.run(1.1), b = column.run(1.1);
   ASSERT_EQ(a.windows.size(), b.windows.size());
   EXPECT_EQ(a.windows.back().displacement, b.windows.back().displacement);
 }
@@ -98,8 +86,13 @@ TEST(Trial, IsTheSameEachTime)
 // Stresses do not depend on the stiffening, strains go with one over it: the same place in the same scales.
 TEST(Trial, DoesNotDependOnHowSmallTheDisplacementsAre)
 {
-  const Column little(1e2), much(1e4);
-  const Trial a = little.at(0.6), b = much.at(0.6);
+  const auto stiffened = [](Real stiffening) {
+    TrialRules other = rules;
+    other.stiffening = stiffening;
+    return trials(other);
+  };
+  const Trials little = stiffened(1e2), much = stiffened(1e4);
+  const Trial a = little.run(0.6), b = much.run(0.6);
   ASSERT_EQ(a.verdict, TrialVerdict::stable);
   ASSERT_EQ(b.verdict, TrialVerdict::stable);
   EXPECT_NEAR(a.windows.back().displacement, b.windows.back().displacement, 0.01 * much.start.displacement);
@@ -111,7 +104,7 @@ TEST(Trial, EndsUndecidedWhenItsTimeIsUp)
   TrialRules impatient = rules;
   impatient.most_windows = 3;
   impatient.rest = 1e-15;
-  const Trial trial = Column().at(0.5, impatient);
+  const Trial trial = trials(impatient).run(0.5);
   EXPECT_EQ(trial.verdict, TrialVerdict::undecided);
   EXPECT_EQ(trial.windows.size(), 3u);
   EXPECT_THAT(trial.reason, StartsWith("creeps: "));
@@ -119,9 +112,10 @@ TEST(Trial, EndsUndecidedWhenItsTimeIsUp)
 
 TEST(Trial, StopsWhenAsked)
 {
-  const Column column;
-  const std::atomic<bool> stop{true};
-  const Trial trial = run_trial(column.quiet, column.mesh, column.start, 1.0, rules, 1, stop, [](const Trial&) {});
+  std::atomic<bool> stop{false};
+  const Trials column = trials(rules, stop);
+  stop = true;
+  const Trial trial = column.run(1.0);
   EXPECT_EQ(trial.verdict, TrialVerdict::undecided);
   EXPECT_TRUE(trial.windows.empty());
 }

@@ -65,10 +65,11 @@ class Incline : public TestWithParam<std::string> {};
 
 TEST_P(Incline, BlockAcceleratesByGravityLessFrictionAndAdhesion)
 {
+  const Real within = GetParam() == "standard_mpm" ? 0.015 : 0.01;
   for (const Slope slope :
       {Slope{15.0, 0.1, 0.0}, {30.0, 0.3, 0.0}, {45.0, 0.5, 0.0}, {30.0, 0.0, 1.0e3}, {45.0, 0.2, 1.0e3}}) {
     const Real expected = expected_acceleration(slope);
-    EXPECT_NEAR(acceleration(slope, GetParam(), SideKind::contact_separating), expected, 0.01 * expected)
+    EXPECT_NEAR(acceleration(slope, GetParam(), SideKind::contact_separating), expected, within * expected)
         << slope.degrees << " degrees, friction " << slope.friction << ", adhesion " << slope.adhesion;
   }
 }
