@@ -38,6 +38,7 @@ std::string read_text(const std::string& path)
   if (fs::exists(fs::path(path) / "ledger.csv", ignored))
     refuse_file(path, fault,
         fmt::format("It holds a run. To go on with it: terp resume {0}. To solve its case anew: {0}/case.toml", path));
+  if (fs::is_regular_file(path, ignored)) refuse_file(path, fault, "");
   if (fs::exists(path, ignored)) refuse_file(path, fault, "Give a .toml file.");
   const std::string similar = similar_file(path, ".toml");
   refuse_file(path, fault, similar.empty() ? "" : fmt::format("Did you mean `{}`?", similar));

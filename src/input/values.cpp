@@ -350,9 +350,13 @@ bool ValueReader::operator()(const VelocityPair& field)
   std::array<FieldValue, 2> parts;
   FieldNeeds none;
   for (std::size_t d = 0; d < 2; ++d) {
-    if (list.items[d].kind == NodeKind::table) return wrong_type(list, entry_.path);
-    auto part = read_field({{list.items[d], fmt::format("{}[{}]", entry_.path, d), key_}, "", findings_, none});
-    if (!part) return false;
+    const std::string path = fmt::format("{}[{}]", entry_.path, d);
+    if (list.items[d].kind == NodeKind::table) return wrong_type(list.items[d], path);
+    auto part = read_field({{list.items[d], path, key_}, "", findings_, none});
+    if (!part) {
+      findings_.problems.back().topic = topic_of(key_.path);
+      return false;
+    }
     parts[d] = std::move(*part);
   }
   *field.at = [parts](Vec<2> x) -> Vec<2> { return {parts[0]({x}), parts[1]({x})}; };

@@ -24,9 +24,9 @@ struct PlanarMap {
   std::vector<Face> faces;
 };
 
-/// Cuts a polygon (counter-clockwise) by the outlines to follow. What lies outside is dropped. Followed places closer
-/// to another place or to an edge than `tolerance` [m] are moved onto it, so that no sliver remains; the polygon itself
-/// is never moved. Throws MeshError if the polygon has no area, runs clockwise or crosses itself.
+/// Cuts a polygon (counter-clockwise, no corner twice in a row) by the outlines to follow. What lies outside is
+/// dropped. Followed places closer to another place or to an edge than `tolerance` [m] are moved onto it, so that no
+/// sliver remains; the polygon itself is never moved. Throws MeshError if the polygon crosses or lies on itself.
 PlanarMap cut_polygon(
     const std::vector<Vec<2>>& polygon, const std::vector<std::vector<Vec<2>>>& follow, Real tolerance);
 

@@ -18,6 +18,7 @@ namespace terp {
 namespace {
 
 constexpr std::int64_t most_shown = 10;
+constexpr const char* decimal_point = "; numbers have a decimal point, no comma";
 
 std::vector<std::string> split(std::string_view line)
 {
@@ -103,7 +104,8 @@ Real finite_number_in_csv(std::string_view text, std::string_view column, Index 
 {
   const std::optional<Real> value = number_in_csv(text);
   if (!value)
-    faults.add(line, fmt::format("{} is `{}`, which is not a number", column, text));
+    faults.add(line, fmt::format("{} is `{}`, which is not a number{}", column, text,
+                         text.find(',') == text.npos ? "" : decimal_point));
   else if (!std::isfinite(*value))
     faults.add(line, fmt::format("{} is {}; it must be finite", column, text));
   return value.value_or(0.0);
@@ -126,6 +128,12 @@ void read_csv_rows(const std::string& text, std::span<const std::string> columns
     const std::string_view line = trimmed(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (says_nothing(line)) continue;
+    if (std::ranges::count(line, '"') % 2 == 1) {
+      faults.add(number, "a quote is not closed in its line; a quote in a text stands twice");
+      if (!places) faults.stop_if_any();
+      any = true;
+      continue;
+    }
     if (!places) {
       places = read_header(line, number, columns, faults);
       faults.stop_if_any();
@@ -136,8 +144,8 @@ void read_csv_rows(const std::string& text, std::span<const std::string> columns
     if (cells.size() != columns.size()) {
       const bool by_comma = cells.size() == 2 * columns.size() - 1 || cells.size() == 2 * columns.size();
       if (by_comma && std::exchange(told_commas, true)) continue;
-      faults.add(number, fmt::format("{} values, and {} columns{}", cells.size(), columns.size(),
-                             by_comma ? "; numbers have a decimal point, no comma" : ""));
+      faults.add(number,
+          fmt::format("{} values, and {} columns{}", cells.size(), columns.size(), by_comma ? decimal_point : ""));
       continue;
     }
     std::vector<std::string> in_order;

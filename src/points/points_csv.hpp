@@ -19,7 +19,7 @@ struct CsvPoint {
 
 /// In file order. The first line names the four columns, in any order; cells are apart by commas, spaces around them do
 /// not count, a name may stand in double quotes; empty lines and lines from # on are passed over. Numbers are finite.
-/// Throws CsvError.
+/// Throws CsvError; FileError if the file cannot be read.
 std::vector<CsvPoint> read_points_csv(const std::string& path);
 
 /// The same from the text of a file; path: for messages.

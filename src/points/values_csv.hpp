@@ -39,7 +39,8 @@ class ValueMap {
   Vec<2> low_{}, high_{};
 };
 
-/// Throws CsvError: faults of the file, two lines of one place, more than most_scattered of them.
+/// Throws CsvError: faults of the file, two lines of one place, more than most_scattered of them; FileError if it
+/// cannot be read.
 ValueMap read_values_csv(const std::string& path);
 
 /// The same from the text of a file; path: for messages.

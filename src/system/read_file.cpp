@@ -40,10 +40,13 @@ std::string read_file(const std::string& path)
 {
   check_is_file(path);
   errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) throw_file_error("read", path, errno ? errno : EIO);
-  return text;
+  try {
+    std::ifstream in(path, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (in) return text;
+  } catch (const std::ios_base::failure&) {  // of a disk, after the file was opened
+  }
+  throw_file_error("read", path, errno ? errno : EIO);
 }
 
 }  // namespace terp

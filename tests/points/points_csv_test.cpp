@@ -69,6 +69,19 @@ TEST(PointsCsv, SaysOnceHowValuesAreSeparated)
   EXPECT_THAT(message_for("x y volume material\n"), HasSubstr("the values are separated by blanks;"));
   EXPECT_THAT(message_for("x,y,volume,material\n1,5,2,0,0,25,clay\n"),
       HasSubstr("points.csv:2: 7 values, and 4 columns; numbers have a decimal point, no comma\n"));
+  EXPECT_THAT(message_for("x,y,volume,material\n\"1,5\",2,0.25,clay\n"),
+      HasSubstr("points.csv:2: x is `1,5`, which is not a number; numbers have a decimal point, no comma\n"));
+}
+
+TEST(PointsCsv, AQuoteEndsInItsLine)
+{
+  for (const char* wrong : {"1,2,0.5,\"clay\n1,2,0.5,clay\n", "1,2,0.5,clay\"\n", "\"1,2,0.5,clay\n"})
+    EXPECT_THAT(message_for(std::string("x,y,volume,material\n") + wrong),
+        HasSubstr("1 fault:\n  points.csv:2: a quote is not closed in its line; a quote in a text stands twice\n"));
+  EXPECT_THAT(message_for("x,y,volume,\"material\n1,2,0.5,clay\n"),
+      HasSubstr("1 fault:\n  points.csv:1: a quote is not closed in its line;"));
+  const auto points = read_points_csv_text("points.csv", "x,y,volume,material\n1,2,0.5,\"clay, \"\"old\"\"\"\n");
+  EXPECT_EQ(points[0].material, "clay, \"old\"");
 }
 
 TEST(PointsCsv, SaysWhatIsWrongWithEachLine)

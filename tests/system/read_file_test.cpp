@@ -14,6 +14,7 @@ TEST(ReadFile, GivesTheBytesOrThePathWithTheReason)
       refusal<FileError>([] { read_file("/no/such/file"); }), "cannot read /no/such/file: No such file or directory");
   EXPECT_THAT(
       refusal<FileError>([&] { read_file(scratch.path()); }), HasSubstr("a folder is in the place of the file"));
+  EXPECT_EQ(refusal<FileError>([] { read_file("/proc/self/mem"); }), "cannot read /proc/self/mem: Input/output error");
 }
 
 }  // namespace read_file_test
