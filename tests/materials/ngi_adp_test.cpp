@@ -15,7 +15,8 @@ Real x_of(const Probe& point) { return 0.5 * (point.sigma[0] - point.sigma[1]); 
 
 TEST(NgiAdp, ResistsSlipAlongAPlaneOfAnyDirectionAsItsEllipseSays)
 {
-  for (const Real beta : {-0.7, -0.3, 0.1, 0.4, 0.785, 1.2}) {  // slip along (cos, -sin)
+  constexpr Real eighth = 0.25 * std::numbers::pi;  // at which the strengths are the passive and the active one
+  for (const Real beta : {-eighth, -0.7, -0.3, 0.0, 0.1, 0.4, eighth, 1.2}) {  // slip along (cos, -sin)
     Probe point = soil();
     const Real s = std::sin(2.0 * beta), k = std::cos(2.0 * beta);
     strain_in_parts(point, {{0.2 * s, -0.2 * s, 0.0, 0.2 * k}}, 4000);

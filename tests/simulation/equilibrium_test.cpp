@@ -32,7 +32,7 @@ std::array<Real, 2> difference_in_shear(const State& a, const State& b)
   return {largest / std::sqrt(of_a / static_cast<Real>(points.size())), std::sqrt(square / of_a)};
 }
 
-TEST(Equilibrium, ItChangesTheStressAndNothingElse)
+TEST(Equilibrium, ItChangesTheStressToThatAtRestAndNothingElse)
 {
   Case c = confined_box(InitialStress::equilibrium);
   const Simulation drawn(c);
@@ -52,6 +52,16 @@ TEST(Equilibrium, ItChangesTheStressAndNothingElse)
   EXPECT_EQ(s.state.step, 0);
   EXPECT_EQ(s.state.time, 0.0);
   EXPECT_EQ(s.state.work.gravity, 0.0);
+  std::vector<Vec<2>> mean(s.model.mesh->cells.size(), {0.0, 0.0});  // stress xx, yy of each cell [Pa]
+  for (const Point& p : after)
+    for (int k = 0; k < 2; ++k) mean[p.cell][k] += p.sigma[k] / 25.0;
+  for (Index cell = 0; cell < 6 * 16; ++cell) {
+    const Real vertical = -2000.0 * 9.81 * (1.5 - s.model.mesh->centres[cell][1]);
+    EXPECT_NEAR(mean[cell][1], vertical, 0.001 * 2000.0 * 9.81 * 1.5);
+    EXPECT_NEAR(mean[cell][0], 0.3 / 0.7 * vertical, 0.001 * 2000.0 * 9.81 * 1.5);  // nu / (1 - nu), confined
+  }
+  s.step();
+  EXPECT_LE(s.work.unbalanced_ratio, 2e-4);
 }
 
 TEST(Equilibrium, PlasticStrainBeginsAtZero)

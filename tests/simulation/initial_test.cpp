@@ -45,6 +45,7 @@ TEST(InitialStress, TheSearchForEquilibriumBeginsWithTheK0ThatAMaterialGivesAlso
 TEST(InitialStress, K0CountsEachLayerWithItsOwnDensityAndAnOverlapOnce)
 {
   Case c = confined_box(InitialStress::k0);
+  c.initial.k0 = 0.7;
   c.materials.push_back(clay());                              // 1990 kg/m^3
   c.bodies.push_back(body("clay", {0.0, 1.0}, {2.0, 1.75}));  // lies on top of the left half, and on part of it
   for (const Point& p : points_by_id(Simulation(c).state)) {
@@ -53,6 +54,8 @@ TEST(InitialStress, K0CountsEachLayerWithItsOwnDensityAndAnOverlapOnce)
     const Real clay = left ? 1990.0 * (top - std::max(p.x[1], border)) : 0.0;
     const Real rock = 2000.0 * std::max(0.0, border - p.x[1]);
     EXPECT_NEAR(p.sigma[1], -g * (clay + rock), 1e-9);
+    for (const int k : {0, 2}) EXPECT_NEAR(p.sigma[k], -0.7 * g * (clay + rock), 1e-9);
+    EXPECT_EQ(p.sigma[3], 0.0);
   }
 }
 

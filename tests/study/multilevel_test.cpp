@@ -202,7 +202,7 @@ TEST(Multilevel, PairsComeFirstAndHaveTheSameInput)
   EXPECT_NE(study_of(changed(two_levels, "cell\" = 1.0", "cell\" = 0.25")).case_digits, study.case_digits);
 }
 
-TEST(Multilevel, TheTableHasTheSameBitsOnThreadsAndInParts)
+TEST(Multilevel, TheTableHasTheSameBitsOnThreadsInPartsAndAfterAKill)
 {
   const StudyWithStores place(two_levels);
   const std::string table = study_csv(place.study, place.run("one"));
@@ -213,6 +213,9 @@ TEST(Multilevel, TheTableHasTheSameBitsOnThreadsAndInParts)
   const Realisations first = place.run("first", {.part = {1, 2}});
   EXPECT_TRUE(first.contains(0) && first.contains(1) && !first.contains(2)) << "both of a pair are for one part";
   EXPECT_EQ(study_csv(place.study, place.run("parts")), table);
+  const std::string file = "/part_1_of_1.rows", text = read_file(place.of("one") + file);
+  write_file_atomically(place.of("cut") + file, text.substr(0, text.size() / 2));
+  EXPECT_EQ(study_csv(place.study, place.run("cut", {.threads = 2})), table);
 }
 
 // On each level a realisation is that of Monte Carlo with the cells of the level, to the bit.
