@@ -249,15 +249,17 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   next.ramp.start = model.time_of(state.step);
   remove_held_bodies(model, state);
   const Real before = kinetic_and_elastic_energy(model, state);
-  const Seeds seeds = seeds_of(make_points(next));
-  const std::vector<Real> carried = carried_pressures(model, state);
-  if (stores_other_stress(model, next)) change_stored_stress(model, next, seeds, state);
-  if (!have_same_materials(model, next)) change_materials(next, seeds, carried, state);
   const auto is_of_material = [](const auto& change) {
     return change.first.starts_with("material") || change.first == "at_strength";
   };
-  if (std::ranges::any_of(model.description.stages[next.stage.number].changes, is_of_material))
-    set_point_parameters(next, seeds, state);
+  const bool sets_parameters = std::ranges::any_of(model.description.stages[next.stage.number].changes, is_of_material);
+  // Points of a file are read again for them: not in a stage that changes loads or water alone.
+  const bool needs_seeds = sets_parameters || stores_other_stress(model, next) || next.held_row >= 0;
+  const Seeds seeds = needs_seeds ? seeds_of(make_points(next)) : Seeds{};
+  const std::vector<Real> carried = carried_pressures(model, state);
+  if (stores_other_stress(model, next)) change_stored_stress(model, next, seeds, state);
+  if (!have_same_materials(model, next)) change_materials(next, seeds, carried, state);
+  if (sets_parameters) set_point_parameters(next, seeds, state);
   keep_carried_pressures(next, carried, state);
   change_bodies(next, seeds, state);
   state.start_energy += kinetic_and_elastic_energy(next, state) - before;

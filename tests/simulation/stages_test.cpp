@@ -1,4 +1,5 @@
 #include "simulation/stages.hpp"
+#include "support/paths.hpp"
 #include "support/simulations.hpp"
 #include "support/stages.hpp"
 
@@ -20,6 +21,21 @@ TEST(Stages, InWhichNothingChangesGiveTheBitsOfOneRun)
         (std::vector<std::string>{"counts", "stage", "stages_done"}));  // the ends of stages are due rows here
     EXPECT_EQ(a.state.clamped, b.state.clamped);
   }
+}
+
+TEST(Stages, OfLoadsAloneDoNotReadAFileOfPointsAgain)
+{
+  const ScratchFolder folder;
+  Case c = settling();
+  c.folder = folder.path();
+  c.bodies = std::vector<BodyCase>(1);
+  c.bodies[0].points_file = "points.csv";
+  const std::string file = c.folder + "/points.csv";
+  std::ofstream(file) << "x,y,volume,material\n0.6,0.1,0.04," << c.materials[0].called() << '\n';
+  Simulation s(staged(c, {{stage("a", 0.1), {}}, {stage("b", 0.1), [](Case& b) { b.forces.gravity[1] = -5.0; }}}));
+  std::filesystem::remove(file);
+  s.run();
+  EXPECT_EQ(s.state.stages_done.size(), 2u);
 }
 
 TEST(Stages, EndAtWholeStepsNearestToTheirTimes)
