@@ -47,10 +47,12 @@ std::string case_of(const PlannedSection& section)
 /// Digits that change with the file and with every option that its result depends on.
 std::string question_of(const PlannedSection& section, const AssessCommand& command)
 {
-  const ImportCommand& import = command.import;
+  ImportCommand import = command.import;
+  const std::string table = import.soil_defaults.empty() ? soil_defaults_table() : read_file(import.soil_defaults);
+  import.soil_defaults.clear();  // what it says counts, not where it lies
   std::string text = is_stix(section.file) ? read_file(section.file) : "";
   text += fmt::format("|{}|{}|", command.stability, fmt::join(given_options(import), "|"));
-  return digits_of(text + (import.soil_defaults.empty() ? soil_defaults_table() : read_file(import.soil_defaults)));
+  return digits_of(text + table);
 }
 
 /// Digits of this build of terp: another one may import and solve otherwise.

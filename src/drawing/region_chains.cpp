@@ -57,10 +57,17 @@ Polygon polyline(const ChainMap& map, const Chain& chain)
   return line;
 }
 
+/// distance_to_line rounds otherwise, and the corners that an import keeps depend on its last digit.
 Real distance_to(const Polygon& line, std::size_t first, std::size_t last, Vec<2> x)
 {
   Real nearest = distance(line[first], x);
-  for (std::size_t k = first; k < last; ++k) nearest = std::min(nearest, distance_to_line(line[k], line[k + 1], x));
+  for (std::size_t k = first; k < last; ++k) {
+    const Vec<2> a = line[k], b = line[k + 1];
+    const Real length = distance(a, b);
+    const Real along = (x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1]);
+    nearest = std::min(
+        nearest, distance(between(a, b, length > 0.0 ? std::clamp(along / (length * length), 0.0, 1.0) : 0.0), x));
+  }
   return nearest;
 }
 
@@ -189,7 +196,7 @@ class ChainSimplifier {
         return true;
       Vec<2> crossing;
       if (lines_cross(p, q, a, x, crossing) || lines_cross(p, q, x, d, crossing)) return false;
-      if (distance_to_line(p, q, x) <= touch) return false;
+      if (distance_to({p, q}, 0, 1, x) <= touch) return false;
       return std::ranges::all_of(std::array{one, other}, [&](Index end) {
         if (end == nodes_[before].place || end == nodes_[next].place) return true;
         return distance_to(path, 0, 2, map_.places[end]) > touch && !contains(swept, map_.places[end]);
@@ -481,7 +488,7 @@ bool lines_are_apart(const PlanarGraph& graph)
       if (lines_cross(a, b, c, d, x)) return false;
       const auto touches = [&](Index k, const GraphEdge& edge) {
         return k != edge.a && k != edge.b &&
-               distance_to_line(graph.places[edge.a], graph.places[edge.b], graph.places[k]) <= 1e-9;
+               distance_to({graph.places[edge.a], graph.places[edge.b]}, 0, 1, graph.places[k]) <= 1e-9;
       };
       if (touches(e.a, f) || touches(e.b, f) || touches(f.a, e) || touches(f.b, e)) return false;
     }

@@ -144,6 +144,7 @@ Attempt try_recipe(
                                                : run.output;
   if (!run.succeeded() || !fs::exists(result)) return {"", why};
   std::string bytes = read_file(result);
+  if (bytes.empty()) return {"", why};
   const MshContent file = read_msh(result, bytes);
   if (file.quads.empty() || file.n_others > 0) return {"", why};
   if (!improve_file(mesh, map, file, bytes)) return {"", "some of its cells are not convex"};
