@@ -43,10 +43,10 @@ demo: build      ## run the paper's models with both schemes, draw figures 1 to 
 test: install    ## install, build and run the tests
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
 	@cmake --build $(BUILD)
-	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 3 -LE 'verify|long'
+	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 4 -LE 'verify|long'
 
 test-long:       ## after `make test`: the tests that take more than ten seconds each; CI runs both
-	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 3 -L long
+	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 4 -L long
 
 package: build   ## a Debian package: program, Python package, documents, cases, manual page, completion
 	@cmake --build $(BUILD) --target manual
