@@ -45,7 +45,7 @@ test: install    ## install, build and run the tests
 	@cmake --build $(BUILD)
 	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 4 -LE 'verify|long'
 
-test-long:       ## after `make test`: the tests that take more than ten seconds each; CI runs both
+test-long:       ## after `make test`: the tests that take more than six seconds each; CI runs both
 	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 4 -L long
 
 package: build   ## a Debian package: program, Python package, documents, cases, manual page, completion
