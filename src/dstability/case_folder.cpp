@@ -137,14 +137,14 @@ class FolderMaker {
     WaterText start = is_staged_ ? water_text(first_, layout_, "water_start", false) : WaterText{};
     WaterText now = water_text(section_, layout_, "water", !start.lines.empty());
     if (now.lines.empty() && start.lines.empty()) {
-      assumed_.push_back(filled<told::all_dry>());
+      assumed_.push_back(filled<told_texts::all_dry>());
       return;
     }
     const bool is_dry = now.lines.empty();
     for (auto& [water, stage] : {std::pair{&start, &first_.stage()}, {&now, &stage_}})
       if (is_staged_ && water->lines.empty()) {
         *water = water_below(layout_);
-        assumed_.push_back(filled<told::water_beneath>(in_quotes(stage->label)));
+        assumed_.push_back(filled<told_texts::water_beneath>(in_quotes(stage->label)));
       }
     situation_ = is_staged_ ? key_of_name(stage_.label, "stage") + "_water" : "";
     if (situation_ == raised_water) situation_ += "_2";

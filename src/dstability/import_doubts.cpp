@@ -17,12 +17,10 @@
 namespace terp {
 namespace {
 
-constexpr Real small = 0.1;        // of a cell: a smaller gap or overlap changes nothing
-constexpr Real beyond_end = 0.01;  // [m] beyond an end: coordinates of drawings are in cm
-constexpr Real no_pop = 1.0;       // [Pa]
-constexpr Real touches = 0.05;     // [m] between a state line and a layer: the same
-constexpr Real inside = 1e-6;      // [m] from an end
-constexpr Real far_below = 2.0;    // heights of the dike between the ground and a phreatic line that is hardly meant
+constexpr Real small = 0.1;      // of a cell: a smaller gap or overlap changes nothing
+constexpr Real no_pop = 1.0;     // [Pa]
+constexpr Real touches = 0.05;   // [m] between a state line and a layer: the same
+constexpr Real far_below = 2.0;  // heights of the dike between the ground and a phreatic line that is hardly meant
 constexpr std::size_t columns = 112;
 
 /// A state line that does not touch a layer, where it is nearest to it.
@@ -46,7 +44,7 @@ class StatesOfLayers {
       if (stages_[k]->state_lines.empty()) continue;
       const BoundingBox box = box_around(stages_[k]->layers);
       for (int i = 0; i <= n; ++i) {
-        const Real x = std::lerp(box.low[0] + inside, box.high[0] - inside, static_cast<Real>(i) / n);
+        const Real x = std::lerp(box.low[0] + just_inside, box.high[0] - just_inside, static_cast<Real>(i) / n);
         for (const SoilBand& band : soil_bands(*stages_[k], x))
           if (const auto line = nearest_line(k, x, band); line && line->distance <= touches)
             has_one_[k].insert(band.layer);
@@ -174,7 +172,7 @@ std::vector<Sentence> doubts_of_reading(const StixProject& project, std::size_t 
   std::vector<Sentence> doubts;
   std::map<std::string, std::string> of_history;  // English -> Dutch
   for (std::size_t k = 0; k <= stage; ++k) {
-    const Sentence name = filled<told::stage_number>(scenario + 1, k + 1);
+    const Sentence name = filled<told_texts::stage_number>(scenario + 1, k + 1);
     of_history[name.en] = name.nl;
   }
   for (const StixRemark& remark : project.remarks) {
@@ -195,8 +193,8 @@ std::vector<Sentence> doubts_of_water(const StixScenario& scenario, std::size_t 
   std::vector<Sentence> doubts;
   for (std::size_t k = has_shansep ? 0 : stage; k <= stage; ++k)
     if (const StixStage& of = scenario.stages[k]; !of.water.is_mesh && !of.water.phreatic)
-      doubts.push_back(
-          k < stage ? filled<told::no_phreatic_line_before>(of.label) : filled<told::no_phreatic_line>(of.label));
+      doubts.push_back(k < stage ? filled<told_texts::no_phreatic_line_before>(of.label)
+                                 : filled<told_texts::no_phreatic_line>(of.label));
   return doubts;
 }
 
@@ -211,16 +209,16 @@ std::vector<Sentence> doubts_of_datum(const StixSection& section, bool has_shans
     const BoundingBox box = box_around(stage.layers);
     Real highest = -1e30, least_depth = 1e30;
     for (int i = 0; i <= n; ++i) {
-      const Real x = std::lerp(box.low[0] + inside, box.high[0] - inside, static_cast<Real>(i) / n);
+      const Real x = std::lerp(box.low[0] + just_inside, box.high[0] - just_inside, static_cast<Real>(i) / n);
       const StixStageColumn column(section.project(), stage, x);
       highest = std::max(highest, column.water().phreatic());
       if (std::isfinite(column.ground()))
         least_depth = std::min(least_depth, column.ground() - column.water().phreatic());
     }
     if (highest < box.low[1])
-      doubts.push_back(filled<told::water_below_all>(stage.label, highest, box.low[1]));
+      doubts.push_back(filled<told_texts::water_below_all>(stage.label, highest, box.low[1]));
     else if (least_depth > far_below * height)
-      doubts.push_back(filled<told::deep_water>(stage.label, least_depth, height));
+      doubts.push_back(filled<told_texts::deep_water>(stage.label, least_depth, height));
   }
   return doubts;
 }
@@ -238,28 +236,28 @@ std::vector<Sentence> doubts_of_embankment(
   const BoundingBox box = box_around(section.stage().layers);
   std::vector<Sentence> doubts;
   std::vector<Point> given;
-  for (const Point& point : {Point{filled<told::toe_water>(), at.toe_water, -1.0, 0.0},
-           {filled<told::top_water>(), at.top_water, -1.0, layout.height},
-           {filled<told::top_land>(), at.top_land, 1.0, layout.height},
-           {filled<told::shoulder_land>(), at.shoulder_land, 1.0, 0.0},
-           {filled<told::toe_land>(), at.toe_land, 1.0, 0.0}})
+  for (const Point& point : {Point{filled<told_texts::toe_water>(), at.toe_water, -1.0, 0.0},
+           {filled<told_texts::top_water>(), at.top_water, -1.0, layout.height},
+           {filled<told_texts::top_land>(), at.top_land, 1.0, layout.height},
+           {filled<told_texts::shoulder_land>(), at.shoulder_land, 1.0, 0.0},
+           {filled<told_texts::toe_land>(), at.toe_land, 1.0, 0.0}})
     if (std::isfinite(point.x)) given.push_back(point);
   for (const Point& point : given)
     if (point.x < box.low[0] - beyond_end || point.x > box.high[0] + beyond_end)
-      doubts.push_back(filled<told::point_without_ground>(point.name, point.x));
+      doubts.push_back(filled<told_texts::point_without_ground>(point.name, point.x));
   const auto goes_back = [](Real sign) {
     return [sign](const Point& one, const Point& next) { return sign * (next.x - one.x) < 0.0; };
   };
   const Real sign = given.size() > 1 && given.back().x < given.front().x ? -1.0 : 1.0;
   if (const auto wrong = std::ranges::adjacent_find(given, goes_back(sign)); wrong != given.end())
     doubts.push_back(
-        filled<told::points_in_no_order>(wrong->name, wrong->x, std::next(wrong)->name, std::next(wrong)->x));
+        filled<told_texts::points_in_no_order>(wrong->name, wrong->x, std::next(wrong)->name, std::next(wrong)->x));
   if (!doubts.empty() || river.empty()) return doubts;
   const Real to_land = river == "left" ? 1.0 : -1.0, crest = layout.crest[0];
   for (const Point& point : given)
     if (to_land * point.side * (point.x - crest) < -point.slack)
-      doubts.push_back(filled<told::point_on_other_side>(
-          point.name, point.x, crest, river == "left" ? filled<told::left_end>() : filled<told::right_end>()));
+      doubts.push_back(filled<told_texts::point_on_other_side>(point.name, point.x, crest,
+          river == "left" ? filled<told_texts::left_end>() : filled<told_texts::right_end>()));
   return doubts;
 }
 
@@ -271,20 +269,20 @@ std::vector<Sentence> doubts_of_numbers(const StixSection& section)
   std::vector<Sentence> doubts;
   const auto look = [&](const Sentence& what, Real weight, Vec<2> usual) {
     if (weight < usual[0] || weight > usual[1])
-      doubts.push_back(filled<told::unusual_weight>(what, weight / 1e3, usual[0] / 1e3, usual[1] / 1e3));
+      doubts.push_back(filled<told_texts::unusual_weight>(what, weight / 1e3, usual[0] / 1e3, usual[1] / 1e3));
   };
   if (stage.water.is_mesh || stage.water.phreatic)
-    look(filled<told::water_of_stage>(), stage.water.unit_weight, of_water);
+    look(filled<told_texts::water_of_stage>(), stage.water.unit_weight, of_water);
   std::set<std::size_t> soils;
   for (const StixLayer& layer : stage.layers)
     if (layer.soil && soils.insert(*layer.soil).second) {
       const StixSoil& soil = section.project().soils[*layer.soil];
-      look(filled<told::soil_above>(soil.name), soil.weight_above, of_soil);
-      look(filled<told::soil_below>(soil.name), soil.weight_below, of_soil);
+      look(filled<told_texts::soil_above>(soil.name), soil.weight_above, of_soil);
+      look(filled<told_texts::soil_below>(soil.name), soil.weight_below, of_soil);
     }
   for (const StixUniformLoad& load : stage.loads)
     if (std::abs(load.magnitude) > largest_load)
-      doubts.push_back(filled<told::large_load>(load.label, load.magnitude / 1e3, load.magnitude / 18e3));
+      doubts.push_back(filled<told_texts::large_load>(load.label, load.magnitude / 1e3, load.magnitude / 18e3));
   return doubts;
 }
 
@@ -318,10 +316,10 @@ std::vector<Sentence> doubts_of_preload(const StixSection& section, const std::v
   for (const auto& [layer, preload] : by_layer) {
     const std::string name = name_of_layer(section.project(), section.stage().layers[layer]);
     if (!(preload.largest > no_pop))
-      doubts.push_back(filled<told::no_pop>(name));
+      doubts.push_back(filled<told_texts::no_pop>(name));
     else if (!preload.has_state && preload.line)
-      doubts.push_back(filled<told::pop_of_a_far_line>(name, preload.line->pop / 1e3, preload.line->distance,
-          preload.line->is_below ? filled<told::below_it>() : filled<told::above_it>(), preload.line->x));
+      doubts.push_back(filled<told_texts::pop_of_a_far_line>(name, preload.line->pop / 1e3, preload.line->distance,
+          preload.line->is_below ? filled<told_texts::below_it>() : filled<told_texts::above_it>(), preload.line->x));
   }
   return doubts;
 }
@@ -332,10 +330,12 @@ std::vector<Sentence> doubts_of_outlines(
   std::vector<Sentence> doubts;
   for (const auto& [above, empty] : empty_places(clean.regions))
     if (empty.area > small * cell * cell)
-      doubts.push_back(filled<told::empty_below>(drawn[above].name, empty.area, empty.height, empty.left, empty.right));
+      doubts.push_back(
+          filled<told_texts::empty_below>(drawn[above].name, empty.area, empty.height, empty.left, empty.right));
   for (const DrawingFault& both : clean.overlaps)
     if (both.area > small * cell * cell)
-      doubts.push_back(filled<told::layers_overlap>(names_of(both.drawn, drawn), both.area, both.x[0], both.x[1]));
+      doubts.push_back(
+          filled<told_texts::layers_overlap>(names_of(both.drawn, drawn), both.area, both.x[0], both.x[1]));
   std::map<int, std::pair<Real, Real>> below;  // area and thickness by drawn region [m^2, m]
   for (const CleanRegion& fill : fills) {
     auto& [area, thickness] = below[fill.drawn];
@@ -344,7 +344,7 @@ std::vector<Sentence> doubts_of_outlines(
     thickness = std::max(thickness, high[1] - low[1]);
   }
   for (const auto& [k, fill] : below)
-    if (fill.second > cell) doubts.push_back(filled<told::filled_below>(drawn[k].name, fill.second, fill.first));
+    if (fill.second > cell) doubts.push_back(filled<told_texts::filled_below>(drawn[k].name, fill.second, fill.first));
   return doubts;
 }
 

@@ -207,7 +207,8 @@ StixLine JsonCursor::line_to_the_right(const char* key)
 {
   StixLine places = line(key, 0);
   if (!places.empty() && places.back()[0] < places.front()[0]) std::ranges::reverse(places);
-  if (!std::ranges::is_sorted(places, {}, [](const Vec<2>& p) { return p[0]; })) remark(filled<told::runs_back>());
+  if (!std::ranges::is_sorted(places, {}, [](const Vec<2>& p) { return p[0]; }))
+    remark(filled<told_texts::runs_back>());
   return places;
 }
 

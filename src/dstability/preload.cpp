@@ -209,7 +209,7 @@ YieldGrid yield_grid(const StixSection& now, const std::vector<LayerPiece>& piec
 
 Sentence sentence_on(const YieldGrid& grid, const std::string& soil)
 {
-  return filled<told::yield_grid>(soil, grid.deviation / 1e3);
+  return filled<told_texts::yield_grid>(soil, grid.deviation / 1e3);
 }
 
 }  // namespace terp

@@ -51,7 +51,7 @@ StixPreload read_preload(JsonCursor from)
   StixPreload preload;
   const std::string kind = from.text("StateType");
   if (kind.empty()) {
-    from.remark(filled<told::no_state_type>());
+    from.remark(filled<told_texts::no_state_type>());
     preload.pop.value = 0.0;
     return preload;
   }
@@ -88,7 +88,7 @@ void read_state_line(JsonCursor& from, std::vector<StixStateLine>& lines)
   }
   std::ranges::stable_sort(state.values, {}, &StixStateLine::Value::x);
   end_entry(from);
-  if (state.line.empty() || state.values.empty()) return from.remark(filled<told::empty_state_line>());
+  if (state.line.empty() || state.values.empty()) return from.remark(filled<told_texts::empty_state_line>());
   lines.push_back(std::move(state));
 }
 
@@ -116,8 +116,8 @@ void read_reference_line(StixWater& water, JsonCursor& from)
     line.bottom_head = bottom ? *bottom : *top;
     water.reference_lines.push_back(std::move(line));
   } else if (line.line.empty() || (!from.has("TopHeadLineId") && !from.has("BottomHeadLineId")))
-    from.remark(line.line.empty() ? filled<told::no_reference_places>(line.label)
-                                  : filled<told::no_reference_head>(line.label));
+    from.remark(line.line.empty() ? filled<told_texts::no_reference_places>(line.label)
+                                  : filled<told_texts::no_reference_head>(line.label));
   end_entry(from);
 }
 
@@ -179,7 +179,7 @@ void read_decorations(JsonCursor& file, StixParts& parts)
   for (JsonCursor& entry : file.list("Excavations")) {
     StixLine line = entry.line("Points", 0);
     if (line.size() < 2)
-      entry.remark(filled<told::no_excavation_line>());
+      entry.remark(filled<told_texts::no_excavation_line>());
     else
       decorations.excavations.push_back(std::move(line));
     end_entry(entry);
@@ -282,7 +282,7 @@ void read_loads(JsonCursor& file, StixParts& parts)
         .spread = entry.number("Spread"),
         .consolidation = {}};
     if (std::isnan(load.spread)) {
-      if (entry.has("Spread")) entry.remark(filled<told::no_spread>(load.label));
+      if (entry.has("Spread")) entry.remark(filled<told_texts::no_spread>(load.label));
       load.spread = 0.0;
     }
     if (!(load.spread >= 0.0 && load.spread < 90.0))

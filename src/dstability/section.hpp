@@ -13,6 +13,9 @@
 
 namespace terp {
 
+inline constexpr Real just_inside = 1e-6;  ///< [m] from an end of the section
+inline constexpr Real beyond_end = 0.01;   ///< [m] beyond an end: coordinates of drawings are in cm
+
 /// What holds at a place of the soil. Stresses are vertical, pressures positive [Pa].
 struct StixPlace {
   std::size_t layer = 0;      ///< number in StixStage::layers

@@ -14,7 +14,7 @@ const std::vector<std::string> columns_of_defaults = {"kind", "words", "weight",
 
 // Weights, S, m, POP and phi: means of the Schematiseringshandleiding macrostabiliteit, tables 7.1 to 7.4, rounded.
 // G over s_u, G and nu: those of cases/dike, softer for peat. K0 = 1 - sin phi' of normally consolidated soil, rounded.
-const std::string table =
+const std::string default_table =
     R"(# What a D-Stability file or a drawing does not say of a soil. Change it: terp import --soil-defaults FILE.
 # words: any of them in the name of a soil makes it this kind, the first row first; the last row takes all others.
 # weight [kN/m3], stiffness_ratio G/su [-], shear_modulus of drained soil [MPa], friction [deg], cohesion [kPa],
@@ -66,7 +66,7 @@ const Column numbers[] = {{"weight", &SoilKind::weight, 9.0, 30.0},
 
 }  // namespace
 
-const std::string& soil_defaults_table() { return table; }
+const std::string& soil_defaults_table() { return default_table; }
 
 std::vector<SoilKind> read_soil_defaults(const std::string& path, const std::string& text)
 {

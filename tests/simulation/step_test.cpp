@@ -17,18 +17,20 @@ Real relative_error(const std::vector<Real>& got, const std::vector<Real>& expec
   return difference / (largest > 0.0 ? largest : 1.0);
 }
 
-class TwinStep : public TestWithParam<std::string> {};
+/// By number: to name them, each test of this program would first read the file.
+class TwinStep : public TestWithParam<std::size_t> {};
 
 TEST_P(TwinStep, IsThatOfTheNumPyTwinToRoundOff)
 {
-  Scenario scenario = load_scenario(GetParam());
+  Scenario scenario = load_scenario(scenario_names().at(GetParam()));
+  SCOPED_TRACE(scenario.name);
   Simulation s(std::move(scenario.model), std::move(scenario.state));
   make_steps(s, scenario.n_steps);
   for (const auto& [field, expected] : scenario.expected)
     EXPECT_LE(relative_error(field_values(s.state, field), expected), 1e-12) << field;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenarios, TwinStep, ValuesIn(scenario_names()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Scenarios, TwinStep, testing::Range<std::size_t>(0, 20));
 
 TEST(Step, TheTwinHasScenariosForEveryScheme)
 {
