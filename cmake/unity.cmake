@@ -7,12 +7,18 @@ if(TERP_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options("SHELL:--param ggc-min-heapsize=800000")
 endif()
 
-# Compiles the sources of a target together, those of each folder as one. What has options of its own stays alone.
+# Compiles the sources of a target together: those of each folder as one, or all of it as one where none are named.
+# What has options of its own stays alone.
 function(compile_together target)
   if(NOT TERP_UNITY OR WIN32)  # whose headers define words like `near`
     return()
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+  if(NOT ARGN)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE BATCH UNITY_BUILD_BATCH_SIZE 0)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   foreach(source ${ARGN})
     cmake_path(GET source PARENT_PATH folder)
     cmake_path(GET folder FILENAME room)

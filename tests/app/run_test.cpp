@@ -1,11 +1,9 @@
 #include "app/same_results.hpp"
 #include "output/small_disk.hpp"
+#include "support/leaks.hpp"
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
-
-/// For the leak sanitizer: HDF5 1.10 itself loses memory.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
 
 namespace run_test {
 

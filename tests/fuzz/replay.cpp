@@ -1,7 +1,9 @@
 // Runs a harness over the files of its corpus, whole, cut off, with bytes changed and with pieces of other files:
 // fuzzing for a compiler without libFuzzer.
 //
-// usage: replay_NAME N FOLDER...      N inputs are made from each file
+// usage: replay NAME N FOLDER...      harness NAME; N inputs are made from each file
+#include "replay.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -12,13 +14,11 @@
 #include <string>
 #include <vector>
 
-extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size);
-
 namespace {
 
-void try_input(const std::string& bytes)
+void try_input(const Harness& harness, const std::string& bytes)
 {
-  LLVMFuzzerTestOneInput(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+  harness.input(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
 }
 
 /// A few bytes changed, a piece doubled, taken out or put in from another input, the end cut off.
@@ -55,13 +55,16 @@ std::vector<std::string> read_folders(char** begin, char** end)
 
 int main(int argc, char** argv)
 {
-  if (argc < 3) return 2;
-  const int n_changed = std::atoi(argv[1]);
-  const std::vector<std::string> inputs = read_folders(argv + 2, argv + argc);
+  if (argc < 4) return 2;
+  const auto harness =
+      std::find_if(harnesses().begin(), harnesses().end(), [&](const Harness& h) { return h.name == argv[1]; });
+  if (harness == harnesses().end()) return 2;
+  const int n_changed = std::atoi(argv[2]);
+  const std::vector<std::string> inputs = read_folders(argv + 3, argv + argc);
   std::mt19937 random(1);  // the same inputs every time
   for (const std::string& input : inputs) {
-    try_input(input);
-    for (int k = 0; k < n_changed; ++k) try_input(changed(input, inputs[random() % inputs.size()], random));
+    try_input(*harness, input);
+    for (int k = 0; k < n_changed; ++k) try_input(*harness, changed(input, inputs[random() % inputs.size()], random));
   }
   std::printf("%zu inputs\n", inputs.size() * (1 + static_cast<std::size_t>(n_changed)));
   return inputs.empty() ? 1 : 0;

@@ -66,7 +66,7 @@ TEST(Overrides, MakeTheFirstEntryOfAList)
 std::vector<Real> etas_or_ratios(const std::vector<std::string>& changes)
 {
   std::vector<Real> found;
-  for (const MaterialCase& m : read_case_text(two_soils, "case.toml", changes).values.materials)
+  for (const MaterialCase& m : read_case_text(two_clays, "case.toml", changes).values.materials)
     found.push_back(m.parameters.size() > 2 ? m.parameters[4] : m.parameters[1]);
   return found;
 }
@@ -85,7 +85,7 @@ TEST(Overrides, APatternOfAPartOfAKeySetsEveryMaterialThatHasTheKey)
       "material.*.su_peak={random={mean=1e4,cov=0.1,theta=[4,4],box=[[0,0],[9,2]],seed=1}}",
       "material.*.su_peak.random.cov=0.2"};
   int n = 0;  // sand has no su_peak
-  for (const MaterialCase& m : read_case_text(two_soils, "case.toml", changes).values.materials)
+  for (const MaterialCase& m : read_case_text(two_clays, "case.toml", changes).values.materials)
     n += static_cast<int>(m.fields.size());
   EXPECT_EQ(n, 2);
 }
@@ -100,7 +100,7 @@ TEST(Overrides, APatternSetsEveryEntryOfAList)
 
 TEST(Overrides, APatternOfVeryManyStarsIsRefusedInNoTime)
 {
-  EXPECT_THAT(message_for(two_soils, {"material." + std::string(200, '*') + "x.eta=40"}),
+  EXPECT_THAT(message_for(two_clays, {"material." + std::string(200, '*') + "x.eta=40"}),
       HasSubstr("the pattern fits nothing"));
 }
 

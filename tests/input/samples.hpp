@@ -54,7 +54,7 @@ follow_bodies = false
 variant = 2)";
 
 /// small_case with three materials.
-inline const std::string two_soils =
+inline const std::string two_clays =
     small_case +
     "[material.sand]\nmodel = \"linear_elastic\"\ndensity = 1800.0\nshear_modulus = 5.0e6\n"
     "poisson_ratio = 0.3\n[material.peat]\nmodel = \"tresca_softening\"\ndensity = 1100.0\n"

@@ -18,7 +18,7 @@ std::string good_case(const std::string& name)
   const std::map<std::string, std::string> made{{"small", small_case}, {"graded", small_case_on(graded)},
       {"four_sides", small_case_on(mapped)}, {"outline", small_case_on(polygon)},
       {"file", small_case_on("file = \"a.msh\"")},
-      {"drained", replaced(small_case, "poisson_ratio = 0.48", "poisson_ratio = 0.3")}, {"two_soils", two_soils},
+      {"drained", replaced(small_case, "poisson_ratio = 0.48", "poisson_ratio = 0.3")}, {"two_clays", two_clays},
       {"wet", wet_soil},
       {"heavy", small_case + "[forces]\ngravity = [0, -9.81]\n[water]\nphreatic_line = [[0, 1.5]]\n"
                              "[initial]\nstress = \"k0\"\n"},
@@ -136,7 +136,7 @@ TEST_F(WrongCases, WithOneMistakeHaveOneMessage)
 {
   const auto with_water = [](const std::string& water) {
     const std::string shansep = "su_peak = { shansep = { S = 0.23, m = 0.9, pop = 15e3, water = \"high\" } }";
-    std::string text = replaced(two_soils, "su_peak = 8.0e3", shansep);
+    std::string text = replaced(two_clays, "su_peak = 8.0e3", shansep);
     text = replaced(replaced(text, "su_peak = 4.0e3", shansep), "material = \"clay\"", "material = \"peat\"");
     return text + "[[body]]\nmaterial = \"clay\"\nbox = [[8.0, 0.0], [9.0, 1.0]]\n[[body]]\nmaterial = \"sand\"\n" +
            "box = [[9.0, 0.0], [9.5, 1.0]]\n[forces]\ngravity = [0, -9.81]\n" + water;

@@ -5,10 +5,8 @@
 #include "output/small_disk.hpp"
 #include "support/process.hpp"
 #include "support/scratch.hpp"
+#include "support/leaks.hpp"
 #include <fmt/format.h>
-
-/// For the leak sanitizer: HDF5 1.10 itself loses memory when it refuses a damaged file.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
 
 namespace checkpoint_test {
 

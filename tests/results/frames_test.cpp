@@ -1,8 +1,6 @@
 #include "results/frames.hpp"
 #include "results/runs.hpp"
-
-/// For the leak sanitizer: HDF5 1.10 itself loses memory when it refuses a damaged file.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
+#include "support/leaks.hpp"
 
 namespace frames_test {
 
