@@ -1,3 +1,7 @@
+// All trials go on with the same simulation, so each begins where the one before ended. The passes are those of the
+// median trial, so that they belong to its total. Their bound comes from what one thread can do here, measured just
+// before, times the number of threads. The memory in which the points lie, by their bytes, sets the rate.
+
 #include "commands.hpp"
 #include "input/case_file.hpp"
 #include "input/printable.hpp"

@@ -1,3 +1,8 @@
+// The simulation is set up as for a run. What describes its start is printed first, since later parts make steps, which
+// change that state. One shows the balance of a K0 start, others the time of a step. A law of a library is timed on an
+// instance of its own, since one that fails stays failed. With --quiet the trial is made all the same: it finds a run
+// that would stop itself.
+
 #include "commands.hpp"
 #include "cost.hpp"
 #include "input/case_file.hpp"

@@ -1,3 +1,7 @@
+// A line has exactly one command, so several commands may fill the same options without a conflict. Ranges are tested
+// here, by validators; what depends on the case is left to the command. The first line of a description also stands in
+// the list of all commands, so it must do by itself. Line breaks in the texts are set by hand for a terminal.
+
 #include "command_line.hpp"
 
 #include "base/closest.hpp"

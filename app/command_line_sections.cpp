@@ -1,3 +1,7 @@
+// Both commands fill an ImportCommand, since `terp assess` imports each of its files as `terp import` does. So what
+// they ask of a stage is declared once, and only the default scenario differs. Options of the wrong kind of file are
+// refused later, when that kind is known (import_checks.cpp).
+
 #include "command_parts.hpp"
 
 namespace terp {

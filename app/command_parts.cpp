@@ -1,3 +1,7 @@
+// CLI11 writes the help; HelpPage changes only the parts of it that we want otherwise. Ranges have a validator of our
+// own. That of CLI11 lets NaN pass, and has one message for a word and for a number out of range. Options that many
+// commands have are declared here, so that they read alike in all of them.
+
 #include "command_parts.hpp"
 
 #include "report/payload.hpp"

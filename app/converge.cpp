@@ -1,3 +1,7 @@
+// The runs of the plan are solved one after the other, each on all threads of the command. One that stops itself has no
+// result, and the others go on. Results are read back from the folders at the end, so that kept runs and new ones are
+// judged alike. After an interruption the same command makes a new plan from what the folders hold.
+
 #include "converge_plan.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"

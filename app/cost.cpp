@@ -1,3 +1,7 @@
+// The time of a step is measured on the simulation itself, whose state moves on; some steps before warm the caches. The
+// whole run is taken to cost more per step than its start, since soil that fails returns to the yield surface. Memory
+// is counted from the sizes of what is held, not measured.
+
 #include "cost.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,7 @@
+// Nothing is solved here: the stored slices are compared with what the section of the file gives at their feet. The
+// list needs that comparison too, since it says of each stored result whether it still fits the section. A file that
+// --slices would replace is looked at first, before the work of the comparison.
+
 #include "dstability/listing.hpp"
 #include "dstability/read_stix.hpp"
 #include "dstability/slices.hpp"

@@ -1,3 +1,7 @@
+// Without --force a folder with a case is refused before anything is written into it. A trigger by strength without a
+// number needs two passes. The factor of safety is searched on the case without trigger, and then the case is written
+// again with it. If the search is stopped, the case without trigger stays in the folder.
+
 #include "commands.hpp"
 #include "drawing/dxf_regions.hpp"
 #include "dstability/drawing_folder.hpp"

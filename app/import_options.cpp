@@ -1,3 +1,7 @@
+// Users count scenarios and stages from 1, with 0 for what was left out; from FolderOptions on they count from 0. A
+// trigger without a number keeps NaN as its value, which means that a search must find it. What is wrong with an option
+// or a file becomes a CaseError, in the form that other commands use.
+
 #include "import_options.hpp"
 
 #include "dstability/soil_defaults.hpp"

@@ -1,3 +1,8 @@
+// Help and version are answered before CLI11 reads the line, so that they work beside an error on it. The first word is
+// tested before CLI11, too, for a message with the nearest command. Then one command is called and returns its status;
+// what it throws becomes a message and a status in main(). At the end stdout is flushed: only then is it known whether
+// the answer was written.
+
 #include "base/closest.hpp"
 #include "command_line.hpp"
 #include "input/case_file.hpp"

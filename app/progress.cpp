@@ -1,3 +1,7 @@
+// On a terminal each report replaces the line before. In a pipe lines stay, so they are few: one per tenth of the run,
+// or per half where it is one of several. A search for equilibrium has no known end, so there is no tenth of it: its
+// plain lines come at wall times that double.
+
 #include "progress.hpp"
 
 #include "system/terminal.hpp"

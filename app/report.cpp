@@ -1,3 +1,7 @@
+// These commands read the folders of runs and solve nothing. A run that is given twice is found by its folder, not by
+// its spelling: links and other paths lead to the same run. Whether a page may take its place is tested before the runs
+// are read. It is made as a whole in memory, and an earlier page stays until the new one is complete.
+
 #include "commands.hpp"
 #include "input/case_file.hpp"
 #include "input/printable.hpp"

@@ -1,3 +1,8 @@
+// New runs, resumed ones, and those that begin with another run differ only in how their simulation comes about. Then
+// all use solve(). All tests of the case come first; only then does RunWriter touch earlier results. A resumed run is
+// built with its first time.end, to which its time step belongs; then the end is moved. The record in a checkpoint says
+// what the run began with; the case file beside it must agree, but for a few keys.
+
 #include "commands.hpp"
 #include "cost.hpp"
 #include "followers/followers.hpp"

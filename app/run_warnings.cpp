@@ -1,3 +1,7 @@
+// Each warning stands by itself. It is judged from the summary and the case, and changes neither results nor exit
+// status. What may change the verdict on a flood comes first: soil not at rest, then a small margin. Each names the
+// page of the documentation that explains it.
+
 #include "commands.hpp"
 #include "input/printable.hpp"
 #include "simulation/model.hpp"

@@ -1,3 +1,8 @@
+// The case is read for all cell sizes before the first search, so that a size that does not work is found early. The
+// searches go from coarse to fine cells. Each begins near the result of the one before, lower by what finer cells
+// usually take off. Factors gather in one list, which each result takes along: the last one, in the folder itself, has
+// all sizes.
+
 #include "base/checksum.hpp"
 #include "commands.hpp"
 #include "input/case_file.hpp"

@@ -1,3 +1,8 @@
+// Under a launcher the worker of a rank begins before the study is opened, and all but solving is done by rank 0 alone.
+// The check times the case without draws, then sets up the first realisation: only there do all draws meet. A
+// realisation that is kept must have the outcomes of the store to the bit. Where events end realisations, its run with
+// files goes on beyond them; then it is solved once more as the study does.
+
 #include "commands.hpp"
 #include "cost.hpp"
 #include "input/printable.hpp"

@@ -1,3 +1,8 @@
+// The first call counts all that the store holds, later ones only the newest realisation. The mean time of a
+// realisation comes only from those that were shown here as newest, fine and coarse ones apart. The time that is left
+// is that of one thread, divided by how many are solved at once. An adaptive method shows none, as its end is not
+// known.
+
 #include "study_progress.hpp"
 
 #include "progress.hpp"

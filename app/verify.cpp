@@ -1,3 +1,7 @@
+// The runs of all cases form one queue, the longest first, so that no thread begins a long one at the end. Each run has
+// one thread. Cases are judged only after all are solved, in the order in which they were chosen. A case that cannot be
+// read does not stop the others: it has one row with its fault. After an interruption nothing is judged.
+
 #include "commands.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,8 @@
+// It knows the run only by its files. Whether a terp still writes is asked before the ledger is read: so the last
+// reading is that of a complete ledger. Ages are differences between times of files in the folder, so the clock of this
+// machine does not matter. The speed is that since the last reading in which time moved, at first since the folder was
+// begun.
+
 #include "commands.hpp"
 #include "input/case_file.hpp"
 #include "output/files.hpp"

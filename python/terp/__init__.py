@@ -23,6 +23,14 @@ Described in docs/python.md. The paper's figures: `python3 -m terp.figures`; a f
 import json
 import pathlib
 import pkgutil
+import sys
+
+try:
+    import h5py  # noqa: F401
+    import numpy  # noqa: F401
+except ModuleNotFoundError as missing:
+    raise ModuleNotFoundError(f"{missing.name} is missing in {sys.executable}; Debian's package python3-{missing.name} "
+                              "is for /usr/bin/python3", name=missing.name) from None
 
 from terp.errors import CaseError, RunError, SolveError
 from terp.run import Frame, Mesh, Run

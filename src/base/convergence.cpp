@@ -1,3 +1,8 @@
+// Runs are sorted from fine to coarse first, so callers may give them in any order. The last two differences decide the
+// trend. As p tends to 0 their quotient tends to log r_32/log r_21: below that no positive order exists. Above it the
+// right side of the equation grows with p, so bisection finds the only root. With equal ratios p is known in closed
+// form.
+
 #include "base/convergence.hpp"
 
 #include "base/nan.hpp"

@@ -1,3 +1,7 @@
+// The first byte gives the length of a letter, or says that none begins there. Then the rest is tested: following
+// bytes, overlong forms, halves of pairs, the end of Unicode. Of what is faulty only the first byte is taken off, so
+// that a sound letter right after it is still found.
+
 #include "base/utf8.hpp"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// The text decides, not the release of the file: if all of it is UTF-8, it stays, whatever code page the header names.
+// Otherwise each byte above 0x7F is looked up by itself. So only code pages of one byte per letter can stand in the
+// table. Escapes \U+XXXX are replaced in both cases.
+
 #include "drawing/dxf_letters.hpp"
 
 #include "base/utf8.hpp"

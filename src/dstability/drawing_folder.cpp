@@ -1,3 +1,7 @@
+// Outlines are checked before a part of them is cut out, as cutting hides their faults. The size of the cells follows
+// from the part, and the tolerances of cleaning follow from the cells. Regions of one layer share a material. Pieces
+// that fill up the base come first in the list of bodies: a later body covers them where both are.
+
 #include "dstability/drawing_folder.hpp"
 
 #include "dstability/import_doubts.hpp"

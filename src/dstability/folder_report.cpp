@@ -1,3 +1,7 @@
+// The caller collects sentences while it imports; here they get their final order. First come the origin and the
+// weights, then the caller's sections, then what no file of this kind can say. A section without sentences is printed
+// with "nothing", so that a reader sees that it was not forgotten.
+
 #include "dstability/folder_report.hpp"
 
 #include "dstability/case_text.hpp"

@@ -1,3 +1,7 @@
+// Nothing is computed here: how a stored result stands to Terp's own comes from the caller. Text of the file is passed
+// on as it is; the caller makes it safe for a terminal. Columns are as wide as their longest cell, counted in letters
+// of UTF-8 and not in bytes.
+
 #include "dstability/listing.hpp"
 
 #include "dstability/ground_column.hpp"

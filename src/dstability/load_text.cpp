@@ -1,3 +1,7 @@
+// A load counts as the same in two stages if its ends and its magnitude are equal. Then it acts from the start. Every
+// other load exists from the start with zero pressure, and the analysed stage sets its pressure by name. Therefore each
+// load needs a name that no other load has.
+
 #include "dstability/load_text.hpp"
 
 #include "dstability/soil_text.hpp"

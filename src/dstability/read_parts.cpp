@@ -1,3 +1,8 @@
+// Each reader asks a member for the keys that it knows, and the rest of its keys is told as unknown. Only the waternet
+// creator has a rest that does not matter. A fault does not end the reading; the tenth does. Ids of other members stay
+// ids, which read_stix.cpp resolves; only head lines are resolved here, as they stand in the same member. Pressures and
+// unit weights become Pa and N/m^3 here.
+
 #include "dstability/ground_column.hpp"
 #include "dstability/stix_parts.hpp"
 

@@ -1,3 +1,7 @@
+// What a key of a slice means depends on the version of D-Stability and on the method. Here all strengths become those
+// of the soil, not divided by the factor of safety. No number of a result is required: one that is missing is not a
+// number. A slice without a foot is counted and left out, since it has no place.
+
 #include "dstability/stix_parts.hpp"
 
 #include <fmt/format.h>

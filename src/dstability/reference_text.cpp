@@ -1,3 +1,7 @@
+// Only what can be compared with the case becomes a key. A factor of safety needs the strengths of the case. Strengths
+// at the slices need these, and a result of the section as it is. All other slip planes are kept as lines, as they
+// still show where the other program found a mechanism.
+
 #include "dstability/reference_text.hpp"
 
 #include "dstability/slices.hpp"

@@ -1,3 +1,8 @@
+// All is evaluated along vertical lines: one line through one stage, and then through all stages up to the one asked
+// for. An OCR or a yield stress becomes a POP once, with the effective stress of its own stage at its own place. The
+// yield stress is the largest sum of effective stress and POP of all stages. A state point holds in its whole layer;
+// only without one is the POP interpolated between state lines.
+
 #include "dstability/section.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,7 @@
+// The table is kept as text, so that what is printed for a user is what is read without one. The order of rows decides:
+// the first row with a word that is part of the name counts, even inside a longer word. So "organic clay" must stand
+// before "clay".
+
 #include "dstability/soil_defaults.hpp"
 
 #include "points/csv_rows.hpp"

@@ -1,3 +1,7 @@
+// Nothing is refused here: a parameter that is not given is not a number, and this passes on to the strength. The
+// design value of a lognormal variable follows from the normal distribution of its logarithm. A table has one
+// coefficient of variation, so its design value is the same share of every row.
+
 #include "dstability/soil_strength.hpp"
 
 #include "base/interpolate.hpp"

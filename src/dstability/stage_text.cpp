@@ -1,3 +1,7 @@
+// A case gets stages only if it has an earlier stage, a trigger, or soil that is held at first. What holds the soil is
+// the stage before the analysed one, and the analysed one gives the strengths back. Where an earlier stage exists it
+// comes to rest with strong damping. The next one then has weak damping, and its displacements count from zero.
+
 #include "dstability/stage_text.hpp"
 
 #include <fmt/format.h>

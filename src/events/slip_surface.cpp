@@ -1,3 +1,7 @@
+// Points are visited twice: first for the fastest growth in each column, then for the lowest point that has half of it.
+// That point is the lower edge of the shear band. "Fastest" of all points is a quantile, so that single points do not
+// decide which columns count.
+
 #include "events/slip_surface.hpp"
 
 #include "mesh/quad4.hpp"

@@ -1,3 +1,7 @@
+// Parameters are compared by their value at the peak in the case. One that is missing, or that varies over the soil, is
+// NaN here, so every comparison with it is false and nothing is reported. Whether the water is softer than the soil
+// needs the elastic moduli. That check therefore runs only where the law accepts all its parameters.
+
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"
 #include "materials/elastic_constants.hpp"

@@ -1,3 +1,8 @@
+// Each field recorded what it needs when it was read, so no kind of field is known here. Missing water or gravity is a
+// fault of the case and is reported once, at the first strength that follows from the stress. Outlines and names of
+// situations are faults of the single field. Where [water] or [forces] could not be read, their absence is not
+// reported.
+
 #include "base/closest.hpp"
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"

@@ -1,3 +1,7 @@
+// The keys that are given decide the kind of mesh. Keys of another kind are named first, and then only the checks of
+// that kind run. Their order matters for a grid between four sides: its direction is known only where the sides meet.
+// Edges of a polygon keep the numbers of the user until all checks are done, and only then may the polygon be turned.
+
 #include "input/check_case.hpp"
 
 #include "base/plane.hpp"

@@ -1,3 +1,7 @@
+// Nothing here stops a run: an option without effect and a cell that locks are warnings. Each scheme names the options
+// that it does not use, so a new scheme needs no change here. Locking is judged by Poisson's ratio at the moduli of the
+// law, and only where every parameter is given.
+
 #include "input/check_case.hpp"
 
 #include "materials/material.hpp"

@@ -1,3 +1,7 @@
+// All findings are warnings, since a run is possible with each of these values. Gravity gets at most one: the first
+// that applies, from a wrong sign to an unusual size. Unit weights are looked for in the tree of the file, because the
+// case holds densities only. By then each weight has been divided by 9.81 m/s^2, whatever the gravity of the case is.
+
 #include "input/check_case.hpp"
 
 #include "input/units.hpp"

@@ -1,3 +1,7 @@
+// There are two independent checks: parameters of the law that act only together, and the section on the softening
+// length. The first runs for every soil and names one parameter at most. The second needs the section in the file. Its
+// last step makes the law, so it runs only where no parameter is missing.
+
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"
 

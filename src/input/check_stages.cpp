@@ -1,3 +1,7 @@
+// [time] of a run without stages and each [[stage]] end by the same rules, so one check serves both with other keys
+// (EndKeys). Bodies are checked over all stages at once: a first pass notes in which stage each one comes and goes. A
+// second pass compares the two, because a single stage does not show whether a body is there.
+
 #include "base/closest.hpp"
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"

@@ -1,3 +1,7 @@
+// A situation takes what it leaves out from the water at the start. So each one is checked only for the lines that its
+// own table gives. Otherwise a fault of the start would be reported with every situation. Whether a key was given is
+// seen in the tree, not in the values. Drainage and the parts of a soil are checked in a case without [water], too.
+
 #include "base/closest.hpp"
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"

@@ -1,3 +1,7 @@
+// These are the keys that a material may have whatever its law is; the parameters of a law come from its own table.
+// Help shows the default of a key from the structs of the case, unless default_text stands here. A colour is read by a
+// function of its own, since a plain text would accept any word.
+
 #include "input/document.hpp"
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"

@@ -1,3 +1,7 @@
+// One telling key decides the kind of mesh, in a fixed order: file, polygon, sides, cells, and else the plain
+// rectangle. So keys that contradict each other still give one kind, and a message can say which keys do not belong to
+// it. The table stands in the order of MeshKind, by which it is indexed.
+
 #include "input/mesh_kinds.hpp"
 
 #include "input/key_text.hpp"

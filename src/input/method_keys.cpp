@@ -1,3 +1,6 @@
+// The list comes in two parts, one for the stresses and one for the motion of the points. Every scheme accepts all of
+// these keys. Which of them a scheme does not use is said in the file of the scheme (unused_options), and not here.
+
 #include "input/key_table.hpp"
 
 namespace terp {

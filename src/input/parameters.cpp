@@ -1,3 +1,7 @@
+// The order is ratios, then defaults that are fields, then defaults that are numbers. A ratio to a field makes a field,
+// and a later parameter may take that as its default. A default is always that of an earlier parameter of the table, so
+// one pass in its order suffices. The list of fields stays sorted by the number of the parameter.
+
 #include "input/reader.hpp"
 
 #include "input/document.hpp"

@@ -1,3 +1,7 @@
+// No key of [reference] changes a run: it says where the section comes from, and what other methods found for it. So
+// texts are checked here but not kept; the report page reads them from the file again. Doubts become one warning, and
+// slip planes are kept in the case for comparison.
+
 #include "input/document.hpp"
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"

@@ -1,3 +1,7 @@
+// Everything follows from the table of kinds in boundary/side_kind.cpp, so a new kind of side needs no change here. A
+// side whose word is unknown counts as every kind that its key names. The word is refused elsewhere, and its other keys
+// shall not be reported because of it.
+
 #include "input/side_kinds.hpp"
 
 #include "input/key_text.hpp"

@@ -1,3 +1,7 @@
+// [time] and [[stage]] stand together, since a run without stages and a stage end by the same words. What a stage sets
+// is only collected here, as keys with the text of their values. They are read later, by reading the whole file again
+// with these values in it (read_stages.cpp).
+
 #include "input/document.hpp"
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"

@@ -1,3 +1,7 @@
+// Rows of a material are entered in a fixed order, state variables and then varying parameters, since its views find
+// both by that order. Of a law with a scratch variable, the first one is where the softening of a step stands. It is
+// neither shown nor saved, since it lives for one step only.
+
 #include "materials/soil_material.hpp"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// A fault becomes text as soon as it is added; after the tenth only the number grows. Advice is kept apart, since many
+// faults share one. Numbers of the mesh file are named where they exist: by them a user finds the place in the mesh
+// generator.
+
 #include "mesh/mesh_error.hpp"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// The time step follows from the smallest altitude, so altitudes are compared and not areas. The cost is relative to
+// the median cell, which a few bad cells do not move. Parts are counted by a search over shared sides: cells that touch
+// at a corner alone are two parts.
+
 #include "mesh/mesh_quality.hpp"
 
 #include "mesh/check_mesh.hpp"

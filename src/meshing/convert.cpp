@@ -1,3 +1,7 @@
+// gmsh works in a folder of its own, on a link to the file and not beside it. Signals wait until that folder is gone.
+// The result is read into memory as any MSH 4.1 file. All elements are saved, not only those of groups. Those that the
+// conversion made several times are then dropped, by their entity and nodes.
+
 #include "meshing/msh_content.hpp"
 
 #include "mesh/mesh_error.hpp"

@@ -1,3 +1,7 @@
+// Compression is one call, since zlib bounds the size of the result beforehand. Decompression goes in parts, since that
+// size is not known. zlib verifies the checksum of the stream, so one that is damaged or cut short ends with another
+// status than Z_STREAM_END.
+
 #include "output/compress.hpp"
 
 #include "base/errors.hpp"

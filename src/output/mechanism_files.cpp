@@ -1,3 +1,7 @@
+// The frame of a mechanism has its points where they were drawn, but no volumes. So the case is built again on the same
+// mesh, in which the points have the same ids, and gives the sizes of the shades. Colours and arrows are scaled by
+// quantiles instead of the largest value, so that few points do not set the scale of all others.
+
 #include "output/mechanism_files.hpp"
 
 #include "output/mesh_file.hpp"

@@ -1,3 +1,7 @@
+// Each frame holds the mesh again with its values, since every frame is a file of its own that needs no other one.
+// mesh.vtkhdf is written under a temporary name and then moved, so that a reader never finds half of it. The mesh does
+// not change in a run, so an existing mesh.vtkhdf is kept.
+
 #include "output/mesh_file.hpp"
 
 #include "output/hdf5_file.hpp"

@@ -1,3 +1,7 @@
+// Later paths cover earlier ones, so the water at the start is drawn first. Names of lines are collected and put last:
+// only then is it known which would lie on one another. Free water is drawn as many vertical strokes from the phreatic
+// line to the ground, so no outline of it is needed.
+
 #include "output/section_water.hpp"
 
 #include "simulation/overburden.hpp"

@@ -1,3 +1,7 @@
+// A colour belongs to a soil, not to a material: the two parts of a soil that the phreatic line divides have shades of
+// one. The first word of the table that the name holds decides, so special words stand before general ones. A second
+// soil of the same colour becomes darker. All follows from the order of the materials, so pictures of one case agree.
+
 #include "output/soil_colours.hpp"
 
 #include <algorithm>

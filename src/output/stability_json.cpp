@@ -1,3 +1,7 @@
+// JSON and text are written from the same result. JSON always has all keys of the first level, with null where there is
+// no value. The text states the factor first and ends with what limits it: creep, a stopped search, the size of the
+// cells, a scheme that locks.
+
 #include "output/stability_json.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,7 @@
+// The list of sets comes from cmake/kernels.cmake, the best first, and the choice is the first that the processor
+// offers. What is asked for by name is had or refused, never replaced: another set may give other bits. The test asks
+// for levels of x86-64, which the compiler has as its target. So it covers all instructions that the kernels may use.
+
 #include "parallel/instructions.hpp"
 
 #include <cstdlib>

@@ -1,3 +1,7 @@
+// Each rate is the best of a few trials, since whatever else runs on the machine can only make it lower. The size of
+// the arrays decides which cache, or the memory, is measured. The multiply-adds run in independent chains to hide
+// latency, and their numbers tend to 1, so that none overflows or becomes denormal.
+
 #include "parallel/machine.hpp"
 
 #include "parallel/pack.hpp"

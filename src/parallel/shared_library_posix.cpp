@@ -1,3 +1,8 @@
+// The head of the file is read first, since dlopen() misleads about a library for another processor. At a file that is
+// cut off it even ends the program. The path is made absolute, as a name without a slash would be searched for in the
+// folders of the system. Symbols are bound at once, so that a missing one is reported here and not within a step. They
+// stay local, so that two libraries may use the same names.
+
 #include "parallel/shared_library.hpp"
 
 #include "base/errors.hpp"

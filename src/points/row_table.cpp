@@ -1,3 +1,7 @@
+// Rows are numbered one behind another in the order in which they are added, and a number never changes afterwards. So
+// whoever adds a row may keep its number. Laws that have a quantity of the same name share its rows, because a point
+// belongs to one material and needs them once.
+
 #include "points/row_table.hpp"
 
 #include "base/errors.hpp"

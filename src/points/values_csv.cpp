@@ -1,3 +1,7 @@
+// Places form a grid only if there are as many of them as distinct x times distinct y. This count suffices because
+// no place occurs twice, which the reader makes sure of. Coordinates are compared without a tolerance, as a file writes
+// a line of a grid with the same digits. Beyond a grid, the value at its edge holds.
+
 #include "points/values_csv.hpp"
 
 #include "system/read_file.hpp"

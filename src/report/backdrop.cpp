@@ -1,3 +1,7 @@
+// A line is a flat list x, y, x, y, ... in single precision; a pair of NaN separates its pieces. Results hold no
+// phreatic line: it is made again from the case and the times at which stages ended. Between two waters the line has
+// the corners of both, so that its interpolation is exact; a vertical step keeps both of its ends.
+
 #include "report/backdrop.hpp"
 
 #include "base/interpolate.hpp"

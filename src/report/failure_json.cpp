@@ -1,3 +1,7 @@
+// Slides are those of the summary. What needs the ground of t = 0 is added here: the entry and the edge of the crest. A
+// slip line is turned so that it begins at its upper end, and "backwards" is against the motion. For the entry, heights
+// are shares of that from the foot, at the end that the slope faces, to the highest ground. What is not known is null.
+
 #include "report/failure_json.hpp"
 
 #include "base/interpolate.hpp"

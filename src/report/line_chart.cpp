@@ -1,3 +1,7 @@
+// The ranges of the axes come first, then the margins that their numbers need; only then do px() and py() hold. The
+// height of the legend is known last, so the <svg> tag is written around the finished drawing. Widths of texts are
+// estimated from the number of letters, as no font is at hand.
+
 #include "report/line_chart.hpp"
 
 #include "output/svg.hpp"

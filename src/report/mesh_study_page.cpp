@@ -1,3 +1,7 @@
+// The page judges nothing: answers, orders, limits and sentences are those of results/mesh_study. Over cell size a
+// colour is a sequence, the first with a full line. Over time it is a cell size, the smallest with a full line. Charts
+// over time are of the slope on the side that the first solved run faces.
+
 #include "report/mesh_study_page.hpp"
 
 #include "output/svg.hpp"

@@ -1,3 +1,7 @@
+// Plain text is escaped here, where it enters the page. Bodies, rows of tables and rules of style are HTML or CSS
+// already, and their makers answer for them. The Content-Security-Policy allows nothing but the style in the file: no
+// script runs and nothing is loaded.
+
 #include "report/plain_page.hpp"
 
 #include "output/svg.hpp"

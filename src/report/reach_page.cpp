@@ -1,3 +1,7 @@
+// Every section has a row; one without a result shows its state and its fault instead of a verdict. Verdicts and hints
+// come from the summary and results/reach. Words stand here in pairs, English and Dutch, chosen by one flag. A fault,
+// and why there is no trigger, are in English alone, and are marked so on a Dutch page.
+
 #include "report/reach_page.hpp"
 
 #include "output/run_folder.hpp"

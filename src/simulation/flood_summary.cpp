@@ -1,3 +1,7 @@
+// Nothing is judged here: followers/flood.cpp finds the numbers, and this file puts them into one clause. Each phrase
+// brings its own separator and is empty where there is nothing to say. So the clause stays one sentence, whichever of
+// the numbers a run has.
+
 #include "simulation/flood_summary.hpp"
 
 #include <cmath>

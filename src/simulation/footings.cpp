@@ -1,3 +1,7 @@
+// The place of a footing follows from the time alone and is found anew for each step. So the state of a run does not
+// hold it. The box is widened by a small part of the lowest cell, or round-off would decide whether a node on its
+// outline belongs to it.
+
 #include "simulation/footings.hpp"
 
 #include "mesh/mesh_error.hpp"

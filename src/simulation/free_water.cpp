@@ -1,3 +1,7 @@
+// The level is compared with the ground of the first and the last column that hold soil. The mesh may reach further
+// than that. The ground is that of the drawn outlines, not of the points, so the answer does not change while soil
+// moves.
+
 #include "simulation/free_water.hpp"
 
 #include "simulation/flood_level.hpp"

@@ -1,3 +1,7 @@
+// The array of velocities holds momentum while the cells are summed, and is divided by the mass at the end. Shape
+// functions and sums are those of transfer/map_to_corners. The pressure of a cell is weighted by the volume of its
+// points, so that small points do not count like large ones.
+
 #include "simulation/mesh_frame.hpp"
 
 #include "transfer/map_to_corners.hpp"

@@ -1,3 +1,7 @@
+// Points at equal distances from a place are usual in a regular grid, and round-off would decide between them. So
+// distances are rounded to a nanometre before they are compared, and the coordinates decide a tie. Points are named by
+// id, which indexes the places at t = 0 and stays when a point changes its cell.
+
 #include "simulation/setup_history.hpp"
 
 #include "mesh/mesh_error.hpp"

@@ -1,3 +1,7 @@
+// Too many cells are refused by an estimate, before any mesh is made: one wrong unit may ask for more than the memory
+// holds. A mesh from a file is the exception: its cells are there already. Afterwards all kinds but the plain rectangle
+// are checked, and a fault is reported at the main key of that kind.
+
 #include "simulation/setup_mesh.hpp"
 
 #include "base/errors.hpp"

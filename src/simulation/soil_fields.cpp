@@ -1,3 +1,8 @@
+// Each field is a closure that owns its lines and names, so it may outlive what it was read from. NaN means that there
+// is no value at a place; a lower limit of SHANSEP that is NaN leaves no strength either. Stress is asked for by the
+// name of a situation. It is looked up when a value is asked for, since fields are made while the case is still being
+// read.
+
 #include "simulation/soil_fields.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,8 @@
+// In each cell that the line crosses, one point stands for each material. It is the nearest to the line at the mean
+// height of the points of that material. Parameters that vary are read from the rows of the point, so the table shows
+// what the run uses. Depth and stress come from the overburden from which strengths follow, whose outlines do not
+// depend on the points.
+
 #include "simulation/strength_profile.hpp"
 
 #include "base/nan.hpp"

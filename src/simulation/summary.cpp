@@ -1,3 +1,6 @@
+// The table serves writing, reading back, `terp explain` and the measures of verification. So a quantity has one name
+// in all of them. The name is a key of summary.json: files of earlier runs are read by it, so it must not change.
+
 #include "simulation/summary.hpp"
 
 #include <cmath>

@@ -1,3 +1,7 @@
+// These are the calls of POSIX as they are, where they suffice; files_win32.cpp is the twin. A write that was
+// interrupted or incomplete goes on. posix_fallocate() returns its error, the others leave it in errno. What cannot be
+// synchronised at all (EINVAL) counts as being on the disk.
+
 #include "system/files.hpp"
 
 #include <cerrno>

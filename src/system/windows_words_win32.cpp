@@ -1,3 +1,7 @@
+// Texts are converted in two calls: the first asks for the length, the second fills the text. Many errors of Windows
+// share one number of errno, so that Terp can decide by errno alone. What has no place there is EIO. The words for the
+// user come from Windows itself, with its number.
+
 #include "system/windows_words.hpp"
 
 #include <cerrno>

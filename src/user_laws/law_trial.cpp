@@ -1,3 +1,7 @@
+// What a law may change points into copies that this object owns, and is set up once; therefore it cannot be copied. A
+// call overwrites the copies, so calls in sequence go on from each other until they are prepared again. A law that does
+// not return cannot be interrupted: the watch ends the process at once, without destructors.
+
 #include "user_laws/law_trial.hpp"
 
 #include "user_laws/library_material.hpp"

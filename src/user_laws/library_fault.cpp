@@ -1,3 +1,7 @@
+// A law fails in two ways. A fault that comes back is kept as text. Of several faults that of the least cell and number
+// stays, so that the order of threads does not decide. Where the law ends the program, its memory may be damaged: that
+// text is made with snprintf in fixed arrays alone.
+
 #include "user_laws/library_material.hpp"
 
 namespace terp {

@@ -1,3 +1,6 @@
+// Checks do not rely on each other. Each looks at the model as it is before the first step, and adds to one list. Small
+// checks stand in this file; larger groups have files of their own.
+
 #include "warnings/setup_warnings.hpp"
 
 #include "mesh/mesh_error.hpp"

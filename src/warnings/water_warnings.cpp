@@ -1,3 +1,7 @@
+// A situation has from the start what it does not give itself. So most checks pass over what equals the start, or one
+// line would be told once per situation. Checks against the ground need drawn outlines: where bodies come as points,
+// they are left out. Checks at nodes come last, and look only at nodes of cells with soil.
+
 #include "warnings/water_warnings.hpp"
 
 #include "events/section.hpp"

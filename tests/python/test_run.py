@@ -2,6 +2,8 @@
 
 import importlib.util
 import pathlib
+import subprocess
+import sys
 import tempfile
 import unittest
 import unittest.mock
@@ -207,6 +209,12 @@ class RunThatIsGoing(unittest.TestCase):
 
 
 class MissingThings(unittest.TestCase):
+    def test_a_python_without_numpy_is_named(self):
+        words = "import sys; sys.modules['numpy'] = None; import terp"
+        done = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=False)
+        self.assertIn(f"numpy is missing in {sys.executable}; Debian's package python3-numpy is for /usr/bin/python3",
+                      done.stderr)
+
     def message(self, action):
         with self.assertRaises(terp.RunError) as caught:
             action()
