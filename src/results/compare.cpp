@@ -1,3 +1,7 @@
+// Two cases are compared as flat lists of path and value. Entries of lists are paired by their place, so one that is
+// put in front changes all that follow. Numbers are compared in SI. Of the measures only those with numbers are rows;
+// sentences on them come from compare_words.
+
 #include "results/compare.hpp"
 
 #include "input/keys.hpp"

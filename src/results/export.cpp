@@ -1,3 +1,7 @@
+// Fields are checked first, as that is cheap. Then damaged frames are left out, and only then numbers of frames are
+// looked up. So these count only frames that can be read. The list of frames, frames.csv, is written after all the
+// files that it names.
+
 #include "results/export.hpp"
 
 #include "input/case_file.hpp"

@@ -1,3 +1,6 @@
+// One table of entries writes a quantity and states the meaning of each key, so that neither can be forgotten for a new
+// key. An observed order is written even where it is not usable; a limit and an error that rest on it are null then.
+
 #include "results/mesh_study.hpp"
 
 #include <cmath>

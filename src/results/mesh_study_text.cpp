@@ -1,3 +1,7 @@
+// Answers are judged in mesh_study and only put into words here. What is said of a flood comes first. A difference is
+// shown with enough digits to tell it from zero, even where its measure has fewer. The change of a place is a length,
+// with its share of the distance beside it. That of other measures is a share, where there is one.
+
 #include "results/mesh_study.hpp"
 
 #include <algorithm>

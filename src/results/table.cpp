@@ -1,3 +1,7 @@
+// Only whole lines are read, since a run may still be writing the last one. A file with names of points is read as if
+// all its columns were numbers. The column of names then has no meaning, and is taken out when the rows are grouped
+// by point.
+
 #include "results/table.hpp"
 
 #include "base/csv.hpp"

@@ -1,3 +1,8 @@
+// The terminal and the page take the probability, the event and the design point from the same functions here. The
+// realisations are no random sample, so P is never a share of them. An estimate has a lognormal distribution here, so
+// its bounds are a factor about it. The design point comes in standard normal variables and is shown in the units of
+// the keys.
+
 #include "input/keys.hpp"
 #include "report/plain_page.hpp"
 #include "simulation/gaussian_field.hpp"

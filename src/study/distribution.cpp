@@ -1,3 +1,8 @@
+// Where a distribution is given by mean and standard deviation, each call makes its parameters from them. A truncated
+// distribution is the normal one with probabilities between those of its two limits. Its quantile keeps the probability
+// between 0 and 1, so that it stays finite far in a tail. Values of a table may be equal; each search ends at two rows
+// that differ, so nothing is divided by zero.
+
 #include "study/distribution.hpp"
 
 #include "base/errors.hpp"

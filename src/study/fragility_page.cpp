@@ -1,3 +1,8 @@
+// A level without any realisation is left out of the charts. The answer is that of a flood where floods are judged,
+// else that of a slide. It has three forms: no distribution of the load, levels of which nothing is known, and a
+// probability over all levels. The last one gives two pairs of bounds, since the curve between its levels is an
+// assumption; the second needs a curve that rises.
+
 #include "report/plain_page.hpp"
 #include "study/fragility_text.hpp"
 #include "study/study_text.hpp"

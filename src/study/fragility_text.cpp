@@ -1,3 +1,7 @@
+// Each form has its own sign for what is not known: "-" in text, nan in the table, no point for D-Stability.
+// D-Stability gets a curve only of a water level, so a key of the water must be the load itself. Remarks speak of what
+// a curve takes for granted: that it rises, and that little comes from beyond its levels.
+
 #include "study/fragility_text.hpp"
 
 #include "study/study_text.hpp"

@@ -1,3 +1,8 @@
+// In a table the coarse realisation of a pair comes just before the fine one, so one remembered result is enough to
+// sort it. From the same counts come two kinds of bounds. Proven ones add up exact binomial bounds; rough ones use the
+// variance to first order, as does the time for the same variance. A coarse case that is refused is tried again with
+// each change alone, to name the one at fault.
+
 #include "study/multilevel.hpp"
 
 #include "input/case_record.hpp"

@@ -1,3 +1,7 @@
+// All points are made before the study begins, from counted random numbers, so no order of the workers changes them.
+// Each number has its own permutation or shift. The first Sobol points stay the same when more are asked for. Those of
+// a Latin hypercube change, as its strata depend on how many there are.
+
 #include "study/points.hpp"
 
 #include "base/philox.hpp"

@@ -1,3 +1,7 @@
+// The kind is read first, as it decides which other keys are allowed and which are needed. Then come the numbers, the
+// spread, for which the mean must be known, and at last what they say together. A step that needs the ones before it is
+// taken only if they added no problem; problems of other tables do not count.
+
 #include "study/study_keys.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,7 @@
+// A text that has h as a word of its own is a formula of the load. Formulas stay in the values of the keys, and become
+// numbers when a level is chosen. While the file is read each is tried at all levels. So a wrong one is a problem of
+// the file and not of a realisation. For that levels are read before the changes.
+
 #include "input/expression.hpp"
 #include "study/study_keys.hpp"
 

@@ -1,3 +1,7 @@
+// Binomial bounds are quantiles of the beta distribution, which also exist where counts are no whole numbers. With no
+// event the lower bound is 0, and with nothing else the upper one is 1. The rank correlation is that of Pearson for the
+// ranks, because the shorter formula of Spearman is wrong where values are equal.
+
 #include "study/statistics.hpp"
 
 #include "base/errors.hpp"

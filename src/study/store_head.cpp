@@ -1,3 +1,7 @@
+// Two questions are kept apart. Whether results are of the same study follows from the digits of study and case, and
+// from the version. Whether their bits are the same follows from the build and the instruction set. The format is
+// compared before the words are counted, as another format may have another number of them.
+
 #include "study/store_head.hpp"
 
 #include "base/errors.hpp"

@@ -1,3 +1,7 @@
+// A key is known to name a file by its name alone, so a new key that names one must be added to names_a_file. Without
+// it a change in that file is not seen, and a folder lacks its copy. One search serves both uses: it points into the
+// tree, and the texts are replaced where they stand.
+
 #include "study/study_inputs.hpp"
 
 #include "base/checksum.hpp"

@@ -1,3 +1,7 @@
+// A key is null where its number would be no probability of the study. So an adaptive method has only the event that it
+// looks for. A sweep or a curve has no P over all its realisations. No correlations are given of realisations that were
+// chosen by a method. Remarks are the sentences of the text.
+
 #include "study/adaptive.hpp"
 #include "study/fragility.hpp"
 #include "study/study_text.hpp"

@@ -1,3 +1,7 @@
+// A key of a study goes to the reader of case files as if it were one of a case. So both have the same messages; only
+// their topics are removed, which are pages on keys of cases. Unknown keys come first, then the others in the order of
+// the table of keys and not of the file.
+
 #include "study/study_keys.hpp"
 
 #include "base/closest.hpp"

@@ -1,3 +1,7 @@
+// Remarks are made once, and terminal, page and JSON show the same ones. First come those of the realisations and the
+// case, which hold for any estimator, then those of the estimator. An adaptive method has remarks of its own instead.
+// The table ends where TableCounter ends it, so rows behind a gap or behind the stop rule are not in it.
+
 #include "study/study_text.hpp"
 
 #include "base/csv.hpp"

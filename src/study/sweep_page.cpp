@@ -1,3 +1,7 @@
+// The first key whose values are all numbers is the axis. Realisations that agree in the words of all other keys are
+// one line. Of many lines a few are drawn, evenly from the first to the last. A result that hardly differs over the
+// whole sweep is a sentence, and one that no realisation has is left out.
+
 #include "study/study_page.hpp"
 
 #include "input/keys.hpp"

@@ -1,3 +1,7 @@
+// Links to the program are followed first, then each folder above it is tried, the nearest one first. So a program that
+// is built inside the sources finds their cases before those of an installation. Cases that are asked for come in the
+// order of the request, each once.
+
 #include "verification/find_cases.hpp"
 
 #include "base/closest.hpp"

@@ -1,3 +1,8 @@
+// A field keeps the one frame that it needs and evaluates its formulas at the end. A series evaluates its formula at
+// each frame or row and keeps only numbers. So the names and their order must not change during a run. A point whose
+// condition is NaN counts with the value NaN instead of being left out. One faulty quantity does not end the run for
+// the others.
+
 #include "verification/measure.hpp"
 
 #include "base/nan.hpp"

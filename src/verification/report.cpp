@@ -1,3 +1,7 @@
+// Both tables have the same cells, so the page and the terminal cannot disagree. Widths count letters, not bytes.
+// Remarks stand under a table, each once, as many runs may be red for one reason. Of the two, only the terminal names a
+// row that is declared red but agrees; the page counts such rows.
+
 #include "verification/report.hpp"
 
 #include "base/utf8.hpp"

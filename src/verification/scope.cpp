@@ -1,3 +1,7 @@
+// A constant sees only those that are already in the scope. First come `end` and `dt` of the run, then constants of the
+// file, then those of the variant. A constant from the case is what is written there or in `set`, in SI; defaults are
+// not found. Constants are bound when a formula is compiled, and variables when it is evaluated.
+
 #include "verification/scope.hpp"
 
 #include "input/keys.hpp"

@@ -1,3 +1,6 @@
+// A curve is linear between its samples, and crossings are found on these lines. Comparisons are written so that a
+// value of NaN is neither a crossing nor an arrival. Means, sums, extremes and errors become NaN with it.
+
 #include "verification/series.hpp"
 
 #include "base/nan.hpp"

@@ -1,3 +1,7 @@
+// At one x the reference lines become levels, from top to bottom. A place lies between the last level above it and the
+// first at or below it. So the height between these two is never zero. A line without a head takes that of the phreatic
+// line. The first knot is always at t = 0, and way_at relies on it.
+
 #include "water/water_pressure.hpp"
 
 #include "base/interpolate.hpp"
