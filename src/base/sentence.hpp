@@ -1,5 +1,5 @@
 // A sentence for a reader of a report, in the languages of the report page. Numbers in Dutch have a decimal comma.
-// Not for: what is said of a file and its section (told_texts.hpp).
+// Not for: what is said of a file and its section (reported_texts.hpp).
 #pragma once
 
 #include "base/types.hpp"

@@ -17,7 +17,7 @@
 #include "dstability/section_part.hpp"
 #include "dstability/soil_text.hpp"
 #include "dstability/stage_text.hpp"
-#include "dstability/told_texts.hpp"
+#include "dstability/reported_texts.hpp"
 #include "dstability/water_text.hpp"
 #include "input/printable.hpp"
 #include "points/body_outline.hpp"
@@ -137,14 +137,14 @@ class FolderMaker {
     WaterText start = is_staged_ ? water_text(first_, layout_, "water_start", false) : WaterText{};
     WaterText now = water_text(section_, layout_, "water", !start.lines.empty());
     if (now.lines.empty() && start.lines.empty()) {
-      assumed_.push_back(filled<told_texts::all_dry>());
+      assumed_.push_back(filled<reported_texts::all_dry>());
       return;
     }
     const bool is_dry = now.lines.empty();
     for (auto& [water, stage] : {std::pair{&start, &first_.stage()}, {&now, &stage_}})
       if (is_staged_ && water->lines.empty()) {
         *water = water_below(layout_);
-        assumed_.push_back(filled<told_texts::water_beneath>(in_quotes(stage->label)));
+        assumed_.push_back(filled<reported_texts::water_beneath>(in_quotes(stage->label)));
       }
     situation_ = is_staged_ ? key_of_name(stage_.label, "stage") + "_water" : "";
     if (situation_ == raised_water) situation_ += "_2";

@@ -5,7 +5,7 @@
 
 #include "dstability/preload.hpp"
 #include "dstability/section.hpp"
-#include "dstability/told_texts.hpp"
+#include "dstability/reported_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -66,9 +66,10 @@ Sentence in_words(const Change& change, Real column)
     const char* const between = text.empty() ? "" : ", ";
     text = {text.en + between + one.en, text.nl + between + one.nl};
   };
-  add(change.added, filled<told_texts::was_added>(change.added.area, change.added.left, change.added.right));
-  add(change.removed, filled<told_texts::was_removed>(change.removed.area, change.removed.left, change.removed.right));
-  return filled<told_texts::since>(change.labels, text);
+  add(change.added, filled<reported_texts::was_added>(change.added.area, change.added.left, change.added.right));
+  add(change.removed,
+      filled<reported_texts::was_removed>(change.removed.area, change.removed.left, change.removed.right));
+  return filled<reported_texts::since>(change.labels, text);
 }
 
 }  // namespace
@@ -89,13 +90,13 @@ std::optional<EarlierGround> earlier_ground(
     else
       changes.push_back(std::move(change));
   }
-  if (changes.empty()) return EarlierGround{filled<told_texts::changed_layers>(), false};
+  if (changes.empty()) return EarlierGround{filled<reported_texts::changed_layers>(), false};
   Sentence all;
   for (const Change& change : changes) {
     const Sentence one = in_words(change, column);
     all = {all.en + one.en, all.nl + one.nl};
   }
-  return EarlierGround{filled<told_texts::changed_ground>(all), true};
+  return EarlierGround{filled<reported_texts::changed_ground>(all), true};
 }
 
 }  // namespace terp

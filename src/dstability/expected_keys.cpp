@@ -242,8 +242,8 @@ class MissingKeys {
   {
     for (const auto& [key, missing] : missing_) {
       const Sentence assumed{missing.row->assumed.en, missing.row->assumed.nl};
-      const Sentence times = missing.n > 1 ? filled<told_texts::times>(missing.n) : Sentence{};
-      const Sentence what = filled<told_texts::missing_key>(times, in_words(missing.stages), assumed);
+      const Sentence times = missing.n > 1 ? filled<reported_texts::times>(missing.n) : Sentence{};
+      const Sentence what = filled<reported_texts::missing_key>(times, in_words(missing.stages), assumed);
       notes.remark({missing.first, what.en, !missing.row->decides, missing.stages, what.nl});
     }
   }
@@ -284,7 +284,7 @@ class MissingKeys {
     Sentence text;
     for (const auto& [scenario, stage] : stages) {
       const char* const between = text.empty() ? " in " : "; ";
-      const Sentence one = filled<told_texts::stage_number>(scenario + 1, stage + 1);
+      const Sentence one = filled<reported_texts::stage_number>(scenario + 1, stage + 1);
       text = {text.en + between + one.en, text.nl + between + one.nl};
     }
     return text;

@@ -4,7 +4,7 @@
 #include "dstability/import_doubts.hpp"
 
 #include "base/interpolate.hpp"
-#include "dstability/told_texts.hpp"
+#include "dstability/reported_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -172,7 +172,7 @@ std::vector<Sentence> doubts_of_reading(const StixProject& project, std::size_t 
   std::vector<Sentence> doubts;
   std::map<std::string, std::string> of_history;  // English -> Dutch
   for (std::size_t k = 0; k <= stage; ++k) {
-    const Sentence name = filled<told_texts::stage_number>(scenario + 1, k + 1);
+    const Sentence name = filled<reported_texts::stage_number>(scenario + 1, k + 1);
     of_history[name.en] = name.nl;
   }
   for (const StixRemark& remark : project.remarks) {
@@ -193,8 +193,8 @@ std::vector<Sentence> doubts_of_water(const StixScenario& scenario, std::size_t 
   std::vector<Sentence> doubts;
   for (std::size_t k = has_shansep ? 0 : stage; k <= stage; ++k)
     if (const StixStage& of = scenario.stages[k]; !of.water.is_mesh && !of.water.phreatic)
-      doubts.push_back(k < stage ? filled<told_texts::no_phreatic_line_before>(of.label)
-                                 : filled<told_texts::no_phreatic_line>(of.label));
+      doubts.push_back(k < stage ? filled<reported_texts::no_phreatic_line_before>(of.label)
+                                 : filled<reported_texts::no_phreatic_line>(of.label));
   return doubts;
 }
 
@@ -216,9 +216,9 @@ std::vector<Sentence> doubts_of_datum(const StixSection& section, bool has_shans
         least_depth = std::min(least_depth, column.ground() - column.water().phreatic());
     }
     if (highest < box.low[1])
-      doubts.push_back(filled<told_texts::water_below_all>(stage.label, highest, box.low[1]));
+      doubts.push_back(filled<reported_texts::water_below_all>(stage.label, highest, box.low[1]));
     else if (least_depth > far_below * height)
-      doubts.push_back(filled<told_texts::deep_water>(stage.label, least_depth, height));
+      doubts.push_back(filled<reported_texts::deep_water>(stage.label, least_depth, height));
   }
   return doubts;
 }
@@ -236,28 +236,28 @@ std::vector<Sentence> doubts_of_embankment(
   const BoundingBox box = box_around(section.stage().layers);
   std::vector<Sentence> doubts;
   std::vector<Point> given;
-  for (const Point& point : {Point{filled<told_texts::toe_water>(), at.toe_water, -1.0, 0.0},
-           {filled<told_texts::top_water>(), at.top_water, -1.0, layout.height},
-           {filled<told_texts::top_land>(), at.top_land, 1.0, layout.height},
-           {filled<told_texts::shoulder_land>(), at.shoulder_land, 1.0, 0.0},
-           {filled<told_texts::toe_land>(), at.toe_land, 1.0, 0.0}})
+  for (const Point& point : {Point{filled<reported_texts::toe_water>(), at.toe_water, -1.0, 0.0},
+           {filled<reported_texts::top_water>(), at.top_water, -1.0, layout.height},
+           {filled<reported_texts::top_land>(), at.top_land, 1.0, layout.height},
+           {filled<reported_texts::shoulder_land>(), at.shoulder_land, 1.0, 0.0},
+           {filled<reported_texts::toe_land>(), at.toe_land, 1.0, 0.0}})
     if (std::isfinite(point.x)) given.push_back(point);
   for (const Point& point : given)
     if (point.x < box.low[0] - beyond_end || point.x > box.high[0] + beyond_end)
-      doubts.push_back(filled<told_texts::point_without_ground>(point.name, point.x));
+      doubts.push_back(filled<reported_texts::point_without_ground>(point.name, point.x));
   const auto goes_back = [](Real sign) {
     return [sign](const Point& one, const Point& next) { return sign * (next.x - one.x) < 0.0; };
   };
   const Real sign = given.size() > 1 && given.back().x < given.front().x ? -1.0 : 1.0;
   if (const auto wrong = std::ranges::adjacent_find(given, goes_back(sign)); wrong != given.end())
     doubts.push_back(
-        filled<told_texts::points_in_no_order>(wrong->name, wrong->x, std::next(wrong)->name, std::next(wrong)->x));
+        filled<reported_texts::points_in_no_order>(wrong->name, wrong->x, std::next(wrong)->name, std::next(wrong)->x));
   if (!doubts.empty() || river.empty()) return doubts;
   const Real to_land = river == "left" ? 1.0 : -1.0, crest = layout.crest[0];
   for (const Point& point : given)
     if (to_land * point.side * (point.x - crest) < -point.slack)
-      doubts.push_back(filled<told_texts::point_on_other_side>(point.name, point.x, crest,
-          river == "left" ? filled<told_texts::left_end>() : filled<told_texts::right_end>()));
+      doubts.push_back(filled<reported_texts::point_on_other_side>(point.name, point.x, crest,
+          river == "left" ? filled<reported_texts::left_end>() : filled<reported_texts::right_end>()));
   return doubts;
 }
 
@@ -269,20 +269,20 @@ std::vector<Sentence> doubts_of_numbers(const StixSection& section)
   std::vector<Sentence> doubts;
   const auto look = [&](const Sentence& what, Real weight, Vec<2> usual) {
     if (weight < usual[0] || weight > usual[1])
-      doubts.push_back(filled<told_texts::unusual_weight>(what, weight / 1e3, usual[0] / 1e3, usual[1] / 1e3));
+      doubts.push_back(filled<reported_texts::unusual_weight>(what, weight / 1e3, usual[0] / 1e3, usual[1] / 1e3));
   };
   if (stage.water.is_mesh || stage.water.phreatic)
-    look(filled<told_texts::water_of_stage>(), stage.water.unit_weight, of_water);
+    look(filled<reported_texts::water_of_stage>(), stage.water.unit_weight, of_water);
   std::set<std::size_t> soils;
   for (const StixLayer& layer : stage.layers)
     if (layer.soil && soils.insert(*layer.soil).second) {
       const StixSoil& soil = section.project().soils[*layer.soil];
-      look(filled<told_texts::soil_above>(soil.name), soil.weight_above, of_soil);
-      look(filled<told_texts::soil_below>(soil.name), soil.weight_below, of_soil);
+      look(filled<reported_texts::soil_above>(soil.name), soil.weight_above, of_soil);
+      look(filled<reported_texts::soil_below>(soil.name), soil.weight_below, of_soil);
     }
   for (const StixUniformLoad& load : stage.loads)
     if (std::abs(load.magnitude) > largest_load)
-      doubts.push_back(filled<told_texts::large_load>(load.label, load.magnitude / 1e3, load.magnitude / 18e3));
+      doubts.push_back(filled<reported_texts::large_load>(load.label, load.magnitude / 1e3, load.magnitude / 18e3));
   return doubts;
 }
 
@@ -316,10 +316,11 @@ std::vector<Sentence> doubts_of_preload(const StixSection& section, const std::v
   for (const auto& [layer, preload] : by_layer) {
     const std::string name = name_of_layer(section.project(), section.stage().layers[layer]);
     if (!(preload.largest > no_pop))
-      doubts.push_back(filled<told_texts::no_pop>(name));
+      doubts.push_back(filled<reported_texts::no_pop>(name));
     else if (!preload.has_state && preload.line)
-      doubts.push_back(filled<told_texts::pop_of_a_far_line>(name, preload.line->pop / 1e3, preload.line->distance,
-          preload.line->is_below ? filled<told_texts::below_it>() : filled<told_texts::above_it>(), preload.line->x));
+      doubts.push_back(filled<reported_texts::pop_of_a_far_line>(name, preload.line->pop / 1e3, preload.line->distance,
+          preload.line->is_below ? filled<reported_texts::below_it>() : filled<reported_texts::above_it>(),
+          preload.line->x));
   }
   return doubts;
 }
@@ -331,11 +332,11 @@ std::vector<Sentence> doubts_of_outlines(
   for (const auto& [above, empty] : empty_places(clean.regions))
     if (empty.area > small * cell * cell)
       doubts.push_back(
-          filled<told_texts::empty_below>(drawn[above].name, empty.area, empty.height, empty.left, empty.right));
+          filled<reported_texts::empty_below>(drawn[above].name, empty.area, empty.height, empty.left, empty.right));
   for (const DrawingFault& both : clean.overlaps)
     if (both.area > small * cell * cell)
       doubts.push_back(
-          filled<told_texts::layers_overlap>(names_of(both.drawn, drawn), both.area, both.x[0], both.x[1]));
+          filled<reported_texts::layers_overlap>(names_of(both.drawn, drawn), both.area, both.x[0], both.x[1]));
   std::map<int, std::pair<Real, Real>> below;  // area and thickness by drawn region [m^2, m]
   for (const CleanRegion& fill : fills) {
     auto& [area, thickness] = below[fill.drawn];
@@ -344,7 +345,8 @@ std::vector<Sentence> doubts_of_outlines(
     thickness = std::max(thickness, high[1] - low[1]);
   }
   for (const auto& [k, fill] : below)
-    if (fill.second > cell) doubts.push_back(filled<told_texts::filled_below>(drawn[k].name, fill.second, fill.first));
+    if (fill.second > cell)
+      doubts.push_back(filled<reported_texts::filled_below>(drawn[k].name, fill.second, fill.first));
   return doubts;
 }
 

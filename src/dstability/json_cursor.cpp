@@ -1,6 +1,6 @@
-// Each function that reads a key notes it as asked for, has() does not; what nobody asked for is told as unknown. So a
-// key that is read only in some cases must be passed over in the others. A fault gives a value that says nothing, and
-// reading goes on, until StixNotes throws.
+// Each function that reads a key notes it as asked for, has() does not; what nobody asked for is reported as unknown.
+// So a key that is read only in some cases must be passed over in the others. A fault gives a value that says nothing,
+// and reading goes on, until StixNotes throws.
 
 #include "dstability/json_cursor.hpp"
 
@@ -208,7 +208,7 @@ StixLine JsonCursor::line_to_the_right(const char* key)
   StixLine places = line(key, 0);
   if (!places.empty() && places.back()[0] < places.front()[0]) std::ranges::reverse(places);
   if (!std::ranges::is_sorted(places, {}, [](const Vec<2>& p) { return p[0]; }))
-    remark(filled<told_texts::runs_back>());
+    remark(filled<reported_texts::runs_back>());
   return places;
 }
 

@@ -1,12 +1,12 @@
 // Typed access to a JSON tree, with the path of every value for messages. Faults are collected, not thrown, so that a
-// user sees several at once; keys that nobody asked for are told in the end.
+// user sees several at once; keys that nobody asked for are reported in the end.
 // Not for: reading the text (json_tree.hpp), what a key means.
 #pragma once
 
 #include "base/errors.hpp"
 #include "dstability/json_tree.hpp"
 #include "dstability/project.hpp"
-#include "dstability/told_texts.hpp"
+#include "dstability/reported_texts.hpp"
 
 #include <initializer_list>
 #include <map>
@@ -29,7 +29,7 @@ class StixNotes {
   void remark(StixRemark of) { remarks_.push_back(std::move(of)); }
   /// Of a member, key or version that the reader does not know.
   void remark_on_format(const std::string& where, const std::string& what) { remarks_.push_back({where, what, true}); }
-  /// A key that the reader does not know; told once for all members of a kind and all entries of a list.
+  /// A key that the reader does not know; reported once for all members of a kind and all entries of a list.
   void unknown_key(const std::string& where, const std::string& key);
   /// Throws InputError if there are faults. Else the remarks.
   std::vector<StixRemark> finish();

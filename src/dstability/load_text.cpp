@@ -5,7 +5,7 @@
 #include "dstability/load_text.hpp"
 
 #include "dstability/soil_text.hpp"
-#include "dstability/told_texts.hpp"
+#include "dstability/reported_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -18,9 +18,9 @@ namespace {
 std::vector<Sentence> remarks_on(const StixUniformLoad& load, const std::string& label)
 {
   std::vector<Sentence> remarks;
-  if (load.spread != 0.0) remarks.push_back(filled<told_texts::load_spread>(label, load.spread));
+  if (load.spread != 0.0) remarks.push_back(filled<reported_texts::load_spread>(label, load.spread));
   if (std::ranges::any_of(load.consolidation, [](const auto& entry) { return entry.second > 0.0; }))
-    remarks.push_back(filled<told_texts::load_consolidation>(label));
+    remarks.push_back(filled<reported_texts::load_consolidation>(label));
   return remarks;
 }
 
@@ -50,7 +50,7 @@ LoadTexts load_texts(const StixStage& stage, const StixStage* first, const Secti
     std::string label = wanted;
     for (int k = 2; !labels.insert(label).second; ++k) label = fmt::format("{}_{}", wanted, k);
     if (!(ends[1] > ends[0]) || !(load.magnitude > 0.0)) {
-      texts.left_out.push_back(filled<told_texts::load_of_no_size>(label));
+      texts.left_out.push_back(filled<reported_texts::load_of_no_size>(label));
       continue;
     }
     const auto is_same = [&](const StixUniformLoad& other) {
@@ -62,7 +62,7 @@ LoadTexts load_texts(const StixStage& stage, const StixStage* first, const Secti
     std::ranges::move(remarks_on(load, label), std::back_inserter(texts.assumed));
   }
   if (std::ranges::any_of(stage.layer_loads, has_excess))
-    texts.left_out.push_back(filled<told_texts::layers_as_loads>());
+    texts.left_out.push_back(filled<reported_texts::layers_as_loads>());
   return texts;
 }
 

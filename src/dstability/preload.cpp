@@ -5,7 +5,7 @@
 #include "dstability/preload.hpp"
 
 #include "dstability/section_layout.hpp"
-#include "dstability/told_texts.hpp"
+#include "dstability/reported_texts.hpp"
 #include "points/body_outline.hpp"
 
 #include <fmt/format.h>
@@ -209,7 +209,7 @@ YieldGrid yield_grid(const StixSection& now, const std::vector<LayerPiece>& piec
 
 Sentence sentence_on(const YieldGrid& grid, const std::string& soil)
 {
-  return filled<told_texts::yield_grid>(soil, grid.deviation / 1e3);
+  return filled<reported_texts::yield_grid>(soil, grid.deviation / 1e3);
 }
 
 }  // namespace terp

@@ -1,7 +1,7 @@
-// Each reader asks a member for the keys that it knows, and the rest of its keys is told as unknown. Only the waternet
-// creator has a rest that does not matter. A fault does not end the reading; the tenth does. Ids of other members stay
-// ids, which read_stix.cpp resolves; only head lines are resolved here, as they stand in the same member. Pressures and
-// unit weights become Pa and N/m^3 here.
+// Each reader asks a member for the keys that it knows, and the rest of its keys is reported as unknown. Only the
+// waternet creator has a rest that does not matter. A fault does not end the reading; the tenth does. Ids of other
+// members stay ids, which read_stix.cpp resolves; only head lines are resolved here, as they stand in the same member.
+// Pressures and unit weights become Pa and N/m^3 here.
 
 #include "dstability/ground_column.hpp"
 #include "dstability/stix_parts.hpp"
@@ -56,7 +56,7 @@ StixPreload read_preload(JsonCursor from)
   StixPreload preload;
   const std::string kind = from.text("StateType");
   if (kind.empty()) {
-    from.remark(filled<told_texts::no_state_type>());
+    from.remark(filled<reported_texts::no_state_type>());
     preload.pop.value = 0.0;
     return preload;
   }
@@ -93,7 +93,7 @@ void read_state_line(JsonCursor& from, std::vector<StixStateLine>& lines)
   }
   std::ranges::stable_sort(state.values, {}, &StixStateLine::Value::x);
   end_entry(from);
-  if (state.line.empty() || state.values.empty()) return from.remark(filled<told_texts::empty_state_line>());
+  if (state.line.empty() || state.values.empty()) return from.remark(filled<reported_texts::empty_state_line>());
   lines.push_back(std::move(state));
 }
 
@@ -121,8 +121,8 @@ void read_reference_line(StixWater& water, JsonCursor& from)
     line.bottom_head = bottom ? *bottom : *top;
     water.reference_lines.push_back(std::move(line));
   } else if (line.line.empty() || (!from.has("TopHeadLineId") && !from.has("BottomHeadLineId")))
-    from.remark(line.line.empty() ? filled<told_texts::no_reference_places>(line.label)
-                                  : filled<told_texts::no_reference_head>(line.label));
+    from.remark(line.line.empty() ? filled<reported_texts::no_reference_places>(line.label)
+                                  : filled<reported_texts::no_reference_head>(line.label));
   end_entry(from);
 }
 
@@ -184,7 +184,7 @@ void read_decorations(JsonCursor& file, StixParts& parts)
   for (JsonCursor& entry : file.list("Excavations")) {
     StixLine line = entry.line("Points", 0);
     if (line.size() < 2)
-      entry.remark(filled<told_texts::no_excavation_line>());
+      entry.remark(filled<reported_texts::no_excavation_line>());
     else
       decorations.excavations.push_back(std::move(line));
     end_entry(entry);
@@ -287,7 +287,7 @@ void read_loads(JsonCursor& file, StixParts& parts)
         .spread = entry.number("Spread"),
         .consolidation = {}};
     if (std::isnan(load.spread)) {
-      if (entry.has("Spread")) entry.remark(filled<told_texts::no_spread>(load.label));
+      if (entry.has("Spread")) entry.remark(filled<reported_texts::no_spread>(load.label));
       load.spread = 0.0;
     }
     if (!(load.spread >= 0.0 && load.spread < 90.0))

@@ -55,7 +55,7 @@ void read_settings(JsonCursor& file, StixParts& parts)
   StixCalculation settings{.method = file.text("AnalysisType"), .kind_word = file.text("CalculationType")};
   const auto found = std::ranges::find(kinds, settings.kind_word, [](const auto& k) { return k.first; });
   settings.kind = found == kinds.end() ? StixCalculationKind::unknown : found->second;
-  if (found == kinds.end()) file.remark(filled<told_texts::unknown_calculation>(settings.kind_word));
+  if (found == kinds.end()) file.remark(filled<reported_texts::unknown_calculation>(settings.kind_word));
   settings.model_factor = file.number("ModelFactorMean");
   parts.settings.add(file.id("Id"), file, std::move(settings));
   // Where D-Stability looked for slip planes has no meaning here: its keys are not asked for.
@@ -79,7 +79,7 @@ void read_result(JsonCursor& file, const std::string& name, StixParts& parts)
     else
       ++n_without_foot;
   }
-  if (n_without_foot > 0) file.remark(filled<told_texts::no_foot>(n_without_foot));
+  if (n_without_foot > 0) file.remark(filled<reported_texts::no_foot>(n_without_foot));
   const std::string id = result.id;
   parts.results.add(id, file, std::move(result));
 }

@@ -81,7 +81,8 @@ StixSoil read_soil(JsonCursor& from)
   from.pass_over({"IsProbabilistic", "Notes", "MohrCoulombClassicShearStrengthModel"});
   from.tell_unknown();
   for (const auto* word : {&soil.above_word, &soil.below_word})
-    if (model_of(*word) == StixStrengthModel::unknown) from.remark(filled<told_texts::unknown_model>(*word, soil.name));
+    if (model_of(*word) == StixStrengthModel::unknown)
+      from.remark(filled<reported_texts::unknown_model>(*word, soil.name));
   return soil;
 }
 

@@ -79,7 +79,7 @@ void unpack(StixSource& source, ZipMembers& zip)
   }
 }
 
-/// What has a version is of one that Terp knows, or is told.
+/// What has a version is of one that Terp knows, or is reported.
 void check_versions(StixSource& source)
 {
   for (const StixMember& member : source.members) {
@@ -121,7 +121,7 @@ void read_members(StixSource& source)
       soil.colour = found->second;
 }
 
-/// What is wrong if an id is empty, or names nothing: both; the latter; nothing, and it is told.
+/// What is wrong if an id is empty, or names nothing: both; the latter; nothing, and it is reported.
 enum class Need { must_be_named, must_exist, may_be_missing };
 
 /// The part that an id names; null without one.
@@ -132,7 +132,7 @@ const T* part_of(JsonCursor& from, const char* key, const StixById<T>& things, N
   if (id.empty()) return nullptr;
   const T* const thing = things.find(id);
   if (thing == nullptr && need == Need::may_be_missing)
-    from.remark(filled<told_texts::leads_nowhere>(key, id));
+    from.remark(filled<reported_texts::leads_nowhere>(key, id));
   else if (thing == nullptr)
     from.fault(key, "names what is not in the file",
         fmt::format("Got the id {}. The file is not complete: save it anew in D-Stability.", id));
@@ -197,7 +197,7 @@ StixStage read_stage(JsonCursor& from, const StixParts& parts, const StixProject
   return stage;
 }
 
-/// A result that no calculation names is not shown, but told.
+/// A result that no calculation names is not shown, but reported.
 void remark_on_results(StixSource& source)
 {
   std::set<std::string> named;
@@ -206,7 +206,7 @@ void remark_on_results(StixSource& source)
       if (calculation.result) named.insert(calculation.result->name);
   for (const StixMember& member : source.members)
     if (member.kind == "results" && !named.contains(result_name(member)))
-      source.notes.remark(member.name, filled<told_texts::result_of_none>());
+      source.notes.remark(member.name, filled<reported_texts::result_of_none>());
 }
 
 /// Settings and result that a calculation names, or, of data model 1, a stage.
@@ -330,8 +330,8 @@ Sentence list_of(const std::vector<StixDrawnLine>& lines)
   Sentence list;
   for (const StixDrawnLine& line : lines) {
     const std::string name = '`' + line.label + '`';
-    const Sentence one =
-        std::isnan(line.start[0]) ? Sentence{name, name} : filled<told_texts::drawn_line>(line.label, line.start[0]);
+    const Sentence one = std::isnan(line.start[0]) ? Sentence{name, name}
+                                                   : filled<reported_texts::drawn_line>(line.label, line.start[0]);
     const char* const between = list.empty() ? "" : ", ";
     list.en += between + one.en;
     list.nl += between + one.nl;
@@ -342,22 +342,22 @@ Sentence list_of(const std::vector<StixDrawnLine>& lines)
 void remark_on_stage(StixNotes& notes, const std::string& where, const StixStage& stage)
 {
   const auto tell = [&](const Sentence& what) { notes.remark(where, what); };
-  if (!stage.forbidden_lines.empty()) tell(filled<told_texts::forbidden_lines>(list_of(stage.forbidden_lines)));
-  if (!stage.geotextiles.empty()) tell(filled<told_texts::geotextiles>(list_of(stage.geotextiles)));
-  if (!stage.nails.empty()) tell(filled<told_texts::nails>(list_of(stage.nails)));
-  if (stage.line_loads > 0) tell(filled<told_texts::line_loads>(stage.line_loads));
-  if (stage.trees > 0) tell(filled<told_texts::trees>(stage.trees));
-  if (stage.has_earthquake) tell(filled<told_texts::earthquake>());
+  if (!stage.forbidden_lines.empty()) tell(filled<reported_texts::forbidden_lines>(list_of(stage.forbidden_lines)));
+  if (!stage.geotextiles.empty()) tell(filled<reported_texts::geotextiles>(list_of(stage.geotextiles)));
+  if (!stage.nails.empty()) tell(filled<reported_texts::nails>(list_of(stage.nails)));
+  if (stage.line_loads > 0) tell(filled<reported_texts::line_loads>(stage.line_loads));
+  if (stage.trees > 0) tell(filled<reported_texts::trees>(stage.trees));
+  if (stage.has_earthquake) tell(filled<reported_texts::earthquake>());
   for (const StixLayerLoad& load : stage.layer_loads)
     if (std::ranges::any_of(load.consolidation, [](const auto& d) { return d.second < 100.0; }))
-      tell(filled<told_texts::layer_load>(load.layer));
+      tell(filled<reported_texts::layer_load>(load.layer));
   for (const StixLayer& layer : stage.layers)
-    if (!layer.soil) tell(filled<told_texts::layer_without_soil>(layer.label, layer.id));
+    if (!layer.soil) tell(filled<reported_texts::layer_without_soil>(layer.label, layer.id));
   for (const StixStatePoint& point : stage.state_points)
     if (std::ranges::find(stage.layers, point.layer, &StixLayer::id) == stage.layers.end())
-      tell(filled<told_texts::state_of_no_layer>(point.label, point.layer));
-  for (const std::string& layer : layers_with_two_states(stage)) tell(filled<told_texts::two_states>(layer));
-  if (stage.layers.empty()) tell(filled<told_texts::no_layers>());
+      tell(filled<reported_texts::state_of_no_layer>(point.label, point.layer));
+  for (const std::string& layer : layers_with_two_states(stage)) tell(filled<reported_texts::two_states>(layer));
+  if (stage.layers.empty()) tell(filled<reported_texts::no_layers>());
 }
 
 void remark_on_stages(StixSource& source)

@@ -6,7 +6,7 @@
 
 #include "base/errors.hpp"
 #include "dstability/section_layout.hpp"
-#include "dstability/told_texts.hpp"
+#include "dstability/reported_texts.hpp"
 #include "dstability/trigger.hpp"
 
 #include <fmt/format.h>
@@ -47,8 +47,8 @@ void check_level(const StixStage& stage, Real level)
 
 Sentence rule_of(const RiverInStage& river, Real level)
 {
-  return filled<told_texts::river_moved>(
-      level, river.level, river.inland, level < river.level ? filled<told_texts::after_fall>() : Sentence{});
+  return filled<reported_texts::river_moved>(
+      level, river.level, river.inland, level < river.level ? filled<reported_texts::after_fall>() : Sentence{});
 }
 
 /// They stay to be drawn, without a factor or slices that could be taken for those of this water.
@@ -83,7 +83,7 @@ RiverLevel with_river_level(
   const RiverInStage river = river_in(section, moved.river, ends);
   if (std::abs(level - river.level) < same) {
     moved.stage = stage;
-    moved.sentence = filled<told_texts::river_there_already>(river.level);
+    moved.sentence = filled<reported_texts::river_there_already>(river.level);
     return moved;
   }
   StixStage changed = with_river_at(section, river, level);

@@ -3,7 +3,7 @@
 #include "dstability/river_side.hpp"
 
 #include "base/errors.hpp"
-#include "dstability/told_texts.hpp"
+#include "dstability/reported_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ std::string side_of(Real water, Real land)
 
 Sentence in_words(const std::string& end)
 {
-  return end == "left" ? filled<told_texts::left_end>() : filled<told_texts::right_end>();
+  return end == "left" ? filled<reported_texts::left_end>() : filled<reported_texts::right_end>();
 }
 
 /// The end that the file names by its points of the embankment; empty: it names none. Its doubt: that they contradict
@@ -35,10 +35,10 @@ StixRiver named_river(const StixEmbankment& at, Vec<2> ends)
   const std::string tops = side_of(at.top_water, at.top_land), toes = side_of(at.toe_water, at.toe_land);
   StixRiver river{.side = tops.empty() ? toes : tops, .origin = "the water side of the embankment in the file"};
   if (!tops.empty() && !toes.empty() && tops != toes)
-    river.doubt = filled<told_texts::tops_and_toes_differ>(in_words(tops), in_words(toes), in_words(river.side));
+    river.doubt = filled<reported_texts::tops_and_toes_differ>(in_words(tops), in_words(toes), in_words(river.side));
   for (const Real x : {at.top_water, at.top_land, at.toe_water, at.toe_land})
     if (!river.side.empty() && river.doubt.empty() && (x < ends[0] - beyond_end || x > ends[1] + beyond_end))
-      river.doubt = filled<told_texts::embankment_outside>(x, ends[0], ends[1], in_words(river.side));
+      river.doubt = filled<reported_texts::embankment_outside>(x, ends[0], ends[1], in_words(river.side));
   return river;
 }
 
@@ -77,18 +77,18 @@ StixRiver find_river(const StixSection& section, Vec<2> ends)
     const std::string& named = river.side;
     const char* other = other_end(named);
     if (river.doubt.empty() && higher == other && is_wet[at_end(other)])
-      river.doubt = filled<told_texts::water_at_other_end>(
+      river.doubt = filled<reported_texts::water_at_other_end>(
           in_words(named), in_words(other), level[at_end(other)], level[at_end(named)], in_words(named));
     return river;
   }
   if (!is_wet[0] && !is_wet[1]) return {};
-  if (higher.empty() && is_wet[0] && is_wet[1]) return {.doubt = filled<told_texts::equally_high>(level[0])};
+  if (higher.empty() && is_wet[0] && is_wet[1]) return {.doubt = filled<reported_texts::equally_high>(level[0])};
   const bool is_land = !higher.empty() && !is_wet[at_end(higher)] && is_high_land(section, ends, at[at_end(higher)]);
   if (higher.empty() || is_land)
     return {.side = is_wet[0] ? "left" : "right", .origin = "the end where water stands on the ground"};
   StixRiver river{.side = higher, .origin = "the end where the water stands higher"};
   if (!is_wet[at_end(higher)])
-    river.doubt = filled<told_texts::higher_but_dry>(in_words(higher), level[at_end(higher)],
+    river.doubt = filled<reported_texts::higher_but_dry>(in_words(higher), level[at_end(higher)],
         in_words(other_end(higher)), level[at_end(other_end(higher))], in_words(higher));
   return river;
 }
@@ -96,15 +96,15 @@ StixRiver find_river(const StixSection& section, Vec<2> ends)
 Sentence no_flood_because(const StixSection& section, const StixRiver& river, Real end, Real cell)
 {
   if (!water_stands_at(section, end))
-    return river.side.empty() ? filled<told_texts::dry_at_either_end>()
-                              : filled<told_texts::dry_at_the_river>(in_words(river.side));
+    return river.side.empty() ? filled<reported_texts::dry_at_either_end>()
+                              : filled<reported_texts::dry_at_the_river>(in_words(river.side));
   const Real level = section.column(end).now().water().phreatic();
   const Real a_cell_inside = end + (river.side == "right" ? -cell : cell);
   if (level > section.column(a_cell_inside).ground()) return {};
-  return filled<told_texts::narrow_river>(level);
+  return filled<reported_texts::narrow_river>(level);
 }
 
-Sentence river_above_crest(Real level, Real crest) { return filled<told_texts::above_crest>(level, crest); }
+Sentence river_above_crest(Real level, Real crest) { return filled<reported_texts::above_crest>(level, crest); }
 
 void check_river_to_move(const StixSection& section, const StixRiver& river, Real x)
 {

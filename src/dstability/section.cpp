@@ -7,7 +7,7 @@
 
 #include "base/errors.hpp"
 #include "base/interpolate.hpp"
-#include "dstability/told_texts.hpp"
+#include "dstability/reported_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -64,9 +64,9 @@ bool is_in_its_layer(const StixStage& stage, const StixStatePoint& point)
 Sentence doubt_of(const StixPreload& preload, Real effective_stress)
 {
   if (preload.kind == StixPreload::Kind::ocr && preload.ocr < 1.0)
-    return filled<told_texts::ocr_below_one>(preload.ocr);
+    return filled<reported_texts::ocr_below_one>(preload.ocr);
   if (preload.kind == StixPreload::Kind::yield_stress && preload.yield_stress < effective_stress)
-    return filled<told_texts::yield_below_stress>(preload.yield_stress / 1e3, effective_stress / 1e3);
+    return filled<reported_texts::yield_below_stress>(preload.yield_stress / 1e3, effective_stress / 1e3);
   return {};
 }
 
@@ -74,7 +74,7 @@ Sentence doubt_of(const StixPreload& preload, Real effective_stress)
 Sentence name_of_layer(const StixProject& project, const StixStage& stage, const std::string& id)
 {
   const auto found = std::ranges::find(stage.layers, id, &StixLayer::id);
-  if (found == stage.layers.end()) return filled<told_texts::layer_of_id>(id);
+  if (found == stage.layers.end()) return filled<reported_texts::layer_of_id>(id);
   const std::string name = '`' + name_of_layer(project, *found) + '`';
   return {name, name};
 }
@@ -186,10 +186,10 @@ void StixSection::set_preloads()
         needs_stress(preload) ? StixStageColumn(*project_, stage, place[0]).effective_stress(place[1]) : 0.0;
     const Real pop = pop_of(preload, stress, basis_);
     const auto add_doubt = [&](const Sentence& doubt) {
-      if (!doubt.empty()) state_doubts_.push_back(filled<told_texts::of_state>(stage.label, state, doubt));
+      if (!doubt.empty()) state_doubts_.push_back(filled<reported_texts::of_state>(stage.label, state, doubt));
     };
     add_doubt(doubt_of(preload, stress));
-    if (pop > most_pop) add_doubt(filled<told_texts::large_pop>(pop / 1e3));
+    if (pop > most_pop) add_doubt(filled<reported_texts::large_pop>(pop / 1e3));
     if (!(pop >= 0.0 && std::isfinite(pop)))
       problems.push_back({fmt::format("{}, stage `{}`, {}", project_->path, stage.label, state.en),
           std::isnan(pop) ? "its POP has no value" : fmt::format("its POP is {:g} kPa", pop / 1e3),
@@ -200,18 +200,18 @@ void StixSection::set_preloads()
     auto& points = point_pops_.emplace_back();
     for (const StixStatePoint& point : stage->state_points) {
       const Sentence state =
-          filled<told_texts::state_of_layer>(point.label, name_of_layer(*project_, *stage, point.layer));
+          filled<reported_texts::state_of_layer>(point.label, name_of_layer(*project_, *stage, point.layer));
       points.push_back(pop_at(*stage, point.preload, point.place, state));
       if (!is_in_its_layer(*stage, point))
-        state_doubts_.push_back(filled<told_texts::of_state>(
-            stage->label, state, filled<told_texts::state_outside>(point.place[0], point.place[1])));
+        state_doubts_.push_back(filled<reported_texts::of_state>(
+            stage->label, state, filled<reported_texts::state_outside>(point.place[0], point.place[1])));
     }
     auto& lines = line_pops_.emplace_back();
     for (const StixStateLine& line : stage->state_lines) {
       LinePops& pops = lines.emplace_back();
       for (const StixStateLine::Value& value : line.values) {
         const Vec<2> place{value.x, interpolate(line.line, value.x)};
-        const Sentence name = filled<told_texts::state_of_line>(value.label);
+        const Sentence name = filled<reported_texts::state_of_line>(value.label);
         pops.above.push_back({value.x, pop_at(*stage, value.above, place, name)});
         pops.below.push_back({value.x, pop_at(*stage, value.below, place, name)});
       }

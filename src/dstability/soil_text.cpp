@@ -5,7 +5,7 @@
 #include "dstability/soil_text.hpp"
 
 #include "base/errors.hpp"
-#include "dstability/told_texts.hpp"
+#include "dstability/reported_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -169,10 +169,10 @@ CaseFriction reduced_friction(const SoilUse& use, SoilText& text, StixBasis basi
   const StixFriction& f = use.soil->advanced;
   const Real cohesion = value_of(f.cohesion, basis), friction = value_of(f.friction, basis),
              given = value_of(f.dilatancy, basis), dilatancy = std::isnan(given) ? 0.0 : given;
-  if (std::isnan(given)) text.assumed.push_back(filled<told_texts::no_dilatancy>(use.name));
+  if (std::isnan(given)) text.assumed.push_back(filled<reported_texts::no_dilatancy>(use.name));
   if (dilatancy >= friction) return {cohesion, friction, friction};
   const DavisStrength on_planes = davis_reduced(cohesion, friction, dilatancy);
-  text.assumed.push_back(filled<told_texts::reduced_friction>(
+  text.assumed.push_back(filled<reported_texts::reduced_friction>(
       use.name, friction, cohesion / 1e3, on_planes.friction, on_planes.cohesion / 1e3, dilatancy));
   return {on_planes.cohesion, on_planes.friction, std::min(dilatancy, on_planes.friction)};
 }
@@ -183,9 +183,9 @@ CaseFriction friction_of_table(const SoilUse& use, SoilText& text, StixBasis bas
   const Real up_to = std::max(use.largest_stress, 10e3);
   const Vec<2> line = line_through(use.soil->sigma_tau_table, up_to, basis);
   const Real friction = degrees * std::atan(line[1]);
-  text.assumed.push_back(filled<told_texts::line_of_table>(use.soil->name, up_to / 1e3, line[0] / 1e3, line[1]));
+  text.assumed.push_back(filled<reported_texts::line_of_table>(use.soil->name, up_to / 1e3, line[0] / 1e3, line[1]));
   if (friction > largest_friction)
-    text.assumed.push_back(filled<told_texts::steep_line>(use.name, friction, largest_friction));
+    text.assumed.push_back(filled<reported_texts::steep_line>(use.name, friction, largest_friction));
   return {line[0], std::min(friction, largest_friction), 0.0};
 }
 
@@ -203,8 +203,8 @@ void add_drained(const SoilUse& use, StixStrengthModel model, StixBasis basis, c
     add_friction(
         text, {1e3 * kind.least_strength, 0.0, 0.0}, fmt::format("none in the file: least_su of {}", kind.kind));
     text.material.lines.push_back({"drainage", "\"drained\"", ""});
-    text.assumed.push_back(filled<told_texts::no_strength>(
-        soil.name, use.above ? filled<told_texts::above_it>() : filled<told_texts::below_it>(), kind.least_strength));
+    text.assumed.push_back(filled<reported_texts::no_strength>(soil.name,
+        use.above ? filled<reported_texts::above_it>() : filled<reported_texts::below_it>(), kind.least_strength));
     return;
   }
   if (model == StixStrengthModel::advanced) {
@@ -245,7 +245,7 @@ void add_undrained(const SoilUse& use, StixStrengthModel model, StixBasis basis,
         fmt::format(
             "SuTable of the file over sigma'_v; at least {:g} kPa: default of {}", kind.least_strength, kind.kind)});
   }
-  text.assumed.push_back(filled<told_texts::least_su>(use.name, kind.least_strength));
+  text.assumed.push_back(filled<reported_texts::least_su>(use.name, kind.least_strength));
 }
 
 }  // namespace
@@ -292,7 +292,7 @@ SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKi
   const bool has_colour =
       soil.colour.size() == 9 && soil.colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (has_colour) lines.push_back({"color", in_quotes('#' + soil.colour.substr(3)), "of the file"});
-  text.assumed.push_back(filled<told_texts::stiffness>(use.name, kind.kind));
+  text.assumed.push_back(filled<reported_texts::stiffness>(use.name, kind.kind));
   return text;
 }
 

@@ -37,9 +37,9 @@ void check_end(const Node& root, const EndKeys& end, Findings& findings)
   if (ends && has("at_most"))
     findings.problems.push_back({end.path + ".at_most", "`at_most` needs until = \"at_rest\"",
         fmt::format("Without it the time is `{}`.", end.end_key), topic, true, {end.path + ".until"}});
-  const bool told_by_reader = topic == "time" && !rests && !has("until");
+  const bool reported_by_reader = topic == "time" && !rests && !has("until");
   if (const char* missing = rests ? "at_most" : end.end_key;
-      !has(missing) && (rests || !has("at_most")) && !told_by_reader)
+      !has(missing) && (rests || !has("at_most")) && !reported_by_reader)
     findings.problems.push_back(
         {end.path, fmt::format("the key `{}` is missing from {}", missing, topic == "stage" ? "[[stage]]" : "[time]"),
             rests ? "It is the time at which the run ends or goes on if the soil does not come to rest."

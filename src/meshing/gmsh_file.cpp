@@ -1,5 +1,5 @@
 // The order counts: cells are sorted along the curve before regions and sides are made, which refer to them by number.
-// The mesh is checked before sides are looked up by the edges of its cells, so that a faulty cell is told first.
+// The mesh is checked before sides are looked up by the edges of its cells, so that a faulty cell is reported first.
 
 #include "meshing/gmsh_file.hpp"
 

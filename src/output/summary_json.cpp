@@ -240,9 +240,9 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
   for (const SummaryQuantity& quantity : summary_quantities())
     std::visit(
         [&](auto member) { json[std::string(quantity.info.name)] = to_value(summary.*member); }, quantity.member);
-  Summary told = summary;
-  if (told.flood && !finished) withhold_verdict(*told.flood);
-  each(told, [&](const char* name, auto& part) { json[name] = to_value(part); });
+  Summary shown = summary;
+  if (shown.flood && !finished) withhold_verdict(*shown.flood);
+  each(shown, [&](const char* name, auto& part) { json[name] = to_value(part); });
   for (const auto& [name, value] : summary.numbers) json[name] = value;
   json["case_name"] = case_text.name;
   json["case"] = case_text.toml;

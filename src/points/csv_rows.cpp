@@ -115,7 +115,7 @@ void read_csv_rows(const std::string& text, std::span<const std::string> columns
     const std::function<void(std::span<const std::string>, Index)>& row)
 {
   std::optional<Places> places;
-  bool any = false, told_commas = false;
+  bool any = false, reported_commas = false;
   std::string_view rest = text;
   if (rest.substr(0, 64).find('\0') != std::string_view::npos || rest.starts_with("\xFF\xFE") ||
       rest.starts_with("\xFE\xFF")) {
@@ -143,7 +143,7 @@ void read_csv_rows(const std::string& text, std::span<const std::string> columns
     const auto cells = split(line);
     if (cells.size() != columns.size()) {
       const bool by_comma = cells.size() == 2 * columns.size() - 1 || cells.size() == 2 * columns.size();
-      if (by_comma && std::exchange(told_commas, true)) continue;
+      if (by_comma && std::exchange(reported_commas, true)) continue;
       faults.add(number,
           fmt::format("{} values, and {} columns{}", cells.size(), columns.size(), by_comma ? decimal_point : ""));
       continue;

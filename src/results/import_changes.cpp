@@ -249,11 +249,11 @@ template <const SentenceForm& of_value, const SentenceForm& of_table>
 void add_of_one(
     const std::vector<ImportedValue>& values, const std::vector<ImportedValue>& other, std::vector<Sentence>& sentences)
 {
-  std::set<std::string> known{""}, told;  // the top of a case is always there
+  std::set<std::string> known{""}, reported;  // the top of a case is always there
   for (const ImportedValue& value : other) known.insert(value.owner);
   for (const ImportedValue& value : values) {
     if (!known.contains(value.owner)) {
-      if (told.insert(value.owner).second) sentences.push_back(filled<of_table>(word_of_owner(value.owner)));
+      if (reported.insert(value.owner).second) sentences.push_back(filled<of_table>(word_of_owner(value.owner)));
     } else if (find_value(other, value) == nullptr) {
       sentences.push_back(filled<of_value>(key_words(value), value_words(value)));
     }

@@ -99,11 +99,12 @@ inline void accelerate_and_map(const Model& model, std::span<const NodeValues> n
   });
 }
 
-/// x_p += sum N_i du_i; new local coordinates; lanes that left the half-open cell go to `leavers`, with those whose
-/// place the cell's map does not reach. A place that is not a number stays: the guards report it.
+/// x_p += sum N_i du_i; new local coordinates; lanes that left the half-open cell go to `points_leaving`, with those
+/// whose place the cell's map does not reach. A place that is not a number stays: the guards report it.
 template <class Element>
 inline void advance_points(const CellGeometry<Element>& cell, const Vec<Element::dim>& centre,
-    const CornerVectors<Element>& du, const PointBlock<Element::dim>& block, Index b, std::vector<PointPlace>& leavers)
+    const CornerVectors<Element>& du, const PointBlock<Element::dim>& block, Index b,
+    std::vector<PointPlace>& points_leaving)
 {
   constexpr int dim = Element::dim;
   using Rows = PointRows<dim>;
@@ -127,15 +128,16 @@ inline void advance_points(const CellGeometry<Element>& cell, const Vec<Element:
       inside = inside & (local[d] >= Pack(-1.0)) & (local[d] < Pack(1.0));
     }
     for (unsigned bits = to_bits((!inside) & known); bits != 0; bits &= bits - 1)
-      leavers.push_back({b, p + static_cast<Index>(std::countr_zero(bits))});
+      points_leaving.push_back({b, p + static_cast<Index>(std::countr_zero(bits))});
   }
 }
 
 inline void advance_points(
-    const CellView<Quad4>& view, Vec<2> centre, const CornerVectors<Quad4>& du, std::vector<PointPlace>& leavers)
+    const CellView<Quad4>& view, Vec<2> centre, const CornerVectors<Quad4>& du, std::vector<PointPlace>& points_leaving)
 {
-  for_each_block(view.points, view.cell,
-      [&](const PointBlock<2>& block, Index b) { advance_points(view.geometry, centre, du, block, b, leavers); });
+  for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index b) {
+    advance_points(view.geometry, centre, du, block, b, points_leaving);
+  });
 }
 
 }  // namespace terp

@@ -141,8 +141,8 @@ void undo_stiffening(const Model& model, State& state)
 
 }  // namespace
 
-Search settle(
-    const Model& model, State& state, Workspace& work, Real s, const std::atomic<bool>& stop, const SearchTold& told)
+Search settle(const Model& model, State& state, Workspace& work, Real s, const std::atomic<bool>& stop,
+    const SearchCallback& report)
 {
   const InitialCase& initial = model.description.initial;
   SearchWindows windows(model, state, s);
@@ -156,7 +156,7 @@ Search settle(
         critical_damping(model, work.search, n <= 2);  // the second step has the first change of force
     work.search.share = std::min(1.0, static_cast<Real>(n) / static_cast<Real>(ramp));
     if (n % windows.steps() == 0) windows.enter(state, work.unbalanced_ratio, n > ramp);
-    if (told) told({n, work.unbalanced_ratio, windows.more_steps(work.unbalanced_ratio, initial.limit)});
+    if (report) report({n, work.unbalanced_ratio, windows.more_steps(work.unbalanced_ratio, initial.limit)});
     const bool rests = work.unbalanced_ratio <= initial.limit && windows.at_rest();
     return state.left.empty() && !rests && !windows.runs_away();
   };
@@ -175,12 +175,12 @@ Search settle(
   return {.reached = true};
 }
 
-Search find_equilibrium(const Model& model, State& state, const std::atomic<bool>& stop, const SearchTold& told)
+Search find_equilibrium(const Model& model, State& state, const std::atomic<bool>& stop, const SearchCallback& report)
 {
   Model still = model_of_search(model);
   State settled = build_state(still);
   Workspace work(still, settled);
-  Search search = settle(still, settled, work, stiffening, stop, told);
+  Search search = settle(still, settled, work, stiffening, stop, report);
   if (!search.reached && search.fault.empty()) return search;
   if (search.reached) {
     set_stress(stress_by_id(settled), state);

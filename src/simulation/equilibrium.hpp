@@ -26,19 +26,20 @@ struct SearchProgress {
   std::optional<std::int64_t> more_steps{};  ///< that it will take at the rate of the last window; none: not yet known
 };
 
-using SearchTold = std::function<void(const SearchProgress&)>;
+using SearchCallback = std::function<void(const SearchProgress&)>;
 
 /// Steps the model with the clock at 0 until its soil rests: the first forces out of balance come on over some windows
 /// of time, and damping follows the slowest motion. It rests when the out-of-balance force is below `initial.limit` and
 /// no part of the soil moves on. Then displacement, velocity, strain and history are set to zero. stiffening: of the
-/// model (stiffen()), by which displacements are reported as those of the soil as it is. told: after every step.
+/// model (stiffen()), by which displacements are reported as those of the soil as it is. report: after every step.
 Search settle(const Model& model, State& state, Workspace& work, Real stiffening, const std::atomic<bool>& stop,
-    const SearchTold& told = {});
+    const SearchCallback& report = {});
 
 /// The stress of InitialStress::equilibrium. The soil settles at displacements so small that it keeps its shape,
 /// without softening; where strengths are divided (Case::at_strength), without any limit to them. The state takes the
 /// stress alone, so that it begins in the section as drawn. Where there is no equilibrium the state is that of the
 /// search, to look at, with the displacements of the soil as it is.
-Search find_equilibrium(const Model& model, State& state, const std::atomic<bool>& stop, const SearchTold& told = {});
+Search find_equilibrium(
+    const Model& model, State& state, const std::atomic<bool>& stop, const SearchCallback& report = {});
 
 }  // namespace terp

@@ -1,6 +1,6 @@
 // All sums over points come from one pass (`add_up`), which computes what the followers asked for as well; so `request`
-// comes first. Energies here and those of the pass use the same `Books` and `ElasticEnergy`, or the balance would show
-// the difference.
+// comes first. Energies here and those of the pass use the same `BalanceSums` and `ElasticEnergy`, or the balance would
+// show the difference.
 
 #include "simulation/ledger.hpp"
 
@@ -103,13 +103,13 @@ Real elastic_energy(const SoilMaterial& material, const LawRows& at, const SymTe
 
 Real kinetic_and_elastic_energy(const Model& model, const State& state)
 {
-  Books books;
+  BalanceSums balance;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     const SoilMaterial& material = model.materials[block.material];
     const ElasticEnergy<Real> energy(material.law->moduli());
-    for (Index p = 0; p < block.n; p += pack_width) books.enter(material, energy, block, p);
+    for (Index p = 0; p < block.n; p += pack_width) balance.enter(material, energy, block, p);
   });
-  return 0.5 * sum(books.twice_kinetic) + sum(books.elastic) + kinetic_and_elastic_energy(state.left);
+  return 0.5 * sum(balance.twice_kinetic) + sum(balance.elastic) + kinetic_and_elastic_energy(state.left);
 }
 
 Real energy_exchanged(const State& state) { return energy_exchanged(state.work) + state.start_energy; }

@@ -1,6 +1,6 @@
 // Both messages have the same parts: what was found, where, what is likely, what to try. The force out of balance at a
 // node comes from its mass and its change of velocity in the last step. The search uses soil made stiffer by a factor,
-// so the largest distance moved is multiplied by that factor before it is told.
+// so the largest distance moved is multiplied by that factor before it is reported.
 
 #include "simulation/no_equilibrium.hpp"
 

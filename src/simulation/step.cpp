@@ -24,7 +24,8 @@ void timed(Workspace& work, Pass pass, F&& f)
   work.seconds[pass] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Calls f(group, sums of the chunk, leavers of the thread) for the occupied cells in groups of eight neighbours.
+/// Calls f(group, sums of the chunk, points_leaving of the thread) for the occupied cells in groups of eight
+/// neighbours.
 template <class F>
 void for_each_group(const Model& model, State& state, Workspace& work, F&& f)
 {
@@ -32,12 +33,12 @@ void for_each_group(const Model& model, State& state, Workspace& work, F&& f)
   work.threads.for_each_range(static_cast<Index>(state.points.occupied().size()), cells_per_chunk,
       [&](Index begin, Index end, Index chunk, int thread) {
         CellSums& sums = work.cell_sums[chunk];
-        std::vector<PointPlace>& leavers = work.leavers[thread];
+        std::vector<PointPlace>& points_leaving = work.points_leaving[thread];
         sums.thread = thread;
-        sums.first_leaver = leavers.size();
+        sums.first_leaving = points_leaving.size();
         for (Index slot = begin; slot < end; slot += pack_width)
-          f(view_group(model, state, work, slot, std::min(slot + pack_width, end)), sums, leavers);
-        sums.end_of_leavers = leavers.size();
+          f(view_group(model, state, work, slot, std::min(slot + pack_width, end)), sums, points_leaving);
+        sums.end_of_leaving = points_leaving.size();
       });
 }
 
@@ -74,7 +75,7 @@ void start_sums(Workspace& work)
 {
   for (NodeSums& sums : work.node_sums) sums = {};
   for (CellSums& sums : work.cell_sums) sums = {};
-  for (auto& list : work.leavers) list.clear();
+  for (auto& list : work.points_leaving) list.clear();
 }
 
 /// In order of chunk.
@@ -158,18 +159,18 @@ void forget_mean_force(std::span<const Index> active_nodes, std::span<Vec<2>> me
 void move_leavers(const Model& model, State& state, Workspace& work)
 {
   for (const CellSums& sums : work.cell_sums)
-    for (std::size_t k = sums.end_of_leavers;
-         k-- > sums.first_leaver;) {  // from the last lane of a block to the first: see take()
-      const PointPlace place = work.leavers[sums.thread][k];
+    for (std::size_t k = sums.end_of_leaving;
+         k-- > sums.first_leaving;) {  // from the last lane of a block to the first: see take()
+      const PointPlace place = work.points_leaving[sums.thread][k];
       const Index material = state.points.block(place.block).material;
-      const Moved moved = move_to_new_cell(*model.mesh, model.open_sides, state.points, place, work.leaver);
-      if (moved == Moved::put_back) enter_put_back(work.leaver, state);
-      if (moved == Moved::left) enter_left(model, material, work.leaver, state);
+      const Moved moved = move_to_new_cell(*model.mesh, model.open_sides, state.points, place, work.point_leaving);
+      if (moved == Moved::put_back) enter_put_back(work.point_leaving, state);
+      if (moved == Moved::left) enter_left(model, material, work.point_leaving, state);
     }
   const bool one_block =
       model.materials.size() == 1 && state.points.n_bodies() == 1;  // in each cell: it is new with it
-  if (!one_block &&
-      std::ranges::any_of(work.cell_sums, [](const CellSums& sums) { return sums.end_of_leavers > sums.first_leaver; }))
+  if (!one_block && std::ranges::any_of(
+                        work.cell_sums, [](const CellSums& sums) { return sums.end_of_leaving > sums.first_leaving; }))
     work.patches.partners.clear();
   if (!state.points.update_occupied()) return;
   work.fit(model, state);
@@ -267,7 +268,7 @@ void update_stress_and_places(const Model& model, const SchemeContext& context, 
       scheme.strain(context, group, displacements(model, work.node, group), stress_sums);
       sums.plastic += stress_sums.plastic_work;
     });
-  for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto& leavers) {
+  for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto& points_leaving) {
     const auto du = displacements(model, work.node, group);
     StressSums stress_sums;
     scheme.update_stress(context, group, du, stress_sums);
@@ -275,7 +276,7 @@ void update_stress_and_places(const Model& model, const SchemeContext& context, 
     for (int c = 0; c < group.n(); ++c) {
       if (model.spreads_softening())
         work.cell_softens[group.number * pack_width + c] = softens(model, group.points, group.cells[c]);
-      advance_points(group.cell(c), model.mesh->centres[group.cells[c]], du[c], leavers);
+      advance_points(group.cell(c), model.mesh->centres[group.cells[c]], du[c], points_leaving);
     }
   });
 }

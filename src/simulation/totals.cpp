@@ -67,13 +67,13 @@ struct MaterialRows {
   int strain = row_of(material, Role::plastic_strain);  ///< -1: none
   int driver = row_of(material, Role::softening);       ///< -1: the strength follows the strain itself
   bool has_su = has_strength(material);
-  bool told = strain_gives_strength(material);
-  bool may_harden = told || material.type->by_library;
+  bool by_strain = strain_gives_strength(material);
+  bool may_harden = by_strain || material.type->by_library;
   bool is_ground = true;
 };
 
 struct ChunkTotals {
-  Books books;
+  BalanceSums balance;
   MovedSearch moved;
   std::array<Pack, most_slopes> growth{Pack(0.0), Pack(0.0)};
   std::vector<std::size_t> fell, rose;
@@ -94,9 +94,9 @@ void audit_points(const MaterialRows& rows, const PointBlock<2>& block, StrainMe
       memory.last_su[id] = now;
       continue;
     }
-    if (!rows.has_su || (rows.told && !fell)) continue;
+    if (!rows.has_su || (rows.by_strain && !fell)) continue;
     const Real su = strength_of(rows.material, block, lane);
-    const Real su_before = rows.told ? strength_at(rows.material, block, lane, before) : memory.last_su[id];
+    const Real su_before = rows.by_strain ? strength_at(rows.material, block, lane, before) : memory.last_su[id];
     if (su > su_before * (1.0 + audit_tolerance) && (fell || !rows.may_harden)) chunk.rose.push_back(id);
     if (!memory.last_su.empty()) memory.last_su[id] = su;
   }
@@ -129,7 +129,7 @@ bool enter_block(const MaterialRows& rows, std::span<const Columns> shear, const
   Pack most(0.0);
   StrainChange any{lane_numbers() < Pack(0.0), lane_numbers() < Pack(0.0)};
   for (Index p = 0; p < block.n; p += pack_width) {
-    chunk.books.enter(rows.material, rows.energy, block, p);
+    chunk.balance.enter(rows.material, rows.energy, block, p);
     if (rows.is_ground) chunk.moved.enter(block, p);
     most = max(most, squared_speeds(block, p));
     if (rows.strain < 0) continue;
@@ -137,18 +137,18 @@ bool enter_block(const MaterialRows& rows, std::span<const Columns> shear, const
     any = {any.changed | change.changed, any.fell | change.fell};
   }
   fastest = largest(most);
-  if (rows.strain >= 0 && (any_of(any.fell) || !rows.told)) audit_points(rows, block, *memory, chunk);
+  if (rows.strain >= 0 && (any_of(any.fell) || !rows.by_strain)) audit_points(rows, block, *memory, chunk);
   return any_of(any.changed);
 }
 
 void add_chunks(const std::vector<ChunkTotals>& chunks, Totals& totals)
 {
   for (const ChunkTotals& chunk : chunks) {
-    totals.mass += sum(chunk.books.mass);
-    totals.momentum[0] += sum(chunk.books.momentum_x);
-    totals.momentum[1] += sum(chunk.books.momentum_y);
-    totals.kinetic += 0.5 * sum(chunk.books.twice_kinetic);
-    totals.elastic += sum(chunk.books.elastic);
+    totals.mass += sum(chunk.balance.mass);
+    totals.momentum[0] += sum(chunk.balance.momentum_x);
+    totals.momentum[1] += sum(chunk.balance.momentum_y);
+    totals.kinetic += 0.5 * sum(chunk.balance.twice_kinetic);
+    totals.elastic += sum(chunk.balance.elastic);
     totals.moved = join(totals.moved, chunk.moved.found());
     for (int k = 0; k < most_slopes; ++k) totals.growth[k] += sum(chunk.growth[k]);
     totals.fell.insert(totals.fell.end(), chunk.fell.begin(), chunk.fell.end());
@@ -168,7 +168,7 @@ Totals add_up_compiled(const Model& model, const State& state, Threads& threads,
     if (request.memory == nullptr) rows.back().strain = -1;
     if (!request.ground.empty()) rows.back().is_ground = request.ground[rows.size() - 1] != 0;
   }
-  const ChunkTotals empty{.books = {}, .moved = {state.x_initial, request.moved_distance}, .fell = {}, .rose = {}};
+  const ChunkTotals empty{.balance = {}, .moved = {state.x_initial, request.moved_distance}, .fell = {}, .rose = {}};
   std::vector<ChunkTotals> chunks(static_cast<std::size_t>(Threads::n_chunks(n_cells, cells_per_chunk)), empty);
   std::vector<Real> fastest(n_blocks, 0.0);
   Totals totals;

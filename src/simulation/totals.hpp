@@ -84,7 +84,7 @@ inline Pack stored_energy_of_points(const SoilMaterial& material, const PointBlo
 }
 
 /// Sums by lane. Lanes that hold no point have no mass and no volume.
-struct Books {
+struct BalanceSums {
   Pack mass{0.0}, momentum_x{0.0}, momentum_y{0.0}, twice_kinetic{0.0}, elastic{0.0};
 
   /// Adds the points p ... p + 7 of a block. energy: of the material if its parameters do not vary.

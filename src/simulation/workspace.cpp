@@ -60,9 +60,9 @@ Workspace::Workspace(const Model& model, const State& state)
     for (const SoilMaterial& material : model.materials) n_gauss_rows = std::max(n_gauss_rows, material.n_rows());
   active_nodes.reserve(model.mesh->nodes.size());
   node_sums.reserve(Threads::n_chunks(model.mesh->n_nodes(), nodes_per_chunk));
-  leaver.resize(state.points.n_rows());
-  leavers.resize(threads.count());
-  for (auto& list : leavers) list.reserve(state.points.n_points());
+  point_leaving.resize(state.points.n_rows());
+  points_leaving.resize(threads.count());
+  for (auto& list : points_leaving) list.reserve(state.points.n_points());
   const std::size_t most_cells = 2 * state.points.occupied().size();
   corners.reserve(most_cells);
   if (model.spreads_softening()) {

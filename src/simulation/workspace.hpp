@@ -63,7 +63,7 @@ struct CellSums {
   Real plastic = 0.0;     ///< work of the step [J per m]
   Real relaxation = 0.0;  ///< kinetic energy that relaxed velocities gain [J per m]
   int thread = 0;         ///< whose list holds the points that left
-  std::size_t first_leaver = 0, end_of_leavers = 0;
+  std::size_t first_leaving = 0, end_of_leaving = 0;
 };
 
 /// Of nonlocal softening, at the corners of one cell: sums over the points that can soften.
@@ -138,12 +138,13 @@ struct Workspace {
   ZeroedArray<NodeValues> node;     ///< shape [n_nodes]; only those of active nodes are written
   std::vector<Index> active_nodes;  ///< nodes of occupied cells, ascending
   std::vector<std::uint64_t> node_bits;
-  std::vector<NodeSums> node_sums;               ///< by chunk
-  std::vector<CellSums> cell_sums;               ///< by chunk
-  std::vector<std::vector<PointPlace>> leavers;  ///< points that left their cell, by thread; in the order of its chunks
-  std::vector<Real> leaver;                      ///< values of the point being moved
-  std::array<double, n_passes> seconds{};        ///< spent in each pass
-  std::vector<PlacedFooting> footings;           ///< in this step
+  std::vector<NodeSums> node_sums;  ///< by chunk
+  std::vector<CellSums> cell_sums;  ///< by chunk
+  std::vector<std::vector<PointPlace>>
+      points_leaving;                      ///< points that left their cell, by thread; in the order of its chunks
+  std::vector<Real> point_leaving;         ///< values of the point being moved
+  std::array<double, n_passes> seconds{};  ///< spent in each pass
+  std::vector<PlacedFooting> footings;     ///< in this step
   std::array<Vec<2>, most_footings> footing_impulse{};  ///< of each on its nodes, in the last step [N s per m]
   std::array<OuterForces, n_outer_kinds> outer;         ///< forces from outside
   HeldShares held;                                      ///< of the weight of bodies that come or go, in this step

@@ -61,7 +61,7 @@ Trial try_factor(const Case& c, Real factor, const StabilityOptions& options, co
 }
 
 StabilityResult find_factor_of_safety(
-    const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialTold& told)
+    const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialCallback& report)
 {
   check_may_be_judged(c);
   const Trials trials(c, options.rules, options.threads, stop);
@@ -87,7 +87,7 @@ StabilityResult find_factor_of_safety(
     check_strengths(reduce_strength(quiet, *factor), *factor);
     const int left = trials_left(result.search, options.search) - 1;
     const auto show = [&](const Trial& trial) {
-      if (told) told(trial, result, left);
+      if (report) report(trial, result, left);
     };
     Trial trial = trials.run(*factor, show);
     result.stopped = stop.load();

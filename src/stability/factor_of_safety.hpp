@@ -42,12 +42,12 @@ struct StabilityResult {
 };
 
 /// Told after each window of a trial, and with the trials still to come after this one, at a guess.
-using TrialTold = std::function<void(const Trial&, const StabilityResult& so_far, int trials_left)>;
+using TrialCallback = std::function<void(const Trial&, const StabilityResult& so_far, int trials_left)>;
 
 /// Throws InputError for a case without strength or gravity, RunError if the soil cannot be settled or `stop` was set
 /// before that. Stopped later, the search ends with the trials that it has.
 StabilityResult find_factor_of_safety(
-    const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialTold& told = {});
+    const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialCallback& report = {});
 
 /// Throws InputError for a case without strength, or with soil that is not judged.
 void check_may_be_judged(const Case& c);

@@ -98,7 +98,7 @@ Trials::Trials(const Case& c, const TrialRules& of_all, int n_threads, const std
 {
 }
 
-Trial Trials::run(Real factor, const std::function<void(const Trial&)>& told) const
+Trial Trials::run(Real factor, const std::function<void(const Trial&)>& report) const
 {
   const auto began = std::chrono::steady_clock::now();
   const Model model = build_trial(*this, factor);
@@ -120,7 +120,7 @@ Trial Trials::run(Real factor, const std::function<void(const Trial&)>& told) co
     trial.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     if (trial.verdict != TrialVerdict::undecided || std::ssize(trial.windows) == rules.most_windows)
       trial.reason = reason_of(trial, start.displacement);
-    told(trial);
+    report(trial);
     return trial.verdict == TrialVerdict::undecided;
   };
   const auto goes_on = [&] {
@@ -132,7 +132,7 @@ Trial Trials::run(Real factor, const std::function<void(const Trial&)>& told) co
   if (made.end == LoopEnd::fault) {
     trial.verdict = TrialVerdict::failed;
     trial.reason = "runs away until the run stops itself: " + made.fault.substr(0, made.fault.find('\n'));
-    told(trial);
+    report(trial);
   }
   if (trial.verdict != TrialVerdict::stable) trial.mechanism = last.mechanism(model, state, start.stiffening, factor);
   return trial;

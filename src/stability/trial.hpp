@@ -32,7 +32,7 @@ struct TrialWindow {
   Real time = 0.0;          ///< at its end [s]
   Real displacement = 0.0;  ///< mean of the one per cent of the judged points that moved furthest [m]
   Real out_of_balance =
-      0.0;  ///< sum |m a| over sum |m g| of the judged nodes, m a the mean over the window [-]; told, not judged
+      0.0;  ///< sum |m a| over sum |m g| of the judged nodes, m a the mean over the window [-]; reported, not judged
 };
 
 struct Trial {
@@ -53,9 +53,9 @@ TrialVerdict judge(const std::vector<TrialWindow>& windows, const TrialRules& ru
 struct Trials {
   Trials(const Case& c, const TrialRules& of_all, int n_threads, const std::atomic<bool>& may_stop);
 
-  /// told: called after each window. Ends undecided where it is when `stop` is set.
+  /// report: called after each window. Ends undecided where it is when `stop` is set.
   Trial run(
-      Real factor, const std::function<void(const Trial&)>& told = [](const Trial&) {}) const;
+      Real factor, const std::function<void(const Trial&)>& report = [](const Trial&) {}) const;
 
   Case quiet;
   SharedMesh mesh;

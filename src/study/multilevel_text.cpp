@@ -1,6 +1,7 @@
-// Agreement of the pairs is told for each event. What two levels save is told of the flood where floods are judged,
-// else of the slide. A group that has coarse realisations but no solved pair is named, as there is no estimate without
-// one. With a fragility curve only failures are told here, since counts of different levels of the load do not add up.
+// Agreement of the pairs is reported for each event. What two levels save is reported of the flood where floods are
+// judged, else of the slide. A group that has coarse realisations but no solved pair is named, as there is no estimate
+// without one. With a fragility curve only failures are reported here, since counts of different levels of the load do
+// not add up.
 
 #include "study/study_text.hpp"
 

@@ -80,7 +80,7 @@ class LibraryMaterial final : public Material {
   mutable std::atomic<bool> crashed_ = false;  // it is not called again
   OneAtATime faults_;
   mutable std::string fault_;
-  mutable std::pair<Index, std::int64_t> place_of_fault_;  // cell and number: the least one is told
+  mutable std::pair<Index, std::int64_t> place_of_fault_;  // cell and number: the least one is reported
 };
 
 }  // namespace terp

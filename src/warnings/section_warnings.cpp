@@ -1,7 +1,7 @@
 // Bodies are compared by their outlines: from places along each outline a ray goes straight outward and meets the next
 // body or a held side of the mesh. Less than half a cell between them is a gap that was hardly drawn on purpose. A long
-// side that lies on another outline with one end only makes a wedge, which is told where nothing else carries the body:
-// caverns and overhangs have such a carrier. The area that is drawn is that of all outlines together, cut into
+// side that lies on another outline with one end only makes a wedge, which is reported where nothing else carries the
+// body: caverns and overhangs have such a carrier. The area that is drawn is that of all outlines together, cut into
 // trapezoids as for the seeding (points/overlay.hpp).
 
 #include "warnings/setup_warnings.hpp"

@@ -1,6 +1,6 @@
 // A situation has from the start what it does not give itself. So most checks pass over what equals the start, or one
-// line would be told once per situation. Checks against the ground need drawn outlines: where bodies come as points,
-// they are left out. Checks at nodes come last, and look only at nodes of cells with soil.
+// line would be reported once per situation. Checks against the ground need drawn outlines: where bodies come as
+// points, they are left out. Checks at nodes come last, and look only at nodes of cells with soil.
 
 #include "warnings/water_warnings.hpp"
 
@@ -186,10 +186,10 @@ void find_low_heads(const Model& model, const State& state, std::vector<Problem>
         }
       }
       const auto& first = water.start.head_lines;  // a situation has those of the start that it does not give itself
-      const bool told = k > 0 && std::ranges::any_of(first, [&](const HeadLine& other) {
+      const bool reported = k > 0 && std::ranges::any_of(first, [&](const HeadLine& other) {
         return other.name == head.name && other.places == head.places;
       });
-      if (!(most.depth > little) || told) continue;
+      if (!(most.depth > little) || reported) continue;
       warnings.push_back({fmt::format("{}.head_lines.\"{}\"", path_of(k), head.name),
           fmt::format("the head `{}`{} lies below the line at which it acts", head.name, in_situation(of)),
           fmt::format(

@@ -12,10 +12,10 @@ struct TwoCells {
   {
     CornerVectors<Quad4> all;
     for (int d = 0; d < 2; ++d) all[d].fill(du[d]);
-    std::vector<PointPlace> leavers;
-    advance_points(mesh.geometry(0), mesh.centres[0], all, only_block(points, 0), 0, leavers);
+    std::vector<PointPlace> points_leaving;
+    advance_points(mesh.geometry(0), mesh.centres[0], all, only_block(points, 0), 0, points_leaving);
     std::vector<Index> lanes;
-    for (const auto& l : leavers) lanes.push_back(l.lane);
+    for (const auto& l : points_leaving) lanes.push_back(l.lane);
     return lanes;
   }
 };
@@ -37,14 +37,14 @@ TEST(CellPasses, PointsMoveWithTheShapeFunctions)
   CornerVectors<Quad4> du{};
   du[0] = {0.0, 0.16, 0.0, 0.0};  // corner 1: N = 0.75 * 0.75
   du[1] = {0.0, 0.0, 0.0, 0.16};  // corner 3: N = 0.25 * 0.25
-  std::vector<PointPlace> leavers;
-  advance_points(cells.mesh.geometry(0), cells.mesh.centres[0], du, only_block(cells.points, 0), 0, leavers);
+  std::vector<PointPlace> points_leaving;
+  advance_points(cells.mesh.geometry(0), cells.mesh.centres[0], du, only_block(cells.points, 0), 0, points_leaving);
   const PointBlock<2>& block = only_block(cells.points, 0);
   EXPECT_NEAR(block.row(Rows::x)[0], 1.5 + 0.09, 1e-15);
   EXPECT_NEAR(block.row(Rows::x + 1)[0], 0.25 + 0.01, 1e-15);
   EXPECT_NEAR(block.row(Rows::xi)[0], 0.59, 1e-15);
   EXPECT_NEAR(block.row(Rows::xi + 1)[0], -0.48, 1e-15);
-  EXPECT_TRUE(leavers.empty());
+  EXPECT_TRUE(points_leaving.empty());
 }
 
 TEST(CellPasses, ACellIsHalfOpen)
@@ -74,12 +74,12 @@ bool leaves_triangle(Vec<2> local, Vec<2> du, Vec<2>& after, Vec<2>& x)
   add_point(mesh, 0, {.local = local}, points);
   CornerVectors<Quad4> all;
   for (int d = 0; d < 2; ++d) all[d].fill(du[d]);
-  std::vector<PointPlace> leavers;
+  std::vector<PointPlace> points_leaving;
   const PointBlock<2>& block = only_block(points, 0);
-  advance_points(mesh.geometry(0), mesh.centres[0], all, block, 0, leavers);
+  advance_points(mesh.geometry(0), mesh.centres[0], all, block, 0, points_leaving);
   after = {block.row(Rows::xi)[0], block.row(Rows::xi + 1)[0]};
   x = {block.row(Rows::x)[0], block.row(Rows::x + 1)[0]};
-  return !leavers.empty();
+  return !points_leaving.empty();
 }
 
 TEST(CellPasses, BesideAnAlmostStraightCornerLocalCoordinatesFollowThePlace)

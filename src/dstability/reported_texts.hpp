@@ -5,7 +5,7 @@
 
 #include "base/sentence.hpp"
 
-namespace terp::told_texts {
+namespace terp::reported_texts {
 
 // ---- by the reader: a form without a place is a sentence ----
 
@@ -293,4 +293,4 @@ inline constexpr SentenceForm river_there_already{
     "The river stands at {:.2f} m in the file already: --river changes nothing.",
     "De rivier staat in het bestand al op {:.2f} m: --river verandert niets."};
 
-}  // namespace terp::told_texts
+}  // namespace terp::reported_texts
