@@ -1,6 +1,6 @@
 // What an estimator takes and refuses stands in its row of the table; the checks and their messages read the rows. The
-// checks rely on a file whose keys are all known: a key that an estimator does not take belongs to another one. Only
-// rules that need numbers, as those of the adaptive methods and of pairs, are code of their own.
+// checks rely on a file whose keys are all known: a key that an estimator does not take belongs to another one. Rules
+// that look beyond a key, as those of the adaptive methods and of pairs, are code of their own.
 
 #include "study/estimator_kinds.hpp"
 
