@@ -11,6 +11,9 @@ using Words = std::vector<std::string>;
 // In the order of the enums in method_options.hpp.
 Words weights_words() { return {"hybrid", "summed"}; }
 Words shares_words() { return {"by_law", "point", "overlap"}; }
+Words strain_shares_words() { return {"plain", "transposed"}; }
+Words volume_change_words() { return {"centre", "soil"}; }
+Words pressure_words() { return {"constant", "balanced"}; }
 Words objective_rate_words() { return {"none", "jaumann"}; }
 Words cut_cells_words() { return {"mean", "slip"}; }
 Words remap_contact_words() { return {"unused_strength", "across"}; }
@@ -44,6 +47,24 @@ std::vector<KeyInfo> method_keys()
               "volumetric strain of the cell centre at all Gauss points, against locking, and the internal force "
               "that does its work (readings R4, R5)",
           .equation = "d_eps_bar = d_eps + (theta_0 - tr d_eps) I / 3,  theta_0 = tr d_eps(0)"},
+      {.path = "method.strain_shares",
+          .field = [](Case& c, std::size_t) { return word_field(c.method.strain_shares); },
+          .words = strain_shares_words,
+          .meaning = "how the strain of the Gauss points reaches the points: with the shares of Eq. (1) alone (plain), "
+                     "or with the weights of the force as well, so that both ways are transposes (transposed)",
+          .equation = "transposed: d_eps_p = sum_g s_pg (Omega_g/W_g) d_eps_g / sum_g s_pg (Omega_g/W_g)"},
+      {.path = "method.volume_change",
+          .field = [](Case& c, std::size_t) { return word_field(c.method.volume_change); },
+          .words = volume_change_words,
+          .meaning = "where B-bar takes the volume change of a cell that the soil does not fill: in its centre "
+                     "(centre), or as the mean over its soil (soil)"},
+      {.path = "method.pressure",
+          .field = [](Case& c, std::size_t) { return word_field(c.method.pressure); },
+          .words = pressure_words,
+          .meaning =
+              "pressure of a soil within a cell: one number, Eqs. (2) and (3) (constant), or with the slope that "
+              "its weight and its acceleration ask for (balanced)",
+          .equation = "balanced: f_i += sum_g Omega_g grad N_i G.(x_g - mean x),  G = -rho g + grad p_w + rho a"},
       {.path = "method.cut_cells",
           .field = [](Case& c, std::size_t) { return word_field(c.method.cut_cells); },
           .words = cut_cells_words,

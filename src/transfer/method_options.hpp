@@ -7,6 +7,9 @@ namespace terp {
 
 enum class Shares { by_law, point, overlap };         ///< where a point counts: decision 0042
 enum class Weights { hybrid, summed };                ///< Omega_GP of Eqs. (2), (4): reading R3
+enum class StrainShares { plain, transposed };        ///< strain of the Gauss points, handed back to points
+enum class VolumeChange { centre, soil };             ///< where the volume change of a cell is taken: reading R5
+enum class Pressure { constant, balanced };           ///< the smooth pressure within a cell
 enum class ObjectiveRate { none, jaumann };           ///< reading R17
 enum class CutCells { mean, slip };                   ///< soils of one cell along their border: decision 0059
 enum class RemapContact { unused_strength, across };  ///< contact in pass 4: decision 0037
@@ -16,6 +19,9 @@ struct MethodOptions {
   Weights weights = Weights::hybrid;
   Real filled_fraction = 0.9;  ///< a cell is filled when its points fill at least this part of it, R3 [-]
   bool b_bar = true;           ///< volumetric strain of the cell centre at all Gauss points, and its force: R4, R5
+  StrainShares strain_shares = StrainShares::plain;
+  VolumeChange volume_change = VolumeChange::centre;
+  Pressure pressure = Pressure::constant;
   ObjectiveRate objective_rate = ObjectiveRate::none;
   CutCells cut_cells = CutCells::slip;
   RemapContact remap_contact = RemapContact::unused_strength;
