@@ -218,6 +218,13 @@ constexpr bool law_has_total_stress()
   return false;
 }
 
+/// A strength of total stress, a fluid, or no strength.
+template <class Law>
+constexpr bool law_ignores_pressure()
+{
+  return law_has_total_stress<Law>() || Law::state.empty();
+}
+
 template <class Law>
 constexpr bool law_stiffens_with_stress()
 {
@@ -270,6 +277,7 @@ constexpr MaterialType describe_law(std::string_view name, std::string_view summ
   type.state = Law::state;
   type.derived = Law::derived;
   type.total_stress = law_has_total_stress<Law>();
+  type.ignores_pressure = law_ignores_pressure<Law>();
   type.depends_on_rate = law_depends_on_rate<Law>();
   type.stiffness_by_stress = law_stiffens_with_stress<Law>();
   type.not_judged = reason_not_to_judge<Law>();

@@ -223,6 +223,7 @@ struct MaterialType {
   std::span<const StateInfo> state;
   std::span<const DerivedInfo> derived;
   bool total_stress;            ///< its strength is one of total stress, or it is a fluid: never drained
+  bool ignores_pressure;        ///< its strength, if it has one, does not follow the mean stress
   bool depends_on_rate;         ///< the stress at the end of a step depends on its length
   bool stiffness_by_stress;     ///< its elastic moduli follow the stress; Material::moduli() are the largest
   std::string_view not_judged;  ///< why `terp stability` may not judge soil of this law; empty: it may

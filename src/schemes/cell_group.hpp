@@ -15,7 +15,12 @@ struct BlockLayer {
   std::array<Index, pack_width> block;  ///< by lane; -1: the cell has none
 };
 
+/// dN_i/dx_d whose sum with the velocities is the volume change of a cell [1/m], one lane per cell.
+template <class Element>
+using VolumeGradient = PerCorner<Element, PerDirection<Element, Pack>>;
+
 struct PatchValues;
+struct CellBalance;
 struct BlockSlip;
 
 /// Up to eight neighbouring occupied cells.
@@ -37,6 +42,10 @@ struct CellGroup {
   PatchValues* patches = nullptr;                      ///< of shares that overlap (patch_group.hpp)
   std::span<CornerVectors<Element>> water_force = {};  ///< on the corners [N per m], shape [n]; empty: no water
   std::span<Real> excess = {};  ///< u_e [Pa], by block number; empty: no soil has excess pressure
+  std::span<VolumeGradient<Element>> volume_gradients = {};  ///< shape [n_groups]; empty: that of the centre
+  std::span<CellBalance> balance = {};                       ///< shape [n]; empty: the pressure of a cell is constant
+  std::span<CornerVectors<Element>> balance_force = {};      ///< on the corners [N per m], shape [n]; empty: none
+  std::span<PerGauss<Element>> ratios = {};  ///< by block number (share_ratio.hpp); empty: strain_shares = plain
   std::span<BlockSlip> slips =
       {};  ///< by block number; empty: the soils of a cell have one strain (schemes/cut_cells.hpp)
 
@@ -170,7 +179,9 @@ inline GaussStrain<Element, Pack> strain_of_group(
 {
   CornerVectors<Element, Pack> lanes;
   for (int d = 0; d < Element::dim; ++d) lanes[d] = to_lanes([&](int c) { return du[c][d].data(); });
-  return strain_at_gauss_points(geometry_of(group), lanes, b_bar);
+  GeometryLanes<Element> geometry = geometry_of(group);
+  if (!group.volume_gradients.empty()) geometry.centre_gradient = group.volume_gradients[group.number];
+  return strain_at_gauss_points(geometry, lanes, b_bar);
 }
 
 /// Strain increments cell by cell.

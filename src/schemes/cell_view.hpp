@@ -7,6 +7,7 @@
 #include "materials/soil_material.hpp"
 #include "mesh/mesh.hpp"
 #include "transfer/gauss_average.hpp"
+#include "transfer/map_held_weight.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -23,6 +24,9 @@ struct SchemeContext {
   bool all_drains = false;             ///< no soil is undrained: in the search for equilibrium
   Real excess_kept = 1.0;              ///< part of its excess pressure that drained soil keeps in this step
   const Mesh<2>* mesh = nullptr;       ///< of laws that look around
+  Vec<2> gravity{0.0, 0.0};            ///< [m/s^2]
+  HeldShares held = {};                ///< of the weight of bodies that come or go
+  int held_row = -1;                   ///< of the points; -1: no body comes or goes
   Real time = 0.0;                     ///< at the start of the step [s]
   std::int64_t step = 0;
 };

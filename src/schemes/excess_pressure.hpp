@@ -9,6 +9,7 @@
 #pragma once
 
 #include "schemes/patch_group.hpp"
+#include "schemes/patch_rows.hpp"
 
 namespace terp {
 
@@ -69,10 +70,10 @@ void update_excess(const SchemeContext& context, const PointBlock<Element::dim>&
   }
 }
 
-/// The same with shares that overlap. patch: its rows from `first_strain` on are the strain, the last one is u_e.
+/// The same with shares that overlap, of schemes whose Gauss points own the history. The last row of patch is u_e.
 template <class Element>
 void update_excess_from_patch(const SchemeContext& context, const CellGroup<Element>& group,
-    const PointBlock<Element::dim>& block, const PatchSize& size, const PatchView& patch, int first_strain)
+    const PointBlock<Element::dim>& block, const PatchSize& size, const PatchView& patch)
 {
   const SoilMaterial& material = context.materials[block.material];
   if (material.excess_row < 0) return;
@@ -90,10 +91,12 @@ void update_excess_from_patch(const SchemeContext& context, const CellGroup<Elem
   for (Index p = 0; p < block.n; p += pack_width)
     with_shares(block, p, size, [&](const auto& shares) {
       Real* at = block.row(material.excess_row) + p;
-      const auto direct = patch.at_points<3>(shares, first_strain);
+      const auto direct = patch.at_points<3>(shares, HistoryRows::strain);
+      const Pack inverse = inverse_ratio(
+          patch.at_points<1>(shares, HistoryRows::ratio)[0], context.method.strain_shares == StrainShares::transposed);
       const Pack own = Pack::load(at), around = patch.at_points<1>(shares, excess)[0];
       const Pack start = own + (around + shift - own);
-      step(start, direct[0] + direct[1] + direct[2]).store(at);
+      step(start, inverse * (direct[0] + direct[1] + direct[2])).store(at);
     });
 }
 

@@ -4,6 +4,7 @@
 
 #include "schemes/cut_cells.hpp"
 #include "schemes/excess_pressure.hpp"
+#include "schemes/pressure_balance.hpp"
 
 #include <cmath>
 
@@ -97,15 +98,25 @@ void gather_at_gauss_points(
     sum(layer, gauss);
     for (int g = 0; g < Element::n_gauss; ++g) cell_volume[g] += gauss.volume[g];
   });
-  const GeometryLanes<Element> geometry = geometry_of(group);
+  GeometryLanes<Element> geometry = geometry_of(group);
+  Pack within(1.0);
+  if (!group.volume_gradients.empty() || !group.balance.empty())
+    within = is_within_soil(group, filled_share(geometry, total(cell_volume), context.method));
+  if (!group.volume_gradients.empty())
+    set_volume_gradient(
+        group, within, [&](const BlockLayer& layer) { return gauss_of(layer).volume; }, geometry);
+  for (CellBalance& of_cell : group.balance) of_cell = {};
+  for (auto& force : group.balance_force) force = {};
   for_each_layer(group, [&](const BlockLayer& layer) {
     GaussValues<Element, Pack>& gauss = gauss_of(layer);
     set_weights(geometry, cell_volume, context.method, gauss);  // R3
-    divide_by_volume(gauss);                                    // Eq. (1)
-    smooth_pressure(gauss);                                     // Eqs. (2), (3)
+    if (!group.ratios.empty()) keep_ratios(group, layer, gauss);
+    divide_by_volume(gauss);  // Eq. (1)
+    smooth_pressure(gauss);   // Eqs. (2), (3)
     if (!group.slips.empty()) keep_mean_stress(group, layer, gauss);
     finish(layer, gauss);
     add_internal_force(group, geometry, layer, gauss, context.method.b_bar);  // Eq. (4)
+    if (!group.balance.empty()) add_balance(context, group, geometry, layer, gauss, within);
     if (!group.water_force.empty()) add_water_force(context, group, geometry, layer, gauss);
   });
   if (!group.slips.empty()) find_slips(context, group);

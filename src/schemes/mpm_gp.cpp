@@ -30,8 +30,9 @@ struct MpmGp {
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
-        update_excess(context, block, group.excess, b, strain[c]);
-        update_points(context, block, with_slip(group, b, strain[c], slipped), group.pressure[b], sums);
+        const GaussStrain<Element>& own = handed_back(group, b, with_slip(group, b, strain[c], slipped), slipped);
+        update_excess(context, block, group.excess, b, own);
+        update_points(context, block, own, group.pressure[b], sums);
         sums.plastic_work += lost_while_slipping(group, b);
       });
     }
@@ -61,8 +62,9 @@ struct MpmGp {
       GaussStrain<Element, Pack> slipped;
       const GaussStrain<Element, Pack>& own = with_slips(group, layer, strain, slipped);
       for (int k = 0; k < n_sym<dim>; ++k) rows.set(StrainRows::strain + k, own.d_eps[k]);
-      rows.set(StrainRows::pressure, layer, group.pressure);
       rows.set(StrainRows::spin, own.d_spin);
+      rows.weigh(group, layer, StrainRows::ratio, StrainRows::ratio + 1);
+      rows.set(StrainRows::pressure, layer, group.pressure);
       if (!group.excess.empty()) rows.set(StrainRows::end, layer, group.excess);
       rows.leave(group, layer);
     });
@@ -140,15 +142,19 @@ struct MpmGp {
     const SoilMaterial& material = context.materials[block.material];
     const bool rotates = context.method.objective_rate == ObjectiveRate::jaumann, is_whole = n == block.n_padded();
     const bool needs_spin = rotates || looks_around(context, block.material), has_excess = material.excess_row >= 0;
+    const bool weighed = context.method.strain_shares == StrainShares::transposed;
     for (Index p = 0; p < n; p += pack_width)
       with_shares(block, first + p, size, [&](const auto& shares) {
-        const auto values = patch.at_points<StrainRows::pressure + 1>(shares, StrainRows::strain);
+        constexpr int n_values = StrainRows::pressure + 1 - StrainRows::strain;
+        const auto values = patch.at_points<n_values>(shares, StrainRows::strain);
+        const Pack inverse = inverse_ratio(values[StrainRows::ratio - StrainRows::strain], weighed),
+                   around_it = values[StrainRows::pressure - StrainRows::strain];
         SymTensor<Pack, dim> d_eps;
-        for (int k = 0; k < n_sym<dim>; ++k) d_eps[k] = values[k];
+        for (int k = 0; k < n_sym<dim>; ++k) d_eps[k] = inverse * values[k];
         store_strain(d_eps, strip, p);
-        values[StrainRows::pressure].store(pressure + p);
-        if (needs_spin) patch.at_points<1>(shares, StrainRows::spin)[0].store(strip.d_spin + p);
-        if (is_whole) above.pressure.add(block, first + p, mean_stress(block, first + p), values[StrainRows::pressure]);
+        around_it.store(pressure + p);
+        if (needs_spin) (inverse * patch.at_points<1>(shares, StrainRows::spin)[0]).store(strip.d_spin + p);
+        if (is_whole) above.pressure.add(block, first + p, mean_stress(block, first + p), around_it);
         if (!has_excess) return;
         const Pack around = patch.at_points<1>(shares, StrainRows::end)[0];
         around.store(excess + p);

@@ -41,8 +41,9 @@ struct MpmMixed {
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
       GaussRow<Element>* rows = group.rows_of(layer);
-      const Pack plastic_work = update_gauss_points(
-          context, group, layer, with_slips(group, layer, lanes, slipped_lanes), gauss, rows);  // Step 3
+      const GaussStrain<Element, Pack>& own_lanes =
+          handed_back(group, layer, with_slips(group, layer, lanes, slipped_lanes), slipped_lanes);
+      const Pack plastic_work = update_gauss_points(context, group, layer, own_lanes, gauss, rows);  // Step 3
       const auto sigma = by_cell(gauss);
       for (int k = 0; k < material.n_state(); ++k) turn_by_cell(rows[k]);
       for (int c = 0; c < group.n(); ++c) {
@@ -50,8 +51,9 @@ struct MpmMixed {
         prefetch_next(group, c);
         sums.plastic_work += plastic_work[c];
         const PointBlock<dim>& block = group.points.block(layer.block[c]);
-        update_excess(context, block, group.excess, layer.block[c], strain[c]);
-        const GaussStrain<Element>& own = with_slip(group, layer.block[c], strain[c], slipped);
+        const Index b = layer.block[c];
+        const GaussStrain<Element>& own = handed_back(group, b, with_slip(group, b, strain[c], slipped), slipped);
+        update_excess(context, block, group.excess, b, own);
         for (Index p = 0; p < block.n; p += pack_width)
           assign_to_points(sigma[c], rows, c, own, material, block, p);  // Step 4
         sums.plastic_work += lost_while_slipping(group, layer.block[c]);
@@ -117,6 +119,7 @@ struct MpmMixed {
           rows.set_change(HistoryRows::end + k, state[k]);
       }
       rows.set(HistoryRows::spin, strain.d_spin);
+      rows.weigh(group, layer, HistoryRows::ratio, HistoryRows::end + material.n_state());
       if (!group.excess.empty()) rows.set(group.patches->gauss_width - 1, layer, group.excess);
       rows.leave(group, layer);
     });
@@ -131,7 +134,7 @@ struct MpmMixed {
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
         prefetch_for_update(context, block);
         const PatchView patch = view_patch(group, b);
-        update_excess_from_patch(context, group, block, size, patch, HistoryRows::strain);
+        update_excess_from_patch(context, group, block, size, patch);
         KeptStress kept;
         for (Index p = 0; p < block.n; p += pack_width)
           with_shares(block, p, size,
@@ -200,7 +203,10 @@ struct MpmMixed {
       const PointBlock<dim>& block, Index p, KeptStress& kept)
   {
     const SoilMaterial& material = context.materials[block.material];
-    const auto values = patch.at_points<3 * n_sym<dim>>(shares, 0);
+    auto values = patch.at_points<HistoryRows::ratio + 1>(shares, 0);
+    const Pack inverse =
+        inverse_ratio(values[HistoryRows::ratio], context.method.strain_shares == StrainShares::transposed);
+    for (Pack& value : values) value = inverse * value;
     const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + p);
     SymTensor<Pack, dim> d_eps, above = stress_of(block, p);
     for (int k = 0; k < n_sym<dim>; ++k) {
@@ -208,12 +214,12 @@ struct MpmMixed {
       above[k] += values[HistoryRows::change + k] - values[HistoryRows::stress + k];
       values[HistoryRows::stress + k].store(block.row(PointRows<dim>::sigma + k) + p);
     }
-    if (rotates(context)) rotate_stress(above, patch.at_points<1>(shares, HistoryRows::spin)[0]);
+    if (rotates(context)) rotate_stress(above, inverse * patch.at_points<1>(shares, HistoryRows::spin)[0]);
     kept.add(above, omega, upper_halves<Element>(block, p));
     for (int k = 0; k < material.n_state(); ++k) {
       Real* at = block.row(material.rows[k]) + p;
       const Pack before = material.type->state[k].scratch ? Pack(0.0) : Pack::load(at);
-      (before + patch.at_points<1>(shares, HistoryRows::end + k)[0]).store(at);
+      (before + inverse * patch.at_points<1>(shares, HistoryRows::end + k)[0]).store(at);
     }
     scale_volume(block, p, accumulate_strain(block, p, d_eps));
   }
@@ -264,8 +270,10 @@ struct MpmMixed {
     else
       material.law->update(arrays);
 
+    const bool takes_over = context.inverse_extent < 0 && !group.ratios.empty();
+    const PerGauss<Element, Pack> weight = takes_over ? weights_taken(gauss) : gauss.weight;
     Pack work(0.0);
-    for (int g = 0; g < Element::n_gauss; ++g) work += plastic_work[g] * gauss.weight[g];
+    for (int g = 0; g < Element::n_gauss; ++g) work += plastic_work[g] * weight[g];
     return work;
   }
 

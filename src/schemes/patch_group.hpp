@@ -5,6 +5,7 @@
 
 #include "schemes/cell_group.hpp"
 #include "schemes/patch_values.hpp"
+#include "schemes/share_ratio.hpp"
 #include "transfer/overlap.hpp"
 
 namespace terp {
@@ -45,7 +46,10 @@ void set_partners(const CellGroup<Element>& group)
 {
   for (const Index cell : group.cells)
     for_each_block(group.points, cell, [&](const auto& block, Index b) {
-      group.patches->partners[b] = find_block_partners(group.points, group.patches->cells[cell], block);
+      const BlockPartners& found = group.patches->partners[b] =
+          find_block_partners(group.points, group.patches->cells[cell], block);
+      const bool lacks = std::ranges::any_of(found, [](Index partner) { return partner < 0; });
+      group.patches->folds[b] = lacks ? PatchValues::lacks_partner : 0;
     });
 }
 
@@ -63,9 +67,24 @@ void sum_over_patches(const SchemeContext& context, const CellGroup<Element>& gr
       sum_over_patch(block, size, others(block), width, patches.sums_of(b));
       if (const int row = context.materials[block.material].excess_row; row >= 0)
         sum_row_over_patch(block, row, size, width, patches.sums_of(b) + patches.excess_place);
-      fold_sums(patches.partners[b], width, patches.sums_of(b));
+      Real volume = 0.0;
+      for (int slot = 0; slot < Patch<Quad4>::n_slots; ++slot)
+        volume += patches.sums_of(b)[slot * width + patch_volume];
+      patches.taken[b] = taken_by(volume, group.mesh.geometry(cell).volume);
     });
   }
+}
+
+/// After the first pass of all groups, and `mark_small_partners`: what is not taken goes back.
+template <class Element>
+void fold_patches(const CellGroup<Element>& group)
+{
+  PatchValues& patches = *group.patches;
+  for (const Index cell : group.cells)
+    for_each_block(group.points, cell, [&](const auto&, Index b) {
+      if (patches.folds[b] != 0)
+        fold_sums(patches.partners[b], patches.taken_shares(b), patches.sum_width, patches.sums_of(b));
+    });
 }
 
 /// Outer sub-cells whose partners reach into each sub-cell of a cell.
@@ -152,6 +171,20 @@ class LeftRows {
     set(row, lanes);
   }
 
+  /// Row `ratio` becomes 1. Where the way back is the transpose of the way there, rows 0 to `end` - 1 are then weighed.
+  void weigh(const CellGroup<Element>& group, const BlockLayer& layer, int ratio, int end)
+  {
+    PerGauss<Element, Pack> lanes;
+    lanes.fill(Pack(1.0));
+    set(ratio, lanes);
+    if (group.ratios.empty()) return;
+    const ShareRatio<Element, Pack> weights(ratios_of(group, layer));
+    for (int r = 0; r < end; ++r) {
+      for (int g = 0; g < Element::n_gauss; ++g) lanes[g] = rows_[g][r / pack_width][r % pack_width];
+      set(r, weights.weigh(lanes));
+    }
+  }
+
   void leave(const CellGroup<Element>& group, const BlockLayer& layer) const
   {
     const int width = group.patches->gauss_width;
@@ -175,7 +208,8 @@ PatchView view_patch(const CellGroup<Element>& group, Index b)
 {
   PatchValues& patches = *group.patches;
   return PatchView(
-      patches.partners[b], b, [&](Index other) { return patches.gauss_of(other); }, patches.gauss_width);
+      patches.partners[b], patches.taken_shares(b), b, [&](Index other) { return patches.gauss_of(other); },
+      patches.gauss_width);
 }
 
 }  // namespace terp

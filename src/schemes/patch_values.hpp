@@ -4,6 +4,7 @@
 
 #include "mesh/patch.hpp"
 #include "parallel/pack.hpp"
+#include "transfer/overlap.hpp"
 
 namespace terp {
 
@@ -11,9 +12,39 @@ namespace terp {
 struct PatchValues {
   PatchPartners cells;                  ///< of the mesh
   std::vector<BlockPartners> partners;  ///< by block; empty: to be found
+  std::vector<Real> taken;              ///< by block: part of their shares that partners leave in it (taken_by)
+  std::vector<std::uint8_t> folds;      ///< by block: what it leaves elsewhere goes back in part, see Folds
   std::vector<Pack> sums, gauss;
+  enum Folds : std::uint8_t { lacks_partner = 1, has_small_partner = 2 };
   int sum_width = 0, gauss_width = 0;  ///< Reals of one slot, of one Gauss point
   int excess_place = 0;                ///< of the excess pressure among the sums
+
+  /// Room for n blocks whose partners are still to be found.
+  void start_blocks(Index n)
+  {
+    partners.resize(n);
+    taken.assign(n, 1.0);
+    folds.assign(n, 0);
+  }
+  /// Of the outer sub-cells of block b.
+  TakenShares taken_shares(Index b) const
+  {
+    TakenShares shares;
+    shares.fill(1.0);
+    if (folds[b] == 0) return shares;
+    for (int k = 0; k < Patch<Quad4>::n_outer; ++k)
+      shares[k] = partners[b][k] < 0 ? 0.0 : taken[partners[b][k] / Patch<Quad4>::n_slots];
+    return shares;
+  }
+  /// Marks the blocks whose partners do not take all; `taken` is that of this step.
+  void mark_small_partners()
+  {
+    for (std::uint8_t& of_block : folds) of_block &= lacks_partner;
+    for (std::size_t b = 0; b < taken.size(); ++b)
+      if (taken[b] < 1.0)
+        for (const Index partner : partners[b])
+          if (partner >= 0) folds[partner / Patch<Quad4>::n_slots] |= has_small_partner;
+  }
 
   /// Over the patch of block b, shape [n_slots][sum_width].
   Real* sums_of(Index b)

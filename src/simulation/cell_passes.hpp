@@ -20,10 +20,14 @@ inline CellGroup<Quad4> view_group(const Model& model, State& state, Workspace& 
   const Index n = end - first, n_groups = Threads::n_chunks(static_cast<Index>(occupied.size()), pack_width);
   const bool in_cache = state.points.n_points() * state.points.n_rows() * std::int64_t{sizeof(Real)} < prefetch_from;
   const Index next_cell = static_cast<std::size_t>(end) < occupied.size() ? occupied[end] : -1;
-  const std::span<CornerVectors<Quad4>> water = work.outer[outer_water].corners;
+  const auto here = [&](auto& all) {
+    const std::span of_all(all);
+    return of_all.empty() ? of_all : of_all.subspan(first, n);
+  };
   return {occupied.subspan(first, n), *model.mesh, state.points, corners.subspan(first, n), work.pressure, work.gauss,
       work.gauss_rows, work.n_gauss_rows, first / pack_width, n_groups, next_cell, !in_cache, &work.patches,
-      water.empty() ? water : water.subspan(first, n), work.excess, work.slips};
+      here(work.outer[outer_water].corners), work.excess, work.volume_gradients, here(work.balance),
+      here(work.outer[outer_balance].corners), work.ratios, work.slips};
 }
 
 /// Values of the cell's corners; part: &NodeValues::v or &NodeValues::dv; times `factor`.

@@ -92,6 +92,21 @@ struct Model {
   {
     return method.cut_cells == CutCells::slip && materials.size() > 1 && looks_at(*scheme, "cut_cells");
   }
+  /// Of schemes that integrate at Gauss points.
+  bool hands_back_transposed() const
+  {
+    return method.strain_shares == StrainShares::transposed && looks_at(*scheme, "strain_shares");
+  }
+  bool takes_volume_change_of_soil() const
+  {
+    return method.volume_change == VolumeChange::soil && looks_at(*scheme, "volume_change");
+  }
+  /// Some soil has a slope of its pressure within the cells.
+  bool balances_pressure() const
+  {
+    return method.pressure == Pressure::balanced && looks_at(*scheme, "pressure") &&
+           std::ranges::any_of(materials, [](const SoilMaterial& m) { return m.type->ignores_pressure; });
+  }
   bool has_excess_pressure() const
   {
     return std::ranges::any_of(materials, [](const SoilMaterial& m) { return m.excess_row >= 0; });

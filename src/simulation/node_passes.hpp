@@ -31,10 +31,27 @@ inline NodeGather sum_cells(const Model& model, const State& state, const Worksp
   return sum;
 }
 
+/// Force of the slope of the pressure within the cells around a node, but for what `outer` has (pressure_balance.hpp).
+inline Vec<2> sum_balance(const Model& model, const State& state, const Workspace& work, Index node)
+{
+  Vec<2> sum{0.0, 0.0};
+  for (Index k = model.mesh->first_cell_of_node[node]; k < model.mesh->first_cell_of_node[node + 1]; ++k) {
+    const auto [cell, corner] = model.mesh->cells_of_node[k];
+    const Index slot = state.points.slot_of_cell()[cell];
+    if (slot < 0) continue;
+    const CellBalance& of_cell = work.balance[slot];
+    const Vec<2> force =
+        of_cell.force(corner, {of_cell.acceleration[0] - work.gravity[0], of_cell.acceleration[1] - work.gravity[1]});
+    for (int d = 0; d < 2; ++d) sum[d] -= force[d];
+  }
+  return sum;
+}
+
 /// The same of forces from outside, of one kind.
 inline Vec<2> sum_outer(const Model& model, const State& state, const OuterForces& outer, Index node)
 {
   Vec<2> sum{0.0, 0.0};
+  if (outer.corners.empty()) return sum;
   for (Index k = model.mesh->first_cell_of_node[node]; k < model.mesh->first_cell_of_node[node + 1]; ++k) {
     const auto [cell, corner] = model.mesh->cells_of_node[k];
     const Index slot = state.points.slot_of_cell()[cell];
@@ -56,6 +73,10 @@ inline void add_outer_forces(const Model& model, const State& state, Index node,
   for (OuterForces& kind : work.outer) {
     if (!kind.acts) continue;
     kind.node[node] = sum_outer(model, state, kind, node);
+    if (&kind == &work.outer[outer_balance]) {
+      const Vec<2> slope = sum_balance(model, state, work, node);
+      for (int d = 0; d < 2; ++d) kind.node[node][d] += slope[d];
+    }
     for (int d = 0; d < 2; ++d) force[d] += kind.node[node][d];
   }
 }

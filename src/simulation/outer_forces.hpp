@@ -1,4 +1,5 @@
-// Forces on the soil from outside that enter at the corners of cells: loads, water. Each kind has a work of its own in
+// Forces beside gravity and Eq. (4) that enter at the corners of cells: loads, water, the slope of the pressure within
+// the cells (schemes/pressure_balance.hpp). Each kind has a work of its own in
 // the ledger. A new kind is a word here, what fills its corners in each step (step.cpp), and its work in `balance`
 // (ledger.cpp).
 #pragma once
@@ -10,12 +11,12 @@
 
 namespace terp {
 
-enum OuterKind { outer_load, outer_water, n_outer_kinds };
+enum OuterKind { outer_load, outer_water, outer_balance, n_outer_kinds };
 
 /// Of one kind, in one step.
 struct OuterForces {
   bool acts = false;
-  std::vector<CornerVectors<Quad4>> corners;  ///< of each occupied cell [N per m], shape [n_occupied]
+  std::vector<CornerVectors<Quad4>> corners;  ///< of each occupied cell [N per m], shape [n_occupied]; empty: none
   std::vector<Vec<2>> node;                   ///< its sums [N per m], shape [n_nodes]
 };
 

@@ -4,6 +4,7 @@
 
 #include "points/move.hpp"
 #include "schemes/patch_group.hpp"
+#include "simulation/balance_passes.hpp"
 #include "simulation/cell_passes.hpp"
 #include "simulation/footings.hpp"
 #include "simulation/ledger.hpp"
@@ -246,7 +247,7 @@ void gather_points(const Model& model, const SchemeContext& context, State& stat
 {
   const SchemeFunctions& scheme = model.scheme->functions(model.method.shares);
   if (scheme.integrate != nullptr && work.patches.partners.empty()) {
-    work.patches.partners.resize(state.points.n_blocks());
+    work.patches.start_blocks(state.points.n_blocks());
     for_each_group(model, state, work, [&](const auto& group, CellSums&, auto&) { set_partners(group); });
   }
   for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums&, auto&) {
@@ -254,8 +255,28 @@ void gather_points(const Model& model, const SchemeContext& context, State& stat
     scheme.gather(context, group);
     for (int c = 0; work.outer[outer_load].acts && c < group.n(); ++c) map_loads(model, group, c, work);
   });
-  if (scheme.integrate != nullptr)
-    for_each_group(model, state, work, [&](const auto& group, CellSums&, auto&) { scheme.integrate(context, group); });
+  if (scheme.integrate == nullptr) return;
+  work.patches.mark_small_partners();
+  for_each_group(model, state, work, [&](const auto& group, CellSums&, auto&) { fold_patches(group); });
+  for_each_group(model, state, work, [&](const auto& group, CellSums&, auto&) { scheme.integrate(context, group); });
+}
+
+/// The acceleration of each cell in this step, for the slope of its pressure: Jacobi sweeps, of which each takes a
+/// tenth of the error (decision 0068).
+void balance_pressure(const Model& model, const State& state, Workspace& work)
+{
+  constexpr int n_sweeps = 3;
+  const auto for_each_slot = [&](auto&& f) {
+    work.threads.for_each_range(
+        static_cast<Index>(work.balance.size()), cells_per_chunk, [&](Index begin, Index end, Index, int) {
+          for (Index slot = begin; slot < end; ++slot) f(slot);
+        });
+  };
+  for_each_node(work, [&](Index i, NodeSums&) { start_balance(model, state, i, work); });
+  for (int sweep = 0; sweep < n_sweeps; ++sweep) {
+    for_each_node(work, [&](Index i, NodeSums&) { accelerate_for_balance(model, state, i, work); });
+    for_each_slot([&](Index slot) { set_cell_acceleration(model, state, slot, work); });
+  }
 }
 
 /// Steps 2 to 4, or Sec. 2.2; then the points go on.
@@ -285,6 +306,11 @@ void update_stress_and_places(const Model& model, const SchemeContext& context, 
 
 void step_compiled(const Model& model, State& state, Workspace& work)
 {
+  start_sums(work);
+  work.gravity = model.gravity_at(state.time + 0.5 * model.dt);  // of the middle of the step
+  place_footings(model, state, work);
+  if (!model.loads.empty() || model.held_row >= 0) set_load_pressures(model, state, work);
+  if (model.water) set_water(model, state, work);
   const SchemeContext context{.method = model.method,
       .materials = model.materials,
       .dt = model.dt,
@@ -293,15 +319,14 @@ void step_compiled(const Model& model, State& state, Workspace& work)
       .all_drains = work.settling,
       .excess_kept = excess_kept(model, state),
       .mesh = model.mesh.get(),
+      .gravity = work.gravity,
+      .held = work.held,
+      .held_row = model.held_row,
       .time = state.time,
       .step = state.step};
-  start_sums(work);
-  work.gravity = model.gravity_at(state.time + 0.5 * model.dt);  // of the middle of the step
-  place_footings(model, state, work);
-  if (!model.loads.empty() || model.held_row >= 0) set_load_pressures(model, state, work);
-  if (model.water) set_water(model, state, work);
 
   timed(work, points_to_cells, [&] { gather_points(model, context, state, work); });
+  if (!work.balance.empty()) timed(work, cell_acceleration, [&] { balance_pressure(model, state, work); });
   timed(work, nodes, [&] {
     for_each_node(work, [&](Index i, NodeSums& sums) {
       accelerate_node(model, state, sum_cells(model, state, work, i), i, work, sums);

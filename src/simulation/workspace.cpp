@@ -38,6 +38,8 @@ void start_patches(const Model& model, const State& state, Index n_gauss_rows, P
       (model.scheme->keeps_gauss_values ? HistoryRows::end : StrainRows::end) + n_gauss_rows + n_excess;
   TERP_ASSERT(std::max(patches.sum_width, patches.gauss_width) <= PatchView::most_rows);
   patches.partners.reserve(most);
+  patches.taken.reserve(most);
+  patches.folds.reserve(most);
   patches.sums.reserve(n_packs(most * Patch<Quad4>::n_slots * patches.sum_width));
   patches.gauss.reserve(n_packs(most * Quad4::n_gauss * patches.gauss_width));
 }
@@ -48,6 +50,13 @@ void fit_patches(const State& state, PatchValues& patches)
   patches.partners.clear();
   patches.sums.resize(n_packs(n * Patch<Quad4>::n_slots * patches.sum_width));
   patches.gauss.resize(n_packs(n * Quad4::n_gauss * patches.gauss_width));
+}
+
+/// The slope of the pressure needs forces of the cells only where more than weight and acceleration has a part in it.
+bool has_corners(const Model& model, int kind, const Workspace& work)
+{
+  if (kind == outer_balance && !model.water && model.held_row < 0) return false;
+  return !work.outer[kind].node.empty();
 }
 
 }  // namespace
@@ -76,14 +85,21 @@ Workspace::Workspace(const Model& model, const State& state)
     outer[outer_water].acts = true;
     outer[outer_water].node.resize(model.mesh->nodes.size());
   }
+  if (model.balances_pressure()) {
+    balance.reserve(most_cells);
+    balance_node.resize(model.mesh->nodes.size());
+    outer[outer_balance].acts = true;
+    outer[outer_balance].node.resize(model.mesh->nodes.size());
+  }
   pressure.reserve(2 * state.points.n_blocks());
   if (model.has_excess_pressure()) excess.reserve(2 * state.points.n_blocks());
+  if (model.hands_back_transposed()) ratios.reserve(2 * state.points.n_blocks());
   if (model.slips_in_cut_cells()) slips.reserve(2 * state.points.n_blocks());
   if (model.inverse_extent >= 0) start_patches(model, state, n_gauss_rows, patches);
   load_pressure.resize(model.loads.size());
   if (!model.loads.empty() || model.held_row >= 0) outer[outer_load].node.resize(model.mesh->nodes.size());
-  for (OuterForces& kind : outer)
-    if (!kind.node.empty()) kind.corners.reserve(most_cells);
+  for (int kind = 0; kind < n_outer_kinds; ++kind)
+    if (has_corners(model, kind, *this)) outer[kind].corners.reserve(most_cells);
   cell_sums.reserve(Threads::n_chunks(static_cast<Index>(most_cells), cells_per_chunk));
   fit(model, state);
 }
@@ -102,6 +118,8 @@ void Workspace::fit(const Model& model, const State& state)
   }
   pressure.resize(state.points.n_blocks());
   if (model.has_excess_pressure()) excess.resize(state.points.n_blocks());
+  if (model.balances_pressure()) balance.resize(cells.size());
+  if (model.hands_back_transposed()) ratios.resize(state.points.n_blocks());
   if (model.slips_in_cut_cells()) slips.resize(state.points.n_blocks());
   const std::size_t n_gauss = model.materials.size() * state.points.n_bodies() *
                               Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);
@@ -109,9 +127,12 @@ void Workspace::fit(const Model& model, const State& state)
     gauss.make_anew(2 * n_gauss);
     gauss_rows.make_anew(2 * n_gauss * static_cast<std::size_t>(n_gauss_rows));
   }
+  const std::size_t n_groups = Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);
+  if (model.takes_volume_change_of_soil() && volume_gradients.size() < n_groups)
+    volume_gradients.make_anew(2 * n_groups);
   if (model.inverse_extent >= 0) fit_patches(state, patches);
-  for (OuterForces& kind : outer)
-    if (!kind.node.empty()) kind.corners.resize(cells.size());
+  for (int kind = 0; kind < n_outer_kinds; ++kind)
+    if (has_corners(model, kind, *this)) outer[kind].corners.resize(cells.size());
   list_active_nodes(*model.mesh, cells, *this);
   cell_sums.resize(Threads::n_chunks(static_cast<Index>(cells.size()), cells_per_chunk));
   node_sums.resize(Threads::n_chunks(static_cast<Index>(active_nodes.size()), nodes_per_chunk));

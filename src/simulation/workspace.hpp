@@ -6,6 +6,7 @@
 #include "parallel/memory.hpp"
 #include "schemes/block_slip.hpp"
 #include "schemes/patch_values.hpp"
+#include "schemes/pressure_balance.hpp"
 #include "simulation/model.hpp"
 #include "simulation/outer_forces.hpp"
 #include "simulation/passes.hpp"
@@ -104,6 +105,14 @@ struct CornerFit {
   CornerVectors<Quad4> momentum;         ///< sum m_p N_i v_p, then mass times the fitted velocity [kg/s]
 };
 
+/// Of a node, while the acceleration of the cells is found (balance_passes.hpp).
+struct BalanceNode {
+  Real mass = 0.0;                ///< 0: the node does not move [kg per m]
+  Vec<2> v{0.0, 0.0};             ///< at the start of the step [m/s]
+  Vec<2> force{0.0, 0.0};         ///< out of balance without that of the slope of the pressure [N per m]
+  Vec<2> acceleration{0.0, 0.0};  ///< [m/s^2]
+};
+
 inline constexpr Index cells_per_chunk =
     2 * pack_width;  // 400 points at 5 x 5: about 10 us, long against claiming a chunk
 inline constexpr Index nodes_per_chunk = 128;
@@ -124,11 +133,15 @@ struct Workspace {
   Index n_gauss_rows = 0;      ///< the most that any law adds to the points
   std::vector<Real> pressure;  ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
   std::vector<Real> excess;    ///< u_e [Pa], shape [n_blocks]; empty: no soil has excess pressure
-  std::vector<BlockSlip> slips;   ///< shape [n_blocks]; empty: soils do not slip in the cells that they share
-  PatchValues patches;            ///< of shares that overlap
-  WaterMoment water_moment;       ///< that `pore` is of, with
-  std::vector<Real> water_loads;  ///< the pressures of the loads [Pa]
-  PorePressure pore;              ///< on the nodes; empty without water
+  ZeroedArray<VolumeGradient<Quad4>> volume_gradients;  ///< shape [n_groups]; empty: volume_change = centre
+  std::vector<CellBalance> balance;       ///< shape [n_occupied]; empty: no block has a slope of its pressure
+  std::vector<BalanceNode> balance_node;  ///< shape [n_nodes]; of the same
+  std::vector<PerGauss<Quad4>> ratios;    ///< shape [n_blocks]; empty: strain_shares = plain (schemes/share_ratio.hpp)
+  std::vector<BlockSlip> slips;           ///< shape [n_blocks]; empty: soils do not slip in the cells that they share
+  PatchValues patches;                    ///< of shares that overlap
+  WaterMoment water_moment;               ///< that `pore` is of, with
+  std::vector<Real> water_loads;          ///< the pressures of the loads [Pa]
+  PorePressure pore;                      ///< on the nodes; empty without water
   std::vector<CornerSoftening> softening_corners;  ///< shape [n_occupied]; of nonlocal softening
   NodeSpread softening;                            ///< of nonlocal softening
   std::vector<std::uint8_t> cell_softens;          ///< whether a point of a cell softened, shape [n_occupied]

@@ -40,10 +40,12 @@ R weighted_mean(const std::array<R, n>& value, const std::array<R, n>& weight)
   return sum_in_pairs<n>([&](std::size_t g) { return value[g] * weight[g]; }) / total(weight);
 }
 
-/// 1 where the points fill the cell up to `filled_fraction` at least (reading R3), else 0.
+/// 1 where the weights are those of a filled cell: its points fill at least `filled_fraction` of it (reading R3), else
+/// 0.
 template <class Geometry, class R>
 R filled_share(const Geometry& cell, R volume, const MethodOptions& method)
 {
+  if (method.weights == Weights::summed) return R(0.0);
   const R excess = volume / R(cell.volume) - R(method.filled_fraction);
   return select(excess >= R(0.0), R(1.0), R(0.0));
 }
@@ -55,8 +57,7 @@ void set_weights(const Geometry& cell, const PerGauss<Element, R>& cell_volume, 
     GaussValues<Element, R>& gauss)
 {
   const R all = total(cell_volume), own = total(gauss.volume);
-  R filled = filled_share(cell, all, method);
-  if (method.weights == Weights::summed) filled = R(0.0);
+  const R filled = filled_share(cell, all, method);
   for (int g = 0; g < Element::n_gauss; ++g) {
     const R share = select(cell_volume[g] > R(0.0), gauss.volume[g] / cell_volume[g], own / all);
     gauss.weight[g] = filled * share * R(cell.gauss_volume[g]) + (R(1.0) - filled) * gauss.volume[g];

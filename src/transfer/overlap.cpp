@@ -123,9 +123,8 @@ void sum_row_over_patch(const PointBlock<2>& block, int row, const PatchSize& si
   for (int slot = 0; slot < P::n_slots; ++slot) sums[slot * width] += sum(parts[slot]);
 }
 
-void fold_sums(const BlockPartners& partners, int width, Real* sums)
+void fold_sums(const BlockPartners& partners, const TakenShares& taken, int width, Real* sums)
 {
-  if (std::ranges::none_of(partners, [](Index partner) { return partner < 0; })) return;
   const auto at = [&](int slot, int first) { return sums + slot * width + first; };
   const auto move = [&](int from, int to, Real part) {
     for (int first = 0; first < width; first += pack_width) {
@@ -133,27 +132,31 @@ void fold_sums(const BlockPartners& partners, int width, Real* sums)
       store_some(load_some(at(to, first), n) + Pack(part) * load_some(at(from, first), n), at(to, first), n);
     }
   };
-  const auto clear = [&](int slot) {
-    for (int first = 0; first < width; first += pack_width)
-      store_some(Pack(0.0), at(slot, first), std::min(pack_width, width - first));
+  const auto keep = [&](int slot, Real part) {
+    for (int first = 0; first < width; first += pack_width) {
+      const int n = std::min(pack_width, width - first);
+      store_some(Pack(part) * load_some(at(slot, first), n), at(slot, first), n);
+    }
   };
   for (int q = 0; q < Quad4::n_corners; ++q) {
     const int k = P::n_across_sides + q;
-    if (partners[k] >= 0) continue;
+    const Real back = 1.0 - taken[k];
+    if (back == 0.0) continue;
     const auto [before, after] = P::beside_corner[q];
     const int from = P::outer_slot[k];
     if (partners[before] >= 0 && partners[after] >= 0) {
-      move(from, P::outer_slot[before], 0.5);
-      move(from, P::outer_slot[after], 0.5);
+      move(from, P::outer_slot[before], 0.5 * back);
+      move(from, P::outer_slot[after], 0.5 * back);
     } else {
-      move(from, P::outer_slot[partners[before] >= 0 ? before : after], 1.0);
+      move(from, P::outer_slot[partners[before] >= 0 ? before : after], back);
     }
-    clear(from);
+    keep(from, taken[k]);
   }
   for (int k = 0; k < P::n_across_sides; ++k) {
-    if (partners[k] >= 0) continue;
-    move(P::outer_slot[k], P::own_slot[P::own_beside[k]], 1.0);
-    clear(P::outer_slot[k]);
+    const Real back = 1.0 - taken[k];
+    if (back == 0.0) continue;
+    move(P::outer_slot[k], P::own_slot[P::own_beside[k]], back);
+    keep(P::outer_slot[k], taken[k]);
   }
 }
 

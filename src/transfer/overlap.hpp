@@ -8,6 +8,8 @@
 #include "parallel/tables.hpp"
 #include "transfer/cell_sums.hpp"
 
+#include <algorithm>
+
 namespace terp {
 
 /// Rows of the sums over a patch, side by side for each slot: stress, then volume, then those that a law adds.
@@ -153,8 +155,21 @@ void sum_over_patch(
 /// The same of one row alone, added to sums[slot * width].
 void sum_row_over_patch(const PointBlock<2>& block, int row, const PatchSize& size, int width, Real* sums);
 
-/// Moves the sums of outer sub-cells without a partner to where they go back to.
-void fold_sums(const BlockPartners& partners, int width, Real* sums);
+/// Part of a share that each outer sub-cell of a block takes: of its partner (`PatchValues::taken`), 0 without one.
+/// The rest of what lies across a side goes back to the cell's own sub-cell there, the rest of what lies across a
+/// corner to the outer sub-cells beside it that have a partner (decision 0066).
+using TakenShares = std::array<Real, Patch<Quad4>::n_outer>;
+
+/// Part of their shares that other cells leave in a block: all, once its own points fill an eighth of the cell. A block
+/// with next to no soil has next to no mass, and could not carry the stiffness of its neighbours (decision 0066).
+inline Real taken_by(Real own_volume, Real cell_volume)
+{
+  constexpr Real fills = 1.0 / 8.0;
+  return std::min(1.0, own_volume / (fills * cell_volume));
+}
+
+/// Moves what outer sub-cells do not take to where it goes back to.
+void fold_sums(const BlockPartners& partners, const TakenShares& taken, int width, Real* sums);
 
 /// What the Gauss points around a block hold, row by row.
 class PatchView {
@@ -165,30 +180,36 @@ class PatchView {
 
   /// values(block): its values [g * width + row].
   template <class Values>
-  PatchView(const BlockPartners& partners, Index block, Values&& values, int width)
+  PatchView(const BlockPartners& partners, const TakenShares& taken, Index block, Values&& values, int width)
   {
     const Real* own = values(block);
     std::array<const Real*, P::n_slots> slots;
-    std::array<std::array<Real, most_rows>, Quad4::n_corners> means;  // of corners without a partner
+    std::array<std::array<Real, most_rows>, P::n_outer> means;  // of sub-cells that do not take all
     for (int g = 0; g < Quad4::n_gauss; ++g) slots[P::own_slot[g]] = own + g * width;
-    const auto at = [&](int k) {
-      return partners[k] < 0 ? own + P::own_beside[k] * width
-                             : values(partners[k] / P::n_slots) + own_beside_slot[partners[k] % P::n_slots] * width;
+    const auto there = [&](int k) {
+      return values(partners[k] / P::n_slots) + own_beside_slot[partners[k] % P::n_slots] * width;
     };
-    for (int k = 0; k < P::n_across_sides; ++k) slots[P::outer_slot[k]] = at(k);
+    const auto blend = [&](int k, Real part, const Real* a, const Real* b) {
+      for (int r = 0; r < width; ++r) means[k][r] = part * a[r] + (1.0 - part) * b[r];
+      return means[k].data();
+    };
+    for (int k = 0; k < P::n_across_sides; ++k) {
+      const Real* back = own + P::own_beside[k] * width;
+      slots[P::outer_slot[k]] = partners[k] < 0   ? back
+                                : taken[k] >= 1.0 ? there(k)
+                                                  : blend(k, taken[k], there(k), back);
+    }
     for (int q = 0; q < Quad4::n_corners; ++q) {
       const int k = P::n_across_sides + q;
-      const auto [before, after] = P::beside_corner[q];
       const Real*& slot = slots[P::outer_slot[k]];
-      if (partners[k] >= 0) {
-        slot = at(k);
-      } else if (partners[before] >= 0 && partners[after] >= 0) {
-        const Real *a = at(before), *b = at(after);
-        for (int r = 0; r < width; ++r) means[q][r] = 0.5 * (a[r] + b[r]);
-        slot = means[q].data();
-      } else {
-        slot = at(partners[before] >= 0 ? before : after);
+      if (taken[k] >= 1.0) {
+        slot = there(k);
+        continue;
       }
+      const auto [before, after] = P::beside_corner[q];
+      const Real *a = slots[P::outer_slot[before]], *b = slots[P::outer_slot[after]];
+      slot = partners[before] < 0 ? b : partners[after] < 0 ? a : blend(k, 0.5, a, b);
+      if (partners[k] >= 0) slot = blend(k, taken[k], there(k), slot);
     }
     for (int first = 0; first < width; first += pack_width)
       for (int part = 0; part < P::n_slots; part += pack_width) {

@@ -39,6 +39,9 @@ TEST(Schemes, SaysTruthfullyWhichOptionsChangeNothing)
       {"weights", [](MethodOptions& m) { m.weights = Weights::summed; }},
       {"filled_fraction", [](MethodOptions& m) { m.filled_fraction = 0.5; }},
       {"b_bar", [](MethodOptions& m) { m.b_bar = false; }},
+      {"strain_shares", [](MethodOptions& m) { m.strain_shares = StrainShares::plain; }},
+      {"volume_change", [](MethodOptions& m) { m.volume_change = VolumeChange::centre; }},
+      {"pressure", [](MethodOptions& m) { m.pressure = Pressure::constant; }},
       {"objective_rate", [](MethodOptions& m) { m.objective_rate = ObjectiveRate::jaumann; }},
       {"flip", [](MethodOptions& m) { m.flip = 0.9; }},
   };

@@ -116,6 +116,14 @@ Cells random_points(std::uint64_t seed)
   return cells;
 }
 
+/// All that partners could take, or a part of it.
+TakenShares shares_of(const BlockPartners& partners, Real part = 1.0)
+{
+  TakenShares taken;
+  for (int k = 0; k < P::n_outer; ++k) taken[k] = partners[k] < 0 ? 0.0 : k % 2 == 0 ? part : 1.0;
+  return taken;
+}
+
 struct Sums {
   static constexpr int width = patch_others + 1;
   BlockPartners partners;
@@ -168,16 +176,34 @@ TEST(Overlap, SumsLoseNothingAndFoldingMovesThemToSubCellsWithSoil)
   }
   for (int r = 0; r < 6; ++r) EXPECT_NEAR(sums.total(r), expected[r], 1e-12);
   EXPECT_NE(sums.values[7 * Sums::width + patch_volume], 0.0);  // right: cell 5, of another material
-  fold_sums(sums.partners, Sums::width, sums.values.data());
+  fold_sums(sums.partners, shares_of(sums.partners), Sums::width, sums.values.data());
   for (int r = 0; r < 6; ++r) EXPECT_NEAR(sums.total(r), expected[r], 1e-12);
   for (const int slot : {7, 11}) EXPECT_EQ(sums.values[slot * Sums::width + patch_volume], 0.0);
   EXPECT_NE(sums.values[15 * Sums::width + patch_volume], 0.0);  // the corner is reached by way of the upper cell
 }
 
+TEST(Overlap, ASmallBlockTakesSharesAsFarAsItHoldsSoil)
+{
+  EXPECT_DOUBLE_EQ(taken_by(0.01, 4.0), 0.02);  // an eighth of 4 m2 is 0.5 m2
+  EXPECT_DOUBLE_EQ(taken_by(0.5, 4.0), 1.0);
+  EXPECT_DOUBLE_EQ(taken_by(3.0, 4.0), 1.0);
+  Cells cells = random_points(16);
+  Sums whole(cells), part(cells);
+  ASSERT_GE(part.partners[0], 0);  // below, at the left
+  TakenShares taken = shares_of(part.partners);
+  fold_sums(whole.partners, taken, Sums::width, whole.values.data());
+  taken[0] = 0.25;
+  fold_sums(part.partners, taken, Sums::width, part.values.data());
+  const auto volume = [](const Sums& sums, int slot) { return sums.values[slot * Sums::width + patch_volume]; };
+  EXPECT_NEAR(volume(part, P::outer_slot[0]), 0.25 * volume(whole, P::outer_slot[0]), 1e-15);
+  EXPECT_NEAR(
+      volume(part, P::own_slot[0]), volume(whole, P::own_slot[0]) + 0.75 * volume(whole, P::outer_slot[0]), 1e-15);
+}
+
 /// Omega_p times what points take sums to what sub-cells were given times the value there, with folded shares too.
 TEST(Overlap, BothWaysAreTransposesOfEachOther)
 {
-  for (const bool alone : {false, true}) {
+  for (const auto& [alone, part] : {std::pair(false, 1.0), {true, 1.0}, {false, 0.3}, {false, 0.0}}) {
     Cells cells = random_points(12);
     if (alone) {  // all shares go back
       for (Index cell = 0; cell < 9; ++cell)
@@ -188,13 +214,14 @@ TEST(Overlap, BothWaysAreTransposesOfEachOther)
       cells.points.update_occupied();
     }
     Sums sums(cells);
-    fold_sums(sums.partners, Sums::width, sums.values.data());
+    const TakenShares taken = shares_of(sums.partners, part);
+    fold_sums(sums.partners, taken, Sums::width, sums.values.data());
     test::Random random(13);
     std::vector<std::array<Real, 4 * 8>> gauss(cells.points.n_blocks());  // one row of eight used
     for (auto& block : gauss)
       for (Real& value : block) value = random.between(-1.0, 1.0);
     const PatchView view(
-        sums.partners, cells.points.first_block(4), [&](Index b) { return gauss[b].data(); }, 8);
+        sums.partners, taken, cells.points.first_block(4), [&](Index b) { return gauss[b].data(); }, 8);
 
     Real of_points = 0.0, of_slots = 0.0;
     const PointBlock<2>& block = cells.middle();
@@ -210,7 +237,7 @@ TEST(Overlap, BothWaysAreTransposesOfEachOther)
       if (const Index partner = sums.partners[k]; partner >= 0)
         of_slots += sums.values[P::outer_slot[k] * Sums::width + patch_volume] *
                     value_in(partner / P::n_slots, own_beside_slot[partner % P::n_slots]);
-    EXPECT_NEAR(of_points, of_slots, 1e-12) << alone;
+    EXPECT_NEAR(of_points, of_slots, 1e-12) << alone << ' ' << part;
   }
 }
 
@@ -225,7 +252,7 @@ TEST(Overlap, WindowsGiveTheBitsOfAllSlots)
   BlockPartners none;
   none.fill(-1);
   const PatchView view(
-      none, 0, [&](Index) { return gauss.data(); }, 11);
+      none, shares_of(none), 0, [&](Index) { return gauss.data(); }, 11);
   PointWindow window;
   ASSERT_TRUE(set_window(cells.middle(), 0, {extent_row, 2.0}, window));
   PointShares shares;

@@ -1,0 +1,149 @@
+// The slope of the isotropic stress within a block, beside the one number p_e of Eq. (2) (`method.pressure =
+// "balanced"`; docs/methods.md, section 3; decision 0068). After Eq. (4), per block:
+//
+//   f_int,i += sum_g Omega_g grad N_i(xi_g) G.(x_g - mean x),   G = rho (a_K - g) + r grad p_w
+//
+// rho is the density of its points, a_K the acceleration of the cell in this step, grad p_w that of the water which
+// pulls at the soil. The sum is linear in G. So a cell keeps the matrices k_i = sum_g Omega_g grad N_i (x_g - mean x)^T
+// of its blocks, times rho, and the nodes find a_K and the force with them (simulation/balance_passes.hpp). Where the
+// surface cuts the cell, the points take the place of the Gauss points, as they do for the volume change. Only soil
+// whose strength ignores the pressure takes part: others would stand by a pressure that their law does not see.
+#pragma once
+
+#include "schemes/volume_gradient.hpp"
+
+namespace terp {
+
+/// Of one occupied cell in one step.
+struct CellBalance {
+  using Matrix = std::array<Vec<2>, 2>;  ///< [d][e]: force along d of a G along e
+  PerCorner<Quad4, Matrix> moment;       ///< sum over blocks of rho k_i [kg/m per m]
+  Vec<2> acceleration;                   ///< a_K [m/s^2]
+
+  /// Of G/rho on corner i [N per m].
+  Vec<2> force(int i, Vec<2> g) const
+  {
+    const Matrix& k = moment[i];
+    return {k[0][0] * g[0] + k[0][1] * g[1], k[1][0] * g[0] + k[1][1] * g[1]};
+  }
+};
+
+using BlockMoment = PerCorner<Quad4, CellBalance::Matrix>;
+
+/// k_i of a block from its points [m^2].
+template <class Element>
+BlockMoment moment_of_points(const CellGeometry<Element>& cell, const PointBlock<2>& block, Real weight)
+{
+  Vec<2> mean{0.0, 0.0};
+  Real volume = 0.0;
+  const auto for_each_pack = [&](auto&& f) {
+    for (Index p = 0; p < block.n; p += pack_width) {
+      const auto local = load_rows<2>(block, Rows::xi, p);
+      f(Pack::load(block.row(Rows::volume) + p), local, Element::offset_from_centre(cell.map, local));
+    }
+  };
+  for_each_pack([&](Pack omega, const auto&, const auto& x) {
+    volume += sum(omega);
+    for (int d = 0; d < 2; ++d) mean[d] += sum(omega * x[d]);
+  });
+  for (Real& m : mean) m /= volume;
+  BlockMoment k{};
+  for_each_pack([&](Pack omega, const auto& local, const auto& x) {
+    const auto gradient = gradients_at(cell, local);
+    const Pack w = omega * Pack(weight / volume);
+    for (int e = 0; e < 2; ++e) {
+      const Pack arm = w * (x[e] - Pack(mean[e]));
+      for (int i = 0; i < 4; ++i)
+        for (int d = 0; d < 2; ++d) k[i][d][e] += sum(gradient[i][d] * arm);
+    }
+  });
+  return k;
+}
+
+/// k_i of the blocks of a layer from the Gauss points, one lane per cell, shape [corner][d][e].
+template <class Element>
+PerCorner<Element, std::array<std::array<Pack, 2>, 2>> moment_of_gauss_points(
+    const CellGroup<Element>& group, const GeometryLanes<Element>& geometry, const PerGauss<Element, Pack>& weight)
+{
+  std::array<PerGauss<Element, Pack>, 2> arm;
+  std::array<typename Element::Map, pack_width> map;
+  for (int c = 0; c < pack_width; ++c) map[c] = group.mesh.geometry(group.cells[c < group.n() ? c : 0]).map;
+  const Pack inverse = Pack(1.0) / total(weight);
+  for (int e = 0; e < 2; ++e) {
+    const Pack xi = pack_of([&](int c) { return map[c].axis_xi[e]; }),
+               eta = pack_of([&](int c) { return map[c].axis_eta[e]; }),
+               twist = pack_of([&](int c) { return map[c].twist[e]; });
+    for (int g = 0; g < Element::n_gauss; ++g) {
+      const auto [s, t] = Element::gauss_place(g);
+      arm[e][g] = xi * Pack(s) + eta * Pack(t) + twist * Pack(s * t);
+    }
+    const Pack mean = sum_in_pairs<Element::n_gauss>([&](std::size_t g) { return weight[g] * arm[e][g]; }) * inverse;
+    for (int g = 0; g < Element::n_gauss; ++g) arm[e][g] = weight[g] * (arm[e][g] - mean);
+  }
+  PerCorner<Element, std::array<std::array<Pack, 2>, 2>> k;
+  for (int i = 0; i < Element::n_corners; ++i)
+    for (int d = 0; d < 2; ++d)
+      for (int e = 0; e < 2; ++e)
+        k[i][d][e] =
+            sum_in_pairs<Element::n_gauss>([&](std::size_t g) { return geometry.gradient[i][d][g] * arm[e][g]; });
+  return k;
+}
+
+/// Mass and volume of the points of a block.
+struct BlockMass {
+  Real mass = 0.0, volume = 0.0;
+  explicit BlockMass(const PointBlock<2>& block)
+  {
+    Pack m(0.0), v(0.0);
+    for (Index p = 0; p < block.n; p += pack_width) {
+      m += Pack::load(block.row(Rows::mass) + p);
+      v += Pack::load(block.row(Rows::volume) + p);
+    }
+    mass = sum(m);
+    volume = sum(v);
+  }
+};
+
+/// Adds what the blocks of a layer have in their cells' balance. within: as is_within_soil.
+template <class Element>
+void add_balance(const SchemeContext& context, const CellGroup<Element>& group, const GeometryLanes<Element>& geometry,
+    const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, Pack within)
+{
+  const SoilMaterial& material = context.materials[layer.material];
+  if (!material.type->ignores_pressure) return;
+  std::array<std::array<Real, 16>, pack_width> full;
+  const auto k = moment_of_gauss_points(group, geometry, gauss.weight);
+  for (int i = 0; i < 4; ++i)
+    from_lanes(std::array{k[i][0][0], k[i][0][1], k[i][1][0], k[i][1][1]}, [&](int c) { return &full[c][4 * i]; });
+  for (int c = 0; c < group.n(); ++c) {
+    if (layer.block[c] < 0) continue;
+    const PointBlock<2>& block = group.points.block(layer.block[c]);
+    const CellGeometry<Element>& cell = group.mesh.geometry(group.cells[c]);
+    BlockMoment moment;
+    if (within[c] != 0.0)
+      for (int i = 0; i < 4; ++i)
+        moment[i] = {{{full[c][4 * i], full[c][4 * i + 1]}, {full[c][4 * i + 2], full[c][4 * i + 3]}}};
+    else
+      moment = moment_of_points(cell, block, total(gauss.weight)[c]);
+    const BlockMass soil(block);
+    const Real rho = soil.mass / soil.volume;
+    for (int i = 0; i < 4; ++i)
+      for (int d = 0; d < 2; ++d)
+        for (int e = 0; e < 2; ++e) group.balance[c].moment[i][d][e] += rho * moment[i][d][e];
+    if (group.balance_force.empty()) continue;
+    Vec<2> pull{0.0, 0.0};  // the part of G that is not rho (a_K - g)
+    const Real held = context.held.act() ? mean_held_share(block, context.held_row, context.held) : 0.0;
+    for (int d = 0; d < 2; ++d) pull[d] = rho * held * context.gravity[d];
+    if (context.pore != nullptr) {
+      const auto at =
+          pore_at_corners<Element>(*context.pore, group.mesh.cells[group.cells[c]], material.stores_effective);
+      const Real share = (1.0 - held) * (material.is_drained() ? soil.mass / (material.density * soil.volume) : 1.0);
+      for (int i = 0; i < 4; ++i)
+        for (int d = 0; d < 2; ++d) pull[d] += share * at.pressure[i] * cell.centre_gradient[i][d];
+    }
+    for (int i = 0; i < 4; ++i)
+      for (int d = 0; d < 2; ++d) group.balance_force[c][d][i] -= moment[i][d][0] * pull[0] + moment[i][d][1] * pull[1];
+  }
+}
+
+}  // namespace terp
