@@ -4,7 +4,8 @@
 //   cut part      what a body keeps of it, less its holes and all later bodies, is cut out exactly
 //                 each piece is a point at its centroid with its area
 //   small piece   less than a fifth of its part: goes to the nearest piece of its body
-//                 in the same or an adjoining part of the cell, or else in a cell across a side
+//                 in the same or an adjoining part of the cell, or else in a cell across a side, or else across a
+//                 corner
 //
 // Where a small piece goes, volumes add up and the common centroid is kept. The straight line between the two must lie
 // in the body, and the centroid in the cell. If there is no such neighbour, the small piece is a point of its own.
@@ -16,6 +17,7 @@
 
 #include "mesh/locate.hpp"
 #include "points/cut_cell.hpp"
+#include "points/overfull.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,13 +136,13 @@ bool may_take(const Drawing& drawing, const Overlay& overlay, const Seed& taker,
          stays_in_body(overlay, taker.body, relative(taker), relative(small));
 }
 
-/// The nearest seed of the same body in the cells across the four sides that may take the small one, or null.
-Seed* find_taker(const Drawing& drawing, std::vector<Seed>& seeds, const Seed& small)
+/// The nearest seed of the same body in some cells that may take the small one, or null.
+Seed* find_taker(const Drawing& drawing, std::span<const Index> cells, std::vector<Seed>& seeds, const Seed& small)
 {
   Seed* best = nullptr;
   Real least = std::numeric_limits<Real>::infinity();
-  for (const Index cell : drawing.mesh.neighbours[small.cell]) {
-    if (cell == outside) continue;
+  for (const Index cell : cells) {
+    if (cell == outside || cell == small.cell) continue;
     const Overlay overlay = draw_cell(drawing, cell);
     auto seed = std::partition_point(seeds.begin(), seeds.end(), [&](const Seed& s) { return s.cell < cell; });
     for (; seed != seeds.end() && seed->cell == cell; ++seed) {
@@ -158,7 +160,9 @@ Seed* find_taker(const Drawing& drawing, std::vector<Seed>& seeds, const Seed& s
 void merge_across_sides(const Drawing& drawing, const std::vector<std::size_t>& small, std::vector<Seed>& seeds)
 {
   for (const std::size_t k : small) {
-    Seed* taker = find_taker(drawing, seeds, seeds[k]);
+    const Index cell = seeds[k].cell;
+    Seed* taker = find_taker(drawing, drawing.mesh.neighbours[cell], seeds, seeds[k]);
+    if (taker == nullptr) taker = find_taker(drawing, cells_around(drawing.mesh, cell), seeds, seeds[k]);
     if (taker == nullptr) continue;
     const Vec<2> centre = drawing.mesh.centres[taker->cell];
     taker->x = common_centroid(*taker, seeds[k]);

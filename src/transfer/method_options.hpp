@@ -19,9 +19,9 @@ struct MethodOptions {
   Weights weights = Weights::hybrid;
   Real filled_fraction = 0.9;  ///< a cell is filled when its points fill at least this part of it, R3 [-]
   bool b_bar = true;           ///< volumetric strain of the cell centre at all Gauss points, and its force: R4, R5
-  StrainShares strain_shares = StrainShares::plain;
-  VolumeChange volume_change = VolumeChange::centre;
-  Pressure pressure = Pressure::constant;
+  StrainShares strain_shares = StrainShares::transposed;
+  VolumeChange volume_change = VolumeChange::soil;
+  Pressure pressure = Pressure::balanced;
   ObjectiveRate objective_rate = ObjectiveRate::none;
   CutCells cut_cells = CutCells::slip;
   RemapContact remap_contact = RemapContact::unused_strength;

@@ -197,6 +197,15 @@ TEST(SeedCutBodies, GiveASliverInACellOfItsOwnToTheCellNextDoor)
   for (const Seed& seed : seeds) EXPECT_EQ(seed.cell, 0);
 }
 
+/// Alone in its cell the sliver would have next to no mass, and take shares of all that lies around it.
+TEST(SeedCutBodies, GiveASliverBeyondACornerToTheCellAcrossIt)
+{
+  const Mesh<2> mesh = make_mesh(0.0);
+  const std::vector<Seed> seeds = seed_one(mesh, {box({0.0, 0.0}, {2.0 + 0.01 * h, 1.0 + 0.01 * h}), {5, 5}});
+  EXPECT_EQ(seeds.size(), 200u * 25u);
+  EXPECT_NEAR(volume_of(seeds, 0), (2.0 + 0.01 * h) * (1.0 + 0.01 * h), 1e-12);
+}
+
 TEST(SeedCutBodies, GiveNoSliverToTheCellNextDoorAcrossADitch)
 {
   const std::vector<BodyOutline> bodies{{box({0.0, 0.0}, {1.05, 1.0}), {1, 1}}, {box({0.9, 0.0}, {1.0, 1.0}), {1, 1}}};
