@@ -59,7 +59,7 @@ void print_summary(const Summary& s, const Model& model, const std::string& fold
   if (softens_point_by_point(model) && most > s.softened_strain.value_or(most))
     fmt::print(
         "  softening        no length, no reference width: the result depends on the cells (docs/convergence.md)\n");
-  fmt::print("  energy balance   {:.2g} % of the energy exchanged\n", 100.0 * s.energy_balance_error);
+  fmt::print("  energy balance   {:.2g} % of the energy from outside is unexplained\n", 100.0 * s.unexplained_energy);
   for (const FootingSummary& f : s.footings)
     fmt::print("  {:<16} reaction {:.4g} kN/m, {:.4g} kN/m up, at the end; largest against its motion {:.4g} kN/m\n",
         printable(f.name), f.reaction[0] / 1e3, f.reaction[1] / 1e3, f.largest / 1e3);

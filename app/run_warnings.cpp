@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "input/printable.hpp"
+#include "simulation/guards.hpp"
 #include "simulation/model.hpp"
 #include "simulation/summary.hpp"
 
@@ -62,11 +63,11 @@ void warn_of(const Summary& s, const Model& model, const std::string& folder)
   warn_of_no_rest(s, model, folder);
   warn_of_small_margin(s, folder);
   constexpr double much = 0.05;
-  if (s.energy_balance_error > much)
+  if (s.unexplained_energy > unexplained_that_warns)
     fmt::print(stderr,
-        "warning: {}: the energy balance is off by {:.2g} % of the energy exchanged; see "
+        "warning: {}: nothing explains {:.2g} % of the energy that came from outside; see "
         "docs/troubleshooting.md#the-energy-balance-is-off\n",
-        folder, 100.0 * s.energy_balance_error);
+        folder, 100.0 * s.unexplained_energy);
   constexpr double many = 7.0;  // runs whose mean force is damped have 1.4 to 5.6
   const auto number = [&](const char* name) { return s.numbers.contains(name) ? s.numbers.at(name) : 0.0; };
   const double damping = number("damping_over_promised"), cells = number("softening_length_over_cell_reached");

@@ -90,6 +90,14 @@ class MaterialOf final : public Material {
     if constexpr (requires { law_.stored_energy(sigma); }) return law_of(at).stored_energy(sigma);
     return 0.0;
   }
+  void half_compliance(const LawRows& at, Index n_points, Real* out) const override
+  {
+    const struct {
+      LawRows law;
+      Index n_points;
+    } arrays{at, n_points};
+    (Pack(0.5) / Law<Pack>(parameters_of(arrays, 0)).bulk_modulus()).store(out);
+  }
   std::vector<ParameterProblem> check_start(const LawRows& at, const SymTensor<Real, 2>& sigma) const override
   {
     std::array<Real, n_state> state;

@@ -192,6 +192,9 @@ class Material {
   virtual Moduli moduli_at(const LawRows& at, const SymTensor<Real, 2>&) const { return moduli(at); }
   /// Elastic energy per volume [J/m^3]. Of laws that are MaterialType::stiffness_by_stress; p^2/2K + s:s/4G of others.
   virtual Real stored_energy(const LawRows&, const SymTensor<Real, 2>&) const { return 0.0; }
+  /// 1/(2K) of the next pack_width points [1/Pa]: times p^2 it is what a pressure stores. n_points: of them that are
+  /// none of padding. Of laws whose parameters vary.
+  virtual void half_compliance(const LawRows&, [[maybe_unused]] Index n_points, Real*) const {}
   /// Why a stress cannot be that of t = 0; of laws whose strength follows the stress.
   virtual std::vector<ParameterProblem> check_start(const LawRows&, const SymTensor<Real, 2>&) const { return {}; }
   /// Makes the state one that admits the stress, which a search for equilibrium found.

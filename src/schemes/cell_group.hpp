@@ -15,6 +15,14 @@ struct BlockLayer {
   std::array<Index, pack_width> block;  ///< by lane; -1: the cell has none
 };
 
+/// Numbers by lane, zero where a cell has no block of the layer.
+inline Pack where_blocks_are(const BlockLayer& layer, Pack lanes)
+{
+  alignas(64) Real has[pack_width];
+  for (int c = 0; c < pack_width; ++c) has[c] = layer.block[c] >= 0 ? 1.0 : 0.0;
+  return select(Pack::load(has) > Pack(0.0), lanes, Pack(0.0));
+}
+
 /// dN_i/dx_d whose sum with the velocities is the volume change of a cell [1/m], one lane per cell.
 template <class Element>
 using VolumeGradient = PerCorner<Element, PerDirection<Element, Pack>>;

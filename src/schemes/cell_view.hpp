@@ -53,9 +53,48 @@ CornerPore<Element> pore_at_corners(
   return at;
 }
 
-/// What the stress pass adds up for the ledger.
+/// What the stress pass adds up for the ledger [J per m].
 struct StressSums {
-  Real plastic_work = 0.0;  ///< [J per m]
+  Real plastic_work = 0.0;  ///< of the laws
+  Pack taken{0.0};          ///< by the points: their stress at the start of the step on their strain, by lanes
+  Pack reset{0.0};          ///< gained by stored energy as the pressure of that start is set (reading R10), by lanes
+
+  /// Of eight points: the stress that they begin the step with. omega: their volumes.
+  template <int Dim>
+  void take(const SymTensor<Pack, Dim>& sigma, const SymTensor<Pack, Dim>& d_eps, Pack omega)
+  {
+    taken = fma(omega, double_dot(sigma, d_eps), taken);
+  }
+  /// Of eight points: their pressure at the start is set. half_compliance: 1/(2K) [1/Pa].
+  void set_pressure(Pack half_compliance, Pack omega, Pack before, Pack after)
+  {
+    reset = fma(half_compliance * omega, (after - before) * (after + before), reset);
+  }
+};
+
+/// 1/(2K) of the points of a block. Zero where the stiffness follows the stress: there a pressure stores in proportion
+/// to itself, so that a mean keeps the energy.
+class HalfCompliance {
+ public:
+  explicit HalfCompliance(const SoilMaterial& material)
+      : material_(material),
+        varies_(material.varies() && !material.type->stiffness_by_stress),
+        of_all_(material.type->stiffness_by_stress ? 0.0 : 0.5 / material.law->bulk_modulus())
+  {
+  }
+  /// Of the points p ... p + 7.
+  Pack at(const PointBlock<2>& block, Index p) const
+  {
+    if (!varies_) return of_all_;
+    alignas(64) Real values[pack_width];
+    material_.law->half_compliance(material_.view(block, p), block.n - p, values);
+    return Pack::load(values);
+  }
+
+ private:
+  const SoilMaterial& material_;
+  bool varies_;
+  Pack of_all_;
 };
 
 /// Points that one call of Material::update takes at most: its arrays stay in the first cache.
@@ -73,6 +112,14 @@ template <int Dim>
 inline void store_strain(const SymTensor<Pack, Dim>& d_eps, StripArrays<Dim>& strip, Index at)
 {
   for (int k = 0; k < n_sym<Dim>; ++k) d_eps[k].store(strip.d_eps[k] + at);
+}
+
+template <int Dim>
+inline SymTensor<Pack, Dim> strain_of(const StripArrays<Dim>& strip, Index at)
+{
+  SymTensor<Pack, Dim> d_eps;
+  for (int k = 0; k < n_sym<Dim>; ++k) d_eps[k] = Pack::load(strip.d_eps[k] + at);
+  return d_eps;
 }
 
 inline bool looks_around(const SchemeContext& context, Index material)
@@ -171,15 +218,20 @@ inline void scale_volume(const PointBlock<Dim>& block, Index p, Pack volumetric_
 template <int Dim>
 inline void add_strain(const PointBlock<Dim>& block, Index p, const StripArrays<Dim>& strip, Index at)
 {
-  SymTensor<Pack, Dim> d_eps;
-  for (int k = 0; k < n_sym<Dim>; ++k) d_eps[k] = Pack::load(strip.d_eps[k] + at);
-  scale_volume(block, p, accumulate_strain(block, p, d_eps));
+  scale_volume(block, p, accumulate_strain(block, p, strain_of(strip, at)));
 }
 
 template <int Dim>
 inline SymTensor<Pack, Dim> stress_of(const PointBlock<Dim>& block, Index p)
 {
   return {load_rows<n_sym<Dim>>(block, PointRows<Dim>::sigma, p)};
+}
+
+/// Mean stress of eight points.
+template <int Dim>
+inline Pack mean_stress(const PointBlock<Dim>& block, Index p)
+{
+  return trace(stress_of(block, p)) * Pack(1.0 / 3.0);
 }
 
 /// The strain increment of each point's own Gauss point (reading R11). upper: halves of the cell that eight points are

@@ -39,41 +39,58 @@ Pack gather_excess(const SchemeContext& context, const CellGroup<Element>& group
   return of_cell;
 }
 
-/// What a step does to the excess pressure of a material.
-struct ExcessStep {
-  Pack kept, stiffness;
+/// Soil stores the energy of its excess pressure, which is then part of its stress: u^2/(2 K_w/n) per volume. Where it
+/// drains, u is a pressure from outside.
+inline bool stores_excess(const SchemeContext& context, const SoilMaterial& material)
+{
+  return material.water_stiffness > 0.0 && !context.all_drains;
+}
 
-  ExcessStep(const SchemeContext& context, const SoilMaterial& material)
-      : kept(is_undrained(context, material) ? 1.0 : context.excess_kept),
-        stiffness(is_undrained(context, material) ? material.water_stiffness : 0.0)
+/// What a step does to the excess pressure of a material.
+class ExcessStep {
+ public:
+  ExcessStep(const SchemeContext& context, const SoilMaterial& material) : stores_(stores_excess(context, material))
   {
+    kept_ = stores_ ? 1.0 : context.excess_kept;
+    stiffness_ = stores_ ? material.water_stiffness : 0.0;
+    half_compliance_ = stores_ ? 0.5 / material.water_stiffness : 0.0;
   }
-  static bool is_undrained(const SchemeContext& context, const SoilMaterial& material)
+  /// The new one of eight points. own: theirs; around: what it is set to at the start of the step.
+  Pack operator()(Pack own, Pack around, Pack volumetric_strain, Pack omega, StressSums& sums) const
   {
-    return material.water_stiffness > 0.0 && !context.all_drains;
+    const Pack start = own + (around - own);
+    if (stores_) {
+      sums.taken -= omega * start * volumetric_strain;
+      sums.set_pressure(half_compliance_, omega, own, start);
+    }
+    return kept_ * start - stiffness_ * volumetric_strain;
   }
-  Pack operator()(Pack excess, Pack volumetric_strain) const { return kept * excess - stiffness * volumetric_strain; }
+
+ private:
+  bool stores_;
+  Pack kept_{}, stiffness_{}, half_compliance_{};
 };
 
-/// New excess pressure of the points of a block. cells: u_e; strain: of their cell. Before the volumes change.
+/// New excess pressure of the points of block b, if it has any. strain: of their cell. Before the volumes change.
 template <class Element>
-void update_excess(const SchemeContext& context, const PointBlock<Element::dim>& block, std::span<const Real> cells,
-    Index b, const GaussStrain<Element>& strain)
+void update_excess(const SchemeContext& context, const CellGroup<Element>& group, Index b,
+    const GaussStrain<Element>& strain, StressSums& sums)
 {
+  const PointBlock<Element::dim>& block = group.points.block(b);
   const SoilMaterial& material = context.materials[block.material];
   if (material.excess_row < 0) return;
   const ExcessStep step(context, material);
   for (Index p = 0; p < block.n; p += pack_width) {
     Real* at = block.row(material.excess_row) + p;
-    const Pack own = Pack::load(at), start = own + (Pack(cells[b]) - own);
-    step(start, trace(strain_at_points(strain, upper_halves<Element>(block, p)))).store(at);
+    const Pack volumetric = trace(strain_at_points(strain, upper_halves<Element>(block, p)));
+    step(Pack::load(at), group.excess[b], volumetric, Pack::load(block.row(PointRows<Element::dim>::volume) + p), sums).store(at);
   }
 }
 
 /// The same with shares that overlap, of schemes whose Gauss points own the history. The last row of patch is u_e.
 template <class Element>
 void update_excess_from_patch(const SchemeContext& context, const CellGroup<Element>& group,
-    const PointBlock<Element::dim>& block, const PatchSize& size, const PatchView& patch)
+    const PointBlock<Element::dim>& block, const PatchSize& size, const PatchView& patch, StressSums& sums)
 {
   const SoilMaterial& material = context.materials[block.material];
   if (material.excess_row < 0) return;
@@ -94,9 +111,9 @@ void update_excess_from_patch(const SchemeContext& context, const CellGroup<Elem
       const auto direct = patch.at_points<3>(shares, HistoryRows::strain);
       const Pack inverse = inverse_ratio(
           patch.at_points<1>(shares, HistoryRows::ratio)[0], context.method.strain_shares == StrainShares::transposed);
-      const Pack own = Pack::load(at), around = patch.at_points<1>(shares, excess)[0];
-      const Pack start = own + (around + shift - own);
-      step(start, inverse * (direct[0] + direct[1] + direct[2])).store(at);
+      const Pack around = patch.at_points<1>(shares, excess)[0] + shift;
+      const Pack omega = Pack::load(block.row(PointRows<Element::dim>::volume) + p);
+      step(Pack::load(at), around, inverse * (direct[0] + direct[1] + direct[2]), omega, sums).store(at);
     });
 }
 

@@ -38,6 +38,17 @@ inline PerGauss<Element, Pack> at_points_of_sub_cells(const SchemeContext& conte
   return values;
 }
 
+/// Adds the force of the excess pressure that soil of a layer stores, -u I as part of its stress.
+template <class Element>
+inline void add_stored_excess_force(const SchemeContext& context, const CellGroup<Element>& group,
+    const GeometryLanes<Element>& geometry, const BlockLayer& layer, const GaussValues<Element, Pack>& gauss)
+{
+  GaussValues<Element, Pack> water{.sigma = {}, .volume = gauss.volume, .weight = gauss.weight, .pressure = {}};
+  const Pack excess = gather_excess(context, group, layer, gauss);
+  for (int k = 0; k < n_sym<Element::dim>; ++k) water.sigma[k].fill(k < 3 ? Pack(0.0) - excess : Pack(0.0));
+  add_internal_force(group, geometry, layer, water, context.method.b_bar);
+}
+
 /// Adds the force of the water on the soil of a layer, with weights and operator of its internal force.
 template <class Element>
 inline void add_water_force(const SchemeContext& context, const CellGroup<Element>& group,
@@ -55,7 +66,7 @@ inline void add_water_force(const SchemeContext& context, const CellGroup<Elemen
       any_inside |= at[c].inside[i] != 0.0;
     }
   }
-  const bool has_excess = material.excess_row >= 0;
+  const bool has_excess = material.excess_row >= 0 && !stores_excess(context, material);
   if (!any && !any_inside && !has_excess) return;
   if (any && material.is_drained())
     for (int c = 0; c < group.n(); ++c) {
@@ -117,7 +128,11 @@ void gather_at_gauss_points(
     finish(layer, gauss);
     add_internal_force(group, geometry, layer, gauss, context.method.b_bar);  // Eq. (4)
     if (!group.balance.empty()) add_balance(context, group, geometry, layer, gauss, within);
-    if (!group.water_force.empty()) add_water_force(context, group, geometry, layer, gauss);
+    if (group.water_force.empty()) return;
+    add_water_force(context, group, geometry, layer, gauss);
+    const SoilMaterial& material = context.materials[layer.material];
+    if (material.excess_row >= 0 && stores_excess(context, material))
+      add_stored_excess_force(context, group, geometry, layer, gauss);
   });
   if (!group.slips.empty()) find_slips(context, group);
 }

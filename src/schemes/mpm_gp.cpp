@@ -31,7 +31,7 @@ struct MpmGp {
       prefetch_next(group, c);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
         const GaussStrain<Element>& own = handed_back(group, b, with_slip(group, b, strain[c], slipped), slipped);
-        update_excess(context, block, group.excess, b, own);
+        update_excess(context, group, b, own, sums);
         update_points(context, block, own, group.pressure[b], sums);
         sums.plastic_work += lost_while_slipping(group, b);
       });
@@ -162,21 +162,21 @@ struct MpmGp {
           above.excess.add(block, first + p, Pack::load(block.row(material.excess_row) + first + p), around);
       });
     const Pack shift = above.pressure();
+    const HalfCompliance compliance(material);
     for (Index p = 0; p < n; p += pack_width) {
       SymTensor<Pack, dim> sigma = stress_of(block, first + p);
-      add_isotropic(sigma, Pack::load(pressure + p) + shift - trace(sigma) * Pack(1.0 / 3.0));
+      const Pack before = trace(sigma) * Pack(1.0 / 3.0), after = Pack::load(pressure + p) + shift;
+      const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + first + p);
+      sums.set_pressure(compliance.at(block, first + p), omega, before, after);
+      add_isotropic(sigma, after - before);
+      sums.take(sigma, strain_of(strip, p), omega);
       if (rotates) rotate_stress(sigma, Pack::load(strip.d_spin + p));
       store_rows(sigma.c, block, PointRows<dim>::sigma, first + p);
     }
-    if (has_excess) update_excess_of_strip(context, block, first, n, {excess, above.excess()}, strip);
+    if (has_excess) update_excess_of_strip(context, block, first, n, {excess, above.excess()}, strip, sums);
     update_strip(context, block, first, n, strip);
     sums.plastic_work += sum_plastic_work(block, first, n, strip);
     for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
-  }
-
-  static Pack mean_stress(const PointBlock<dim>& block, Index p)
-  {
-    return trace(stress_of(block, p)) * Pack(1.0 / 3.0);
   }
 
   /// u_e at the points of a strip, and by how much that of the points is above it.
@@ -185,16 +185,15 @@ struct MpmGp {
     Pack shift;
   };
   static void update_excess_of_strip(const SchemeContext& context, const PointBlock<dim>& block, Index first, Index n,
-      const ExcessAround& around, const StripArrays<dim>& strip)
+      const ExcessAround& around, const StripArrays<dim>& strip, StressSums& sums)
   {
     const SoilMaterial& material = context.materials[block.material];
     const ExcessStep step(context, material);
     for (Index p = 0; p < n; p += pack_width) {
       Real* at = block.row(material.excess_row) + first + p;
-      const Pack own = Pack::load(at), start = own + (Pack::load(around.at_points + p) + around.shift - own);
-      Pack volumetric = Pack::load(strip.d_eps[0] + p);
-      for (int k = 1; k < 3; ++k) volumetric += Pack::load(strip.d_eps[k] + p);
-      step(start, volumetric).store(at);
+      const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + first + p);
+      const Pack set_to = Pack::load(around.at_points + p) + around.shift;
+      step(Pack::load(at), set_to, trace(strain_of(strip, p)), omega, sums).store(at);
     }
   }
 
@@ -204,8 +203,10 @@ struct MpmGp {
     for (Index first = 0; first < block.n_padded(); first += strip_length) {
       const Index n = std::min(strip_length, block.n_padded() - first);
       StripArrays<dim> strip;
+      const HalfCompliance compliance(context.materials[block.material]);
       for (Index p = 0; p < n; p += pack_width)
-        prepare_points(context.method, block, first + p, strain, cell_pressure, strip, p);
+        prepare_points(context.method, block, first + p, strain, {cell_pressure, compliance.at(block, first + p)},
+            strip, p, sums);
       if (looks_around(context, block.material))
         for (Index p = 0; p < n; p += pack_width)
           Element::at_sub_cell(strain.d_spin, upper_halves<Element>(block, first + p)).store(strip.d_spin + p);
@@ -215,23 +216,32 @@ struct MpmGp {
     }
   }
 
+  struct PressureReset {
+    Pack set_to, half_compliance;
+  };
   /// Start stress (reading R10, objective rate) and strain increment of eight points.
   static void prepare_points(const MethodOptions& method, const PointBlock<dim>& block, Index p,
-      const GaussStrain<Element>& strain, Real cell_pressure, StripArrays<dim>& strip, Index at)
+      const GaussStrain<Element>& strain, const PressureReset& reset, StripArrays<dim>& strip, Index at,
+      StressSums& sums)
   {
     const auto upper = upper_halves<Element>(block, p);
-    store_strain(strain_at_points(strain, upper), strip, at);
+    const SymTensor<Pack, dim> d_eps = strain_at_points(strain, upper);
+    store_strain(d_eps, strip, at);
     SymTensor<Pack, dim> sigma = stress_of(block, p);
-    add_isotropic(sigma, Pack(cell_pressure) - trace(sigma) * Pack(1.0 / 3.0));
+    const Pack before = trace(sigma) * Pack(1.0 / 3.0), omega = Pack::load(block.row(PointRows<dim>::volume) + p);
+    sums.set_pressure(reset.half_compliance, omega, before, reset.set_to);
+    add_isotropic(sigma, reset.set_to - before);
+    sums.take(sigma, d_eps, omega);
     if (method.objective_rate == ObjectiveRate::jaumann)
       rotate_stress(sigma, Element::at_sub_cell(strain.d_spin, upper));
     store_rows(sigma.c, block, PointRows<dim>::sigma, p);
   }
 };
 
-// Rows: sigma, strain, Omega and one state variable, read and written. Flops: sub-cell sums 36; an elastic law 30.
+// Rows: sigma, strain, Omega and one state variable, read and written. Flops: sub-cell sums 36; an elastic law 30; for
+// the ledger 16.
 constexpr PassCost gather_cost{.flops = 4 + 32, .rows = 1 + 4};
-constexpr PassCost stress_cost{.flops = 6 + 20 + 30 + 9, .rows = 2 * (4 + 4 + 1 + 1)};
+constexpr PassCost stress_cost{.flops = 6 + 20 + 30 + 16 + 9, .rows = 2 * (4 + 4 + 1 + 1)};
 
 }  // namespace
 

@@ -43,19 +43,24 @@ struct MpmMixed {
       GaussRow<Element>* rows = group.rows_of(layer);
       const GaussStrain<Element, Pack>& own_lanes =
           handed_back(group, layer, with_slips(group, layer, lanes, slipped_lanes), slipped_lanes);
-      const Pack plastic_work = update_gauss_points(context, group, layer, own_lanes, gauss, rows);  // Step 3
+      const GaussWork work = update_gauss_points(context, group, layer, own_lanes, gauss, rows);  // Step 3
+      sums.taken += where_blocks_are(layer, work.power - work.plastic_beside);
+      const HalfCompliance compliance(material);
       const auto sigma = by_cell(gauss);
       for (int k = 0; k < material.n_state(); ++k) turn_by_cell(rows[k]);
       for (int c = 0; c < group.n(); ++c) {
         if (layer.block[c] < 0) continue;
         prefetch_next(group, c);
-        sums.plastic_work += plastic_work[c];
+        sums.plastic_work += work.plastic[c];
         const PointBlock<dim>& block = group.points.block(layer.block[c]);
         const Index b = layer.block[c];
         const GaussStrain<Element>& own = handed_back(group, b, with_slip(group, b, strain[c], slipped), slipped);
-        update_excess(context, block, group.excess, b, own);
-        for (Index p = 0; p < block.n; p += pack_width)
+        update_excess(context, group, b, own, sums);
+        for (Index p = 0; p < block.n; p += pack_width) {
+          sums.set_pressure(compliance.at(block, p), Pack::load(block.row(PointRows<dim>::volume) + p),
+              mean_stress(block, p), gauss.pressure[c]);
           assign_to_points(sigma[c], rows, c, own, material, block, p);  // Step 4
+        }
         sums.plastic_work += lost_while_slipping(group, layer.block[c]);
       }
     });
@@ -105,9 +110,11 @@ struct MpmMixed {
       }
       for (int k = 0; k < material.n_state(); ++k)
         if (!material.type->state[k].scratch) rows.set(HistoryRows::end + k, state[k]);
-      const Pack plastic_work = update_gauss_points(context, group, layer, strain, gauss, state);  // Step 3
+      const GaussWork work = update_gauss_points(context, group, layer, strain, gauss, state);  // Step 3
       for (int c = 0; c < group.n(); ++c)
-        if (layer.block[c] >= 0) sums.plastic_work += plastic_work[c];
+        if (layer.block[c] >= 0) sums.plastic_work += work.plastic[c];
+      if (context.method.strain_shares == StrainShares::plain)
+        sums.taken -= where_blocks_are(layer, work.plastic_beside);
       for (int k = 0; k < n_sym<dim>; ++k) {
         rows.set_change(HistoryRows::change + k, gauss.sigma[k]);
         rows.set(HistoryRows::stress + k, gauss.sigma[k]);
@@ -134,8 +141,8 @@ struct MpmMixed {
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
         prefetch_for_update(context, block);
         const PatchView patch = view_patch(group, b);
-        update_excess_from_patch(context, group, block, size, patch);
-        KeptStress kept;
+        update_excess_from_patch(context, group, block, size, patch, sums);
+        KeptStress kept(context.materials[block.material], sums);
         for (Index p = 0; p < block.n; p += pack_width)
           with_shares(block, p, size,
               [&](const auto& shares) { take_values(context, patch, shares, block, p, kept); });  // Step 4
@@ -149,18 +156,29 @@ struct MpmMixed {
   static bool rotates(const SchemeContext& context) { return context.method.objective_rate == ObjectiveRate::jaumann; }
 
   /// What the stress of a block's points is above that which the Gauss points had: the pressure as a mean over the
-  /// block, the deviator over the points of each sub-cell.
+  /// block, the deviator over the points of each sub-cell. It enters what that does to their energy.
   class KeptStress {
    public:
-    KeptStress()
-        : deviator_(repeat<n_sym<dim>>(zero_packs<Element::n_gauss>())), volume_(zero_packs<Element::n_gauss>())
+    KeptStress(const SoilMaterial& material, StressSums& sums)
+        : deviator_(repeat<n_sym<dim>>(zero_packs<Element::n_gauss>())),
+          volume_(zero_packs<Element::n_gauss>()),
+          half_compliance_(material),
+          sums_(sums)
     {
     }
 
-    /// above: of eight points; omega: their volumes.
-    void add(SymTensor<Pack, dim> above, Pack omega, const Upper& upper)
+    /// Of the points p ... p + 7: their stress, what of it is above that of the Gauss points, and their strain.
+    void add(const PointBlock<dim>& block, Index p, const SymTensor<Pack, dim>& own, SymTensor<Pack, dim> above,
+        const SymTensor<Pack, dim>& d_eps)
     {
-      const Pack pressure = trace(above) * Pack(1.0 / 3.0);
+      const auto upper = upper_halves<Element>(block, p);
+      const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + p);
+      const Pack pressure = trace(above) * Pack(1.0 / 3.0), own_pressure = trace(own) * Pack(1.0 / 3.0);
+      sums_.take(own, d_eps, omega);
+      const Pack weight = half_compliance_.at(block, p) * omega, around = own_pressure - pressure;
+      sums_.reset = fma(weight, (around - own_pressure) * (around + own_pressure), sums_.reset);
+      around_ = fma(weight, around, around_);
+      weight_ += weight;
       pressure_ = fma(omega, pressure, pressure_);
       add_isotropic(above, -pressure);
       for (int k = 0; k < n_sym<dim>; ++k) add_in_sub_cell(omega * above[k], upper, deviator_[k]);
@@ -173,6 +191,7 @@ struct MpmMixed {
       PerGauss<Element> volume;
       for (int g = 0; g < Element::n_gauss; ++g) volume[g] = sum(volume_[g]);
       const Real pressure = sum(pressure_) / total(volume);
+      sums_.reset += Pack(pressure) * (Pack(2.0) * around_ + Pack(pressure) * weight_);
       std::array<PerGauss<Element>, n_sym<dim>> mean;
       for (int k = 0; k < n_sym<dim>; ++k)
         for (int g = 0; g < Element::n_gauss; ++g)
@@ -196,6 +215,9 @@ struct MpmMixed {
     std::array<PerGauss<Element, Pack>, n_sym<dim>> deviator_;
     PerGauss<Element, Pack> volume_;
     Pack pressure_ = Pack(0.0);
+    HalfCompliance half_compliance_;
+    Pack around_ = Pack(0.0), weight_ = Pack(0.0);  ///< sums of Omega/2K, and of it times the pressure around
+    StressSums& sums_;
   };
 
   template <class Shares>
@@ -207,15 +229,15 @@ struct MpmMixed {
     const Pack inverse =
         inverse_ratio(values[HistoryRows::ratio], context.method.strain_shares == StrainShares::transposed);
     for (Pack& value : values) value = inverse * value;
-    const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + p);
-    SymTensor<Pack, dim> d_eps, above = stress_of(block, p);
+    const SymTensor<Pack, dim> own = stress_of(block, p);
+    SymTensor<Pack, dim> d_eps, above = own;
     for (int k = 0; k < n_sym<dim>; ++k) {
       d_eps[k] = values[HistoryRows::strain + k];
       above[k] += values[HistoryRows::change + k] - values[HistoryRows::stress + k];
       values[HistoryRows::stress + k].store(block.row(PointRows<dim>::sigma + k) + p);
     }
     if (rotates(context)) rotate_stress(above, inverse * patch.at_points<1>(shares, HistoryRows::spin)[0]);
-    kept.add(above, omega, upper_halves<Element>(block, p));
+    kept.add(block, p, own, above, d_eps);
     for (int k = 0; k < material.n_state(); ++k) {
       Real* at = block.row(material.rows[k]) + p;
       const Pack before = material.type->state[k].scratch ? Pack(0.0) : Pack::load(at);
@@ -240,12 +262,23 @@ struct MpmMixed {
       if (material.type->state[k].averaging == Averaging::cell) average_over_cell(gauss.weight, rows[k]);
   }
 
-  /// Runs the law on the Gauss points of eight cells. Returns the plastic work of each cell [J per m].
-  static Pack update_gauss_points(const SchemeContext& context, const CellGroup<Element>& group,
+  /// Of eight cells [J per m].
+  struct GaussWork {
+    Pack plastic{0.0}, plastic_beside{0.0};  ///< with the weights of the force; by how much more with the volumes
+    Pack power{0.0};                         ///< of the stress at the start on the strain, with the volumes of the points
+  };
+  /// Runs the law on the Gauss points of eight cells.
+  static GaussWork update_gauss_points(const SchemeContext& context, const CellGroup<Element>& group,
       const BlockLayer& layer, const GaussStrain<Element, Pack>& strain, GaussValues<Element, Pack>& gauss,
       GaussRow<Element>* rows)
   {
     const SoilMaterial& material = context.materials[layer.material];
+    GaussWork work;
+    for (int g = 0; g < Element::n_gauss; ++g) {
+      SymTensor<Pack, dim> sigma, d_eps;
+      for (int k = 0; k < n_sym<dim>; ++k) sigma[k] = gauss.sigma[k][g], d_eps[k] = strain.d_eps[k][g];
+      work.power += gauss.volume[g] * double_dot(sigma, d_eps);
+    }
     if (rotates(context)) rotate_gauss_points(strain, gauss);
     constexpr Index n = Element::n_gauss * pack_width;  // numbers of a row
     PerGauss<Element, Pack> plastic_work;
@@ -272,8 +305,10 @@ struct MpmMixed {
 
     const bool takes_over = context.inverse_extent < 0 && !group.ratios.empty();
     const PerGauss<Element, Pack> weight = takes_over ? weights_taken(gauss) : gauss.weight;
-    Pack work(0.0);
-    for (int g = 0; g < Element::n_gauss; ++g) work += plastic_work[g] * weight[g];
+    for (int g = 0; g < Element::n_gauss; ++g) {
+      work.plastic += plastic_work[g] * weight[g];
+      work.plastic_beside += plastic_work[g] * (gauss.volume[g] - weight[g]);
+    }
     return work;
   }
 
@@ -350,9 +385,10 @@ struct MpmMixed {
   }
 };
 
-// Rows: sigma, Omega and one state variable to gather; then strain and Omega read, and with sigma and state written.
+// Rows: sigma, Omega and one state variable to gather; then strain, sigma and Omega read, and with state written. Flops:
+// for the ledger 9.
 constexpr PassCost gather_cost{.flops = 4 + 40, .rows = 1 + 4 + 1};
-constexpr PassCost stress_cost{.flops = 9, .rows = (4 + 1) + (4 + 4 + 1 + 1)};
+constexpr PassCost stress_cost{.flops = 9 + 9, .rows = (4 + 3 + 1) + (4 + 4 + 1 + 1)};
 
 }  // namespace
 

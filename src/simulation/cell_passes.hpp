@@ -91,16 +91,19 @@ inline void map_loads(const Model& model, const CellGroup<Quad4>& group, int c, 
   });
 }
 
-/// v_p of a cell from the accelerated nodes, and the momentum of the points with it.
-inline void accelerate_and_map(const Model& model, std::span<const NodeValues> node, const CellView<Quad4>& view)
+/// v_p of a cell from the accelerated nodes, and the momentum of the points with it. Returns the kinetic energy that
+/// PIC adds [J per m].
+inline Real accelerate_and_map(const Model& model, std::span<const NodeValues> node, const CellView<Quad4>& view)
 {
   const CornerVectors<Quad4> dv = corner_values(*model.mesh, node, view.cell, &NodeValues::dv, 1.0);
   const CornerVectors<Quad4> v_star = corner_values(*model.mesh, node, view.cell, &NodeValues::v, 1.0);
   view.corners.momentum = {};
+  Real gained = 0.0;
   for_each_block(view.points, view.cell, [&](PointBlock<2> block, Index) {
-    accelerate_points<Quad4>(dv, v_star, model.method.flip, block);
+    gained += accelerate_points<Quad4>(dv, v_star, model.method.flip, block);
     map_momentum(block, view.corners);
   });
+  return gained;
 }
 
 /// x_p += sum N_i du_i; new local coordinates; lanes that left the half-open cell go to `points_leaving`, with those

@@ -5,8 +5,11 @@
 #include "mesh/mesh_error.hpp"
 #include "simulation/ledger.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <set>
 
 namespace terp {
 namespace {
@@ -62,14 +65,65 @@ std::string describe_clamped(const State& state)
       state.step, state.time, state.clamped, 100.0 * most_clamped);
 }
 
-std::string describe_energy(const State& state, const TableRow& row)
+/// What lies around the fastest point.
+struct Place {
+  Index cell = -1;
+  Vec<2> x{0.0, 0.0};                ///< of the point [m]
+  Real speed = 0.0;                  ///< [m/s]
+  std::set<std::string> materials;   ///< of the cell and of those that share a node with it
+  Real softest = INFINITY, stiffest = 0.0;  ///< their moduli K + 4G/3 [Pa]
+
+  Real contrast() const { return stiffest / softest; }
+};
+
+Place find_fastest_place(const Model& model, const State& state)
 {
+  Place place;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const Real speed = std::hypot(block.row(Rows::v)[lane], block.row(Rows::v + 1)[lane]);
+    if (place.cell < 0 || speed > place.speed)
+      place.cell = block.cell, place.x = {block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]}, place.speed = speed;
+  });
+  if (place.cell < 0) return place;
+  const Mesh<2>& mesh = *model.mesh;
+  for (const Index node : mesh.cells[place.cell])
+    for (Index k = mesh.first_cell_of_node[node]; k < mesh.first_cell_of_node[node + 1]; ++k)
+      for_each_block(state.points, mesh.cells_of_node[k].cell, [&](const PointBlock<2>& block, Index) {
+        const SoilMaterial& material = model.materials[block.material];
+        const Real modulus = material.law->p_wave_modulus();
+        place.materials.insert(material.name);
+        place.softest = std::min(place.softest, modulus);
+        place.stiffest = std::max(place.stiffest, modulus);
+      });
+  return place;
+}
+
+/// The message for a balance of energy that is off. head: what is wrong with it.
+std::string describe_energy(const Model& model, const State& state, const TableRow& row, const std::string& head)
+{
+  constexpr Real few = 9.0, high = 10.0;  // points per cell; contrast of stiffness: docs/limits.md
+  const Place place = find_fastest_place(model, state);
+  const Real per_cell =
+      static_cast<Real>(state.points.n_points()) / static_cast<Real>(std::max<std::size_t>(state.points.occupied().size(), 1));
+  std::string likely, next;
+  const auto add = [&](const char* cause, const char* cure) {
+    likely += (likely.empty() ? "" : ", or ") + std::string(cause);
+    next += (next.empty() ? "" : ", or ") + std::string(cure);
+  };
+  if (per_cell < few) add("too few points per cell where soil flows", "body.points_per_cell of 3 at least");
+  if (place.contrast() > high) add("soils of very different stiffness in one cell", "cells that follow their border");
+  add("an unstable time step", "a lower time.courant");
+  add("a stiff body that travels far in pure FLIP", "method.flip = 0.9");
   return fmt::format(
-      "step {}, t = {:.4f} s: the energy grows by itself: {:.3g} J per m that no work explains, {:.3g} J exchanged\n\n"
+      "step {}, t = {:.4f} s: {}\n\n"
       "  before   kinetic {:.3g} J, elastic {:.3g} J; largest 99.9 % speed {:.3g} m/s\n"
-      "  likely   an unstable time step, or a stiff body that travels far in pure FLIP\n"
-      "  try      a lower time.courant, or method.flip = 0.9 (docs/troubleshooting.md#the-energy-balance-is-off)",
-      state.step, state.time, row["numerical"], energy_exchanged(state), row["kinetic"], row["elastic"], row["v_999"]);
+      "  where    the fastest point, {:.3g} m/s, is in cell {} at x = {} m, y = {} m; soil there: {}\n"
+      "           {:.2g} points per cell of soil; stiffest over softest soil there {:.3g}\n"
+      "  likely   {}\n"
+      "  try      {} (docs/troubleshooting.md#the-energy-balance-is-off)",
+      state.step, state.time, head, row["kinetic"], row["elastic"], row["v_999"], place.speed, place.cell,
+      coordinate_text(place.x[0]), coordinate_text(place.x[1]), fmt::join(place.materials, ", "), per_cell,
+      place.contrast(), likely, next);
 }
 
 /// Mass of the points whose waves cross the smallest cell within a step, as a part of all: the density of a point falls
@@ -108,17 +162,68 @@ std::string describe_time_step(const Model& model, const State& state, Real shar
 /// the first step of a side that begins to move [J per m].
 Real half_step_offset(const State& state, const TableRow& row)
 {
-  return row["elastic"] / static_cast<Real>(state.step);
+  return (row["elastic"] + row["pore_elastic"]) / static_cast<Real>(std::max<std::int64_t>(state.step, 1));
+}
+
+/// Terp knows neither what a law of a library stores nor what it dissipates.
+bool has_library_law(const Model& model)
+{
+  return std::ranges::any_of(model.materials, [](const SoilMaterial& m) { return m.type->by_library; });
+}
+
+/// Energy that is wrong at a row [J per m]; none below zero.
+struct Faults {
+  Real unexplained = 0.0;  ///< by the books, whatever its sign
+  Real made = 0.0;         ///< by no books: more than the soil was given from outside, or than it had before
+  Real undone = 0.0;       ///< plastic work
+};
+
+/// Enters the row in the marks of the state.
+Faults find_wrong_energy(const Model& model, State& state, const TableRow& row)
+{
+  EnergyMarks& marks = state.energy_marks;
+  // Velocities are those of half a step before the places (docs/methods.md, section 5).
+  const Real half_step = 0.5 * state.work.last_step, offset = half_step_offset(state, row);
+  const Real stored = row["kinetic"] + row["elastic"] + row["pore_elastic"] + row["left_energy"] + half_step;
+  const Real lost = state.work.outside() + state.start_energy - stored;
+  const Real plastic = state.work.plastic;
+  Faults faults{.unexplained = std::max(std::abs(row["unexplained"] + half_step) - offset, 0.0),
+      .made = std::max(marks.most_lost - lost - offset, 0.0),
+      .undone = std::max(marks.most_dissipated - plastic, 0.0)};
+  if (!has_library_law(model)) {
+    marks.most_lost = std::max(marks.most_lost, lost);
+    marks.most_dissipated = std::max(marks.most_dissipated, plastic);
+  }
+  marks.most_unexplained = std::max({marks.most_unexplained, faults.unexplained, faults.made});
+  return faults;
 }
 
 }  // namespace
 
-std::string find_fault_in_balance(const Model& model, const State& state, const TableRow& row)
+Real unexplained_share(const State& state)
 {
-  const Real exchanged = energy_exchanged(state);
-  if (state.step > 0 && row["numerical"] - half_step_offset(state, row) > most_gained * exchanged)
-    return describe_energy(state, row);
-  if (row["numerical"] <= gain_of_harm * exchanged) return {};
+  const Real most = state.energy_marks.most_unexplained, scale = energy_from_outside(state);
+  return most > 0.0 ? most / scale : 0.0;
+}
+
+std::string find_fault_in_balance(const Model& model, State& state, const TableRow& row)
+{
+  if (state.step == 0) return {};
+  const Faults faults = find_wrong_energy(model, state, row);
+  const Real scale = energy_from_outside(state);
+  if (faults.made > most_unexplained * scale)
+    return describe_energy(model, state, row,
+        fmt::format("the energy grows by itself: {:.3g} J per m come from nowhere, {:.3g} J came from outside",
+            faults.made, scale));
+  if (faults.unexplained > most_unexplained * scale)
+    return describe_energy(model, state, row,
+        fmt::format("{:.3g} J per m of energy {} and nothing explains it, {:.3g} J came from outside",
+            faults.unexplained, row["unexplained"] > 0.0 ? "were gained" : "were lost", scale));
+  if (faults.undone > most_undone * scale)
+    return describe_energy(model, state, row,
+        fmt::format("{:.3g} J per m of plastic work were given back, which no soil can, {:.3g} J came from outside",
+            faults.undone, scale));
+  if (std::max(faults.unexplained, faults.made) <= unexplained_that_fails * scale) return {};
   if (const Real share = overtaken_share(model, state); share > most_overtaken)
     return describe_time_step(model, state, share);
   return {};

@@ -17,11 +17,19 @@ namespace {
 Real numerical_energy(const LedgerContext& c)
 {
   const WorkTotals& w = c.state.work;
-  return c.totals.kinetic + c.totals.elastic + c.left_energy + w.plastic - c.state.start_energy - w.given();
+  return c.totals.kinetic + c.totals.elastic + c.totals.pore_elastic + c.left_energy + w.plastic -
+         c.state.start_energy - w.given();
+}
+
+/// The same without what is known as a loss. A gain where there may only be losses is not explained.
+Real unexplained_energy(const LedgerContext& c)
+{
+  const WorkTotals& w = c.state.work;
+  return numerical_energy(c) - std::min(w.transfer(), 0.0) - std::min(w.reset, 0.0);
 }
 
 /// Of the points that left, when they did.
-Real kinetic_and_elastic_energy(const std::vector<LeftPoint>& points)
+Real energy_of(const std::vector<LeftPoint>& points)
 {
   Real energy = 0.0;
   for (const LeftPoint& p : points) energy += 0.5 * p.mass * (p.v[0] * p.v[0] + p.v[1] * p.v[1]) + p.elastic;
@@ -47,8 +55,13 @@ constexpr LedgerQuantity balance[] = {
          "of the nodes at the start of the last step, 1/2 sum m_i v_i^2: the part that the mesh sees, without the "
          "motion of points against each other within a cell"},
         [](C c) { return c.kinetic_nodal; }},
-    {{"elastic", "J/m", "elastic energy", "elastic energy stored"}, [](C c) { return c.totals.elastic; }},
-    {{"plastic", "J/m", "plastic work", "plastic work so far"}, [](C c) { return c.state.work.plastic; }},
+    {{"elastic", "J/m", "elastic energy", "elastic energy stored in the stress of the soil"},
+        [](C c) { return c.totals.elastic; }},
+    {{"pore_elastic", "J/m", "elastic energy of the pore water",
+         "elastic energy stored in the excess pressure of undrained soil of effective stress"},
+        [](C c) { return c.totals.pore_elastic; }},
+    {{"plastic", "J/m", "plastic work", "plastic work of the soil so far; it never falls"},
+        [](C c) { return c.state.work.plastic; }},
     {{"gravity_work", "J/m", "work of gravity", "work of gravity so far"}, [](C c) { return c.state.work.gravity; }},
     {{"damping_work", "J/m", "work of damping", "work of damping so far"}, [](C c) { return c.state.work.damping; }},
     {{"boundary_work", "J/m", "work of boundaries", "work of boundaries so far: friction, adhesion, prescribed motion"},
@@ -57,22 +70,35 @@ constexpr LedgerQuantity balance[] = {
          "what points keep of the velocity that sides and footings take from the nodes as they move: its product with "
          "the forces so far"},
         [](C c) { return c.state.work.clamps; }},
-    {{"water_work", "J/m", "work of the water", "work of pore pressure and free water so far"},
+    {{"water_work", "J/m", "work of the water",
+         "work so far of the water pressure that the case gives, in and around the soil"},
         [](C c) { return c.state.work.outer[outer_water]; }},
     {{"load_work", "J/m", "work of loads", "work of loads so far"}, [](C c) { return c.state.work.outer[outer_load]; }},
     {{"balance_work", "J/m", "work of the slope of the pressure",
          "work of the slope that the pressure has within cells so far (method.pressure = balanced)"},
         [](C c) { return c.state.work.outer[outer_balance]; }},
     {{"relaxation_work", "J/m", "work of relaxation",
-         "kinetic energy so far of velocities that the mesh does not see, as they fade (method.relaxation_time)"},
+         "kinetic energy so far of velocities that the mesh does not see, as they fade (method.relaxation_time, and "
+         "method.flip below 1); a loss"},
         [](C c) { return c.state.work.relaxation; }},
     {{"left_energy", "J/m", "energy of soil that left",
          "kinetic and elastic energy that points took along through open sides so far"},
         [](C c) { return c.left_energy; }},
     {{"numerical", "J/m", "not explained by the balance",
-         "what the balance does not explain: (kinetic + elastic) - (the same at t = 0) + left_energy + plastic - the "
-         "works above"},
+         "what the balance does not explain: (kinetic + elastic + pore_elastic) - (the same at t = 0) + left_energy + "
+         "plastic - the works above"},
         numerical_energy},
+    {{"transfer", "J/m", "stress work lost between nodes and points",
+         "part of `numerical`: work of the stress on the strain of the points, less that of the internal forces on the "
+         "nodes, so far; above 0 it is energy from nowhere"},
+        [](C c) { return c.state.work.transfer(); }},
+    {{"pressure_reset", "J/m", "elastic energy lost as pressures are smoothed",
+         "part of `numerical`: change of elastic energy so far as each step begins with the smooth pressure of the "
+         "cells; above 0 it is energy from nowhere"},
+        [](C c) { return c.state.work.reset; }},
+    {{"unexplained", "J/m", "energy from nowhere, or lost",
+         "`numerical` less what `transfer` and `pressure_reset` lost; what they gained is part of it"},
+        unexplained_energy},
     {{"mass", "kg/m", "mass", "of all material points"}, [](C c) { return c.totals.mass; }},
     {{"mass_placed", "kg/m", "mass of bodies placed", "of bodies that stages placed so far"},
         [](C c) { return c.state.mass_placed; }},
@@ -98,13 +124,20 @@ Real elastic_energy(Moduli moduli, std::array<Real, 4> sigma, Real volume)
   return volume * ElasticEnergy<Real>(moduli)(sigma[0], sigma[1], sigma[2], sigma[3]);
 }
 
-Real elastic_energy(const SoilMaterial& material, const LawRows& at, const SymTensor<Real, 2>& sigma, Real volume)
+Real elastic_energy(const SoilMaterial& material, std::span<Real> values)
 {
-  if (material.type->stiffness_by_stress) return volume * material.law->stored_energy(at, sigma);
-  return elastic_energy(material.law->moduli(at), sigma.c, volume);
+  const LawRows at = material.view(values.data(), 1);
+  SymTensor<Real, 2> sigma;
+  for (int k = 0; k < n_sym<2>; ++k) sigma[k] = values[Rows::sigma + k];
+  const Real volume = values[Rows::volume];
+  Real energy = material.type->stiffness_by_stress ? volume * material.law->stored_energy(at, sigma)
+                                                   : elastic_energy(material.law->moduli(at), sigma.c, volume);
+  if (material.water_stiffness > 0.0)
+    energy += volume * values[material.excess_row] * values[material.excess_row] / (2.0 * material.water_stiffness);
+  return energy;
 }
 
-Real kinetic_and_elastic_energy(const Model& model, const State& state)
+Real kinetic_and_stored_energy(const Model& model, const State& state)
 {
   BalanceSums balance;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
@@ -112,8 +145,10 @@ Real kinetic_and_elastic_energy(const Model& model, const State& state)
     const ElasticEnergy<Real> energy(material.law->moduli());
     for (Index p = 0; p < block.n; p += pack_width) balance.enter(material, energy, block, p);
   });
-  return 0.5 * sum(balance.twice_kinetic) + sum(balance.elastic) + kinetic_and_elastic_energy(state.left);
+  return 0.5 * sum(balance.twice_kinetic) + sum(balance.elastic) + sum(balance.pore_elastic) + energy_of(state.left);
 }
+
+Real energy_from_outside(const State& state) { return state.work.from_outside + std::max(state.start_energy, 0.0); }
 
 Real energy_exchanged(const State& state) { return energy_exchanged(state.work) + state.start_energy; }
 
@@ -163,7 +198,7 @@ TableRow keep_ledger(const Model& model, State& state, Workspace& work)
       .request = request,
       .totals = totals,
       .kinetic_nodal = state.step == 0 ? kinetic_energy(map_motion(model, state)) : work.kinetic_nodal,
-      .left_energy = kinetic_and_elastic_energy(state.left),
+      .left_energy = energy_of(state.left),
       .fastest_node = work.watches_rest ? work.fastest_node : NAN};
   state.largest_v_999 = std::max(state.largest_v_999, totals.v_999);
   FollowerTypes types;

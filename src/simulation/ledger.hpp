@@ -13,14 +13,18 @@ namespace terp {
 /// Elastic energy stored in a point [J per m]; sigma: xx yy zz xy [Pa], volume [m^2].
 Real elastic_energy(Moduli moduli, std::array<Real, 4> sigma, Real volume);
 
-/// The same of a point of a material.
-Real elastic_energy(const SoilMaterial& material, const LawRows& at, const SymTensor<Real, 2>& sigma, Real volume);
+/// Stored in a point of a material and in its pore water [J per m]; values: its rows.
+Real elastic_energy(const SoilMaterial& material, std::span<Real> values);
 
-/// Kinetic energy of the points plus elastic energy stored in them, and what those that left took along [J per m].
-Real kinetic_and_elastic_energy(const Model& model, const State& state);
+/// Kinetic energy of the points plus elastic energy stored in them and in their pore water, and what those that left
+/// took along [J per m].
+Real kinetic_and_stored_energy(const Model& model, const State& state);
 
 /// What the works moved so far, and the energy of the start [J per m]: the scale of the energy balance.
 Real energy_exchanged(const State& state);
+
+/// What came from outside so far, and the energy of the start [J per m]: the scale of what nothing explains.
+Real energy_from_outside(const State& state);
 
 /// The part of the works in it [J per m].
 inline Real energy_exchanged(const WorkTotals& w)

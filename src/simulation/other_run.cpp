@@ -144,7 +144,7 @@ std::size_t count_done(const Model& model, const std::string& stage_that_ended)
 void begin_from(const Model& before, const std::string& stage_that_ended, Model& model, State& state)
 {
   const Seeds seeds = seeds_of_both(before, model);
-  const Real energy = kinetic_and_elastic_energy(before, state);
+  const Real energy = kinetic_and_stored_energy(before, state);
   const std::size_t n_done = count_done(model, stage_that_ended);
   state.stages_done = records_of(before, model, n_done, state);
   state.stage = n_done == 0 ? 0 : static_cast<std::int64_t>(n_done) - 1;
@@ -172,7 +172,7 @@ void begin_from(const Model& before, const std::string& stage_that_ended, Model&
   const State first = build_state(model);
   for (ActiveFollower& active : own.followers) active.follower->begin_from(before, model, first);
   state = std::move(own);
-  state.start_energy += kinetic_and_elastic_energy(model, state) - energy;
+  state.start_energy += kinetic_and_stored_energy(model, state) - energy;
   remove_held_bodies(model, state);
 }
 

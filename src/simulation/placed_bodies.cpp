@@ -168,7 +168,7 @@ void change_bodies(const Model& model, const Seeds& seeds, State& state)
 void remove_held_bodies(const Model& model, State& state)
 {
   if (model.held_row < 0) return;
-  const Real before = kinetic_and_elastic_energy(model, state);
+  const Real before = kinetic_and_stored_energy(model, state);
   std::vector<Real> values(static_cast<std::size_t>(state.points.n_rows()));
   bool any = false;
   for (const Index cell : state.points.occupied())
@@ -181,7 +181,7 @@ void remove_held_bodies(const Model& model, State& state)
       }
   if (!any) return;
   state.points.update_occupied();
-  state.start_energy += kinetic_and_elastic_energy(model, state) - before;
+  state.start_energy += kinetic_and_stored_energy(model, state) - before;
 }
 
 /// Step before which the marked points are taken out.

@@ -113,7 +113,7 @@ Search start_run(const Model& model, State& state, const std::atomic<bool>& stop
       return {.fault = fmt::format("{}: {}\n  {}", wrong->key, wrong->what, wrong->detail)};
   }
   start_followers(model, state);
-  state.start_energy = kinetic_and_elastic_energy(model, state);
+  state.start_energy = kinetic_and_stored_energy(model, state);
   return {.reached = true};
 }
 
@@ -223,7 +223,8 @@ Summary summarise(const Model& model, const State& state)
   // energy (docs/methods.md, section 5).
   const Real half_step = 0.5 * w.last_step;
   const Real numerical =
-      kinetic_and_elastic_energy(model, state) + half_step + w.plastic - state.start_energy - w.given();
+      kinetic_and_stored_energy(model, state) + half_step + w.plastic - state.start_energy - w.given();
+  s.unexplained_energy = unexplained_share(state);
   s.energy_balance_error = exchanged > 0.0 ? std::abs(numerical) / exchanged : 0.0;
   s.clamped_points = state.clamped;
   for (std::size_t k = 0; k < state.stages_done.size(); ++k) {

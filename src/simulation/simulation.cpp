@@ -191,13 +191,13 @@ void Simulation::set_field(const std::string& name, const std::vector<Real>& val
       state, places, values, [&](const PointBlock<2>& block, Index lane, const FieldPlace& place, const Real* value) {
         check_value(model, state, name, block, lane, place, value);
       });
-  const Real before = kinetic_and_elastic_energy(model, state);
+  const Real before = kinetic_and_stored_energy(model, state);
   for_each_value(
       state, places, values, [](const PointBlock<2>& block, Index lane, const FieldPlace& place, const Real* value) {
         for (int k = 0; k < place.n_rows && place.first_row >= 0; ++k) block.row(place.first_row + k)[lane] = value[k];
       });
   if (!has_started(state)) return;
-  state.start_energy += kinetic_and_elastic_energy(model, state) - before;
+  state.start_energy += kinetic_and_stored_energy(model, state) - before;
   for (const ActiveFollower& active : state.followers) active.follower->points_were_set(model, state);
 }
 

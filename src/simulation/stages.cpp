@@ -248,7 +248,7 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   TERP_ASSERT(next.dt == model.dt);  // or the clock would jump
   next.ramp.start = model.time_of(state.step);
   remove_held_bodies(model, state);
-  const Real before = kinetic_and_elastic_energy(model, state);
+  const Real before = kinetic_and_stored_energy(model, state);
   const auto is_of_material = [](const auto& change) {
     return change.first.starts_with("material") || change.first == "at_strength";
   };
@@ -262,7 +262,7 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   if (sets_parameters) set_point_parameters(next, seeds, state);
   keep_carried_pressures(next, carried, state);
   change_bodies(next, seeds, state);
-  state.start_energy += kinetic_and_elastic_energy(next, state) - before;
+  state.start_energy += kinetic_and_stored_energy(next, state) - before;
   place_new_loads(model, next, state);
   ++state.stage;
   state.stage_start = state.step;

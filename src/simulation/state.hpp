@@ -7,6 +7,7 @@
 #include "simulation/outer_forces.hpp"
 #include "simulation/stage.hpp"
 
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -19,18 +20,37 @@ struct WorkTotals {
   OuterWork outer{};      ///< of forces from outside: loads, water
   Real plastic = 0.0;     ///< dissipated
   Real internal = 0.0;    ///< of the internal forces on the nodes
+  Real taken = 0.0;       ///< of the stress of the points, each step's at its start, on their strain
+  Real reset = 0.0;       ///< gained by stored energy as pressures were set at the start of steps (reading R10)
   Real relaxation = 0.0;  ///< of velocities that the mesh does not see, as they fade
   Real exchanged = 0.0;   ///< largest sum of the sizes of gravity, damping, boundary, outer and plastic so far: what
                           ///< swings to and fro was exchanged, too
-  Real last_step = 0.0;   ///< given() and internal, in the last step alone
+  Real from_outside = 0.0;  ///< the same of the works from outside alone, so far
+  Real last_step = 0.0;     ///< given() and internal, in the last step alone
 
-  /// What the soil was given from outside.
+  /// What the balance of energy counts as given to the soil.
   Real given() const
   {
     Real sum = gravity + damping + boundary + clamps + relaxation;
     for (const Real work : outer) sum += work;
     return sum;
   }
+  /// What the soil was given by what is not part of the method, as far as that can be known without it.
+  Real outside() const { return gravity + boundary + clamps + outer[outer_load] + outer[outer_water]; }
+  Real size_of_outside() const
+  {
+    return std::abs(gravity) + std::abs(boundary) + std::abs(clamps) + std::abs(outer[outer_load]) +
+           std::abs(outer[outer_water]);
+  }
+  /// What the points took more than the nodes gave.
+  Real transfer() const { return taken + internal; }
+};
+
+/// Of the balance of energy, over the rows of the ledger so far [J per m].
+struct EnergyMarks {
+  Real most_lost = 0.0;     ///< by the soil, all in all
+  Real most_dissipated = 0.0;  ///< plastic work
+  Real most_unexplained = 0.0;
 };
 
 struct State {
@@ -45,7 +65,8 @@ struct State {
   bool has_no_start = false;             ///< the search found no equilibrium, so that nothing can be judged
   Real mass_placed = 0.0;                ///< of bodies that stages placed so far [kg per m]
   Real mass_removed = 0.0;               ///< of bodies that stages dug away so far [kg per m]
-  Real start_energy = 0.0;               ///< kinetic + elastic at t = 0 [J per m]
+  Real start_energy = 0.0;               ///< kinetic + stored at t = 0 [J per m]
+  EnergyMarks energy_marks;
   std::int64_t first_step = 0;           ///< Model::first_step and first_time
   Real first_time = 0.0;                 ///< [s]
   std::int64_t stage = 0;                ///< number of the stage that the run is in

@@ -224,8 +224,10 @@ std::vector<ArraySource> arrays_of(const State& state)
     arrays.copy("mean_force", std::move(values));
   }
   const WorkTotals& w = state.work;
+  const EnergyMarks& marks = state.energy_marks;
   arrays.copy("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, w.exchanged,
-                          w.last_step, state.start_energy, state.largest_v_999, w.clamps, w.relaxation});
+                          w.last_step, state.start_energy, state.largest_v_999, w.clamps, w.relaxation, w.taken,
+                          w.reset, w.from_outside, marks.most_lost, marks.most_dissipated, marks.most_unexplained});
   if (state.first_step != 0) {
     arrays.copy("first_step", std::vector<std::int64_t>{state.first_step});
     arrays.copy("first_time", std::vector<Real>{state.first_time});
@@ -316,16 +318,20 @@ State restore(const Model& model, const StateImage& image)
   }
   get_left(arrays, state);
   check_ids(model, state);
-  const auto& w = arrays.reals("work", 11);
+  const auto& w = arrays.reals("work", 17);
   state.work = {.gravity = w[0],
       .damping = w[1],
       .boundary = w[2],
       .clamps = w[9],
       .plastic = w[3],
       .internal = w[4],
+      .taken = w[11],
+      .reset = w[12],
       .relaxation = w[10],
       .exchanged = w[5],
+      .from_outside = w[13],
       .last_step = w[6]};
+  state.energy_marks = {.most_lost = w[14], .most_dissipated = w[15], .most_unexplained = w[16]};
   if (arrays.has("first_step")) {
     state.first_step = arrays.wholes("first_step", 1)[0];
     state.first_time = arrays.reals("first_time", 1)[0];

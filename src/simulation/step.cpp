@@ -112,7 +112,13 @@ void finish_sums(State& state, Workspace& work)
     outer += total.outer[kind];
   }
   state.work.last_step = total.gravity + total.damping + total.boundary + total.clamps + outer + total.internal;
-  for (const CellSums& sums : work.cell_sums) state.work.plastic += sums.plastic;
+  for (const CellSums& sums : work.cell_sums) {
+    state.work.plastic += sums.plastic;
+    state.work.taken += sums.taken;
+    state.work.reset += sums.reset;
+    state.work.relaxation += sums.relaxation;
+  }
+  state.work.from_outside = std::max(state.work.from_outside, state.work.size_of_outside());
   state.work.exchanged = energy_exchanged(state.work);
   work.finite = total.finite;
   work.kinetic_nodal = total.kinetic;
@@ -125,15 +131,12 @@ void finish_sums(State& state, Workspace& work)
 /// Enters a point that crossed an open side in the list of those that left.
 void enter_left(const Model& model, Index number, std::span<Real> values, State& state)
 {
-  const SoilMaterial& material = model.materials[number];
-  const SymTensor<Real, 2> sigma{
-      {values[Rows::sigma], values[Rows::sigma + 1], values[Rows::sigma + 2], values[Rows::sigma + 3]}};
   state.left.push_back({.time = model.time_of(state.step + 1),
       .id = static_cast<std::int64_t>(values[Rows::id]),
       .x = {values[Rows::x], values[Rows::x + 1]},
       .v = {values[Rows::v], values[Rows::v + 1]},
       .mass = values[Rows::mass],
-      .elastic = elastic_energy(material, material.view(values.data(), 1), sigma, values[Rows::volume]),
+      .elastic = elastic_energy(model.materials[number], values),
       .volume = values[Rows::volume]});
 }
 
@@ -287,13 +290,13 @@ void update_stress_and_places(const Model& model, const SchemeContext& context, 
     for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto&) {
       StressSums stress_sums;
       scheme.strain(context, group, displacements(model, work.node, group), stress_sums);
-      sums.plastic += stress_sums.plastic_work;
+      sums.enter(stress_sums);
     });
   for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto& points_leaving) {
     const auto du = displacements(model, work.node, group);
     StressSums stress_sums;
     scheme.update_stress(context, group, du, stress_sums);
-    sums.plastic += stress_sums.plastic_work;
+    sums.enter(stress_sums);
     for (int c = 0; c < group.n(); ++c) {
       if (model.spreads_softening())
         work.cell_softens[group.number * pack_width + c] = softens(model, group.points, group.cells[c]);
@@ -333,8 +336,8 @@ void step_compiled(const Model& model, State& state, Workspace& work)
     });
   });
   timed(work, cells_to_points, [&] {
-    for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums&, auto&) {
-      for (int c = 0; c < group.n(); ++c) accelerate_and_map(model, work.node, group.cell(c));
+    for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto&) {
+      for (int c = 0; c < group.n(); ++c) sums.relaxation += accelerate_and_map(model, work.node, group.cell(c));
     });
   });
   timed(work, velocities, [&] {

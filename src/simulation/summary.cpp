@@ -62,10 +62,15 @@ const SummaryQuantity quantities[] = {
          "points whose strength rose between any two rows of the ledger; of a law whose strength follows from its "
          "strain alone, and of a library: rose because the strain fell"},
         &Summary::points_su_rose},
+    {{"unexplained_energy", "-", "unexplained energy",
+         "the most at any row of the ledger that nothing explains, of `unexplained` without sign and of what the soil "
+         "has more than was given from outside, over the works from outside (gravity, boundaries, clamps, water and "
+         "loads, the largest sum of their sizes so far) and the energy at t = 0 (docs/troubleshooting.md)"},
+        &Summary::unexplained_energy},
     {{"energy_balance_error", "-", "energy balance error",
          "at the end, without sign: `numerical` and half of the work of the last step (docs/methods.md, section 5) "
          "over the energy exchanged, that is, the sum of the sizes of the works of gravity, damping, boundaries, "
-         "water and loads, `plastic`, and kinetic + elastic at t = 0"},
+         "water and loads, `plastic`, and the energy at t = 0"},
         &Summary::energy_balance_error},
     {{"clamped_points", "-", "points put back at a wall", "`clamped` of the ledger at the end"},
         &Summary::clamped_points},

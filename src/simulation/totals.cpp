@@ -149,6 +149,7 @@ void add_chunks(const std::vector<ChunkTotals>& chunks, Totals& totals)
     totals.momentum[1] += sum(chunk.balance.momentum_y);
     totals.kinetic += 0.5 * sum(chunk.balance.twice_kinetic);
     totals.elastic += sum(chunk.balance.elastic);
+    totals.pore_elastic += sum(chunk.balance.pore_elastic);
     totals.moved = join(totals.moved, chunk.moved.found());
     for (int k = 0; k < most_slopes; ++k) totals.growth[k] += sum(chunk.growth[k]);
     totals.fell.insert(totals.fell.end(), chunk.fell.begin(), chunk.fell.end());

@@ -32,7 +32,7 @@ struct TotalsRequest {
 struct Totals {
   Real mass = 0.0;                    ///< [kg per m]
   Vec<2> momentum{0.0, 0.0};          ///< [N s per m]
-  Real kinetic = 0.0, elastic = 0.0;  ///< of the points [J per m]
+  Real kinetic = 0.0, elastic = 0.0, pore_elastic = 0.0;  ///< of the points [J per m]
   Real v_max = 0.0, v_999 = 0.0;      ///< largest speed, and that which 99.9 % of the points do not exceed [m/s]
   MovedSoil moved;
   std::array<Real, most_slopes>
@@ -85,11 +85,15 @@ inline Pack stored_energy_of_points(const SoilMaterial& material, const PointBlo
 
 /// Sums by lane. Lanes that hold no point have no mass and no volume.
 struct BalanceSums {
-  Pack mass{0.0}, momentum_x{0.0}, momentum_y{0.0}, twice_kinetic{0.0}, elastic{0.0};
+  Pack mass{0.0}, momentum_x{0.0}, momentum_y{0.0}, twice_kinetic{0.0}, elastic{0.0}, pore_elastic{0.0};
 
   /// Adds the points p ... p + 7 of a block. energy: of the material if its parameters do not vary.
   void enter(const SoilMaterial& material, const ElasticEnergy<Real>& energy, const PointBlock<2>& block, Index p)
   {
+    if (material.water_stiffness > 0.0) {
+      const Pack excess = Pack::load(block.row(material.excess_row) + p);
+      pore_elastic += Pack::load(block.row(Rows::volume) + p) * (excess * excess * Pack(0.5 / material.water_stiffness));
+    }
     if (material.type->stiffness_by_stress)
       enter([&](Pack, Pack, Pack, Pack) { return stored_energy_of_points(material, block, p); }, block, p);
     else if (material.varies())

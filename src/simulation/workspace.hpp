@@ -61,10 +61,18 @@ struct NodeSums {
 
 /// Sums over the cells of one chunk, and where the points are listed that left their cell.
 struct CellSums {
-  Real plastic = 0.0;     ///< work of the step [J per m]
-  Real relaxation = 0.0;  ///< kinetic energy that relaxed velocities gain [J per m]
+  Real plastic = 0.0;              ///< work of the step [J per m]
+  Real taken = 0.0, reset = 0.0;   ///< of StressSums [J per m]
+  Real relaxation = 0.0;           ///< kinetic energy that velocities gain as they fade [J per m]
   int thread = 0;         ///< whose list holds the points that left
   std::size_t first_leaving = 0, end_of_leaving = 0;
+
+  void enter(const StressSums& of)
+  {
+    plastic += of.plastic_work;
+    taken += sum(of.taken);
+    reset += sum(of.reset);
+  }
 };
 
 /// Of nonlocal softening, at the corners of one cell: sums over the points that can soften.

@@ -9,6 +9,7 @@
 #include "followers/followers.hpp"
 #include "input/printable.hpp"
 #include "simulation/ground_section.hpp"
+#include "simulation/guards.hpp"
 #include "simulation/mesh_frame.hpp"
 #include "simulation/no_equilibrium.hpp"
 #include "simulation/setup_mesh.hpp"
@@ -21,6 +22,7 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace terp {
 namespace {
@@ -193,6 +195,11 @@ bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, 
   bool ends_early = false;
   const Outcome outcome = event.ends_run ? run_to_event(simulation, event, stop, ends_early) : simulation.run(stop);
   if (outcome != Outcome::finished) return false;
+  if (const Real share = unexplained_share(simulation.state); share > unexplained_that_fails) {
+    result.fault = fmt::format(
+        "its energy is wrong: nothing explains {:.2g} % of what came from outside", 100.0 * share);
+    return true;
+  }
   read_outcomes(simulation, event, result);
   if (ends_early) forget_the_end(result);
   return true;

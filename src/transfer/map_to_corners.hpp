@@ -80,15 +80,17 @@ inline std::array<Pack, dim> interpolate(const std::array<std::array<Real, n>, d
   return value;
 }
 
-/// v_p += dt sum N_i a_i (FLIP); with flip < 1 blended with sum N_i v*_i (PIC).
+/// v_p += dt sum N_i a_i (FLIP); with flip < 1 blended with sum N_i v*_i (PIC). Returns the kinetic energy that blending
+/// adds [J per m], as a rule below zero.
 ///
 /// dv        dt a_i [m/s], v_star  v* of the nodes [m/s]
 template <class Element>
-inline void accelerate_points(
+inline Real accelerate_points(
     const CornerVectors<Element>& dv, const CornerVectors<Element>& v_star, Real flip, PointBlock<Element::dim>& block)
 {
   constexpr int dim = Element::dim;
   using Rows = PointRows<dim>;
+  Pack twice_gained(0.0);
   for (Index p = 0; p < block.n; p += pack_width) {
     const auto N = Element::shape_functions(load_rows<dim>(block, Rows::xi, p));
     const auto increment = interpolate(dv, N);
@@ -96,10 +98,16 @@ inline void accelerate_points(
     for (int d = 0; d < dim; ++d) v[d] += increment[d];
     if (flip < 1.0) {
       const auto pic = interpolate(v_star, N);
-      for (int d = 0; d < dim; ++d) v[d] = fma(Pack(flip), v[d], Pack(1.0 - flip) * pic[d]);
+      const Pack mass = Pack::load(block.row(Rows::mass) + p);
+      for (int d = 0; d < dim; ++d) {
+        const Pack free = v[d];
+        v[d] = fma(Pack(flip), free, Pack(1.0 - flip) * pic[d]);
+        twice_gained = fma(mass, (v[d] - free) * (v[d] + free), twice_gained);
+      }
     }
     store_rows(v, block, Rows::v, p);
   }
+  return flip < 1.0 ? 0.5 * sum(twice_gained) : 0.0;
 }
 
 }  // namespace terp

@@ -89,9 +89,9 @@ Real booked_over_lost(const Case& c, Real& lost)
   State state = build_state(model);
   Simulation s(std::move(model), std::move(state));
   set_a_jump(s);
-  const Real before = kinetic_and_elastic_energy(s.model, s.state);
+  const Real before = kinetic_and_stored_energy(s.model, s.state);
   make_steps(s, c.method.shares == Shares::point ? 1 : 60);
-  lost = before - kinetic_and_elastic_energy(s.model, s.state);
+  lost = before - kinetic_and_stored_energy(s.model, s.state);
   return s.state.work.plastic / lost;
 }
 

@@ -141,7 +141,7 @@ TEST(PointParameters, TheElasticEnergyIsThatOfTheStiffnessOfEachPoint)
   edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(Rows::sigma + 3)[lane] = 3e3; });
   const Real expected = 0.125 * 9e6 / 2.0 * (1.0 / 1e6 + 1.0 / 4e6);
   EXPECT_NEAR(keep_ledger(s.model, s.state, s.work)["elastic"], expected, 1e-12);
-  EXPECT_NEAR(kinetic_and_elastic_energy(s.model, s.state), expected, 1e-12);
+  EXPECT_NEAR(kinetic_and_stored_energy(s.model, s.state), expected, 1e-12);
 }
 
 TEST(PointParameters, AreAFieldOfTheFrameAndInTheCheckpoint)

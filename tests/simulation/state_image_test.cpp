@@ -39,9 +39,13 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
       .clamps = 3.5,
       .plastic = 4.0,
       .internal = 5.0,
+      .taken = 5.0625,
+      .reset = 5.09375,
       .relaxation = 5.125,
       .exchanged = 5.25,
+      .from_outside = 5.375,
       .last_step = 5.5};
+  state.energy_marks = {.most_lost = 5.625, .most_dissipated = 5.75, .most_unexplained = 5.875};
   state.start_energy = 6.0;
   state.clamped = 7;
   state.rows_reported["ledger"] = 11;
@@ -61,6 +65,12 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   EXPECT_EQ(back.work.relaxation, 5.125);
   EXPECT_EQ(back.work.exchanged, 5.25);
   EXPECT_EQ(back.work.last_step, 5.5);
+  EXPECT_EQ(back.work.taken, 5.0625);
+  EXPECT_EQ(back.work.reset, 5.09375);
+  EXPECT_EQ(back.work.from_outside, 5.375);
+  EXPECT_EQ(back.energy_marks.most_lost, 5.625);
+  EXPECT_EQ(back.energy_marks.most_dissipated, 5.75);
+  EXPECT_EQ(back.energy_marks.most_unexplained, 5.875);
   EXPECT_EQ(back.start_energy, 6.0);
   EXPECT_EQ(back.clamped, 7);
   EXPECT_EQ(back.rows_reported, state.rows_reported);

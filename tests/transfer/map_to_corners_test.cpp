@@ -98,7 +98,7 @@ TEST(AcceleratePoints, AddsTheInterpolatedIncrement)  // pure FLIP
   cell.add({.local = {0.6, -0.2}, .v = {3.0, -0.5}});
   const CornerVectors<Quad4> dv{{{1.0, 2.0, 3.0, 4.0}, {-10.0, 0.0, 0.0, 20.0}}},
       v_star{{{9.0, 9.0, 9.0, 9.0}, {9.0, 9.0, 9.0, 9.0}}};
-  accelerate_points<Quad4>(dv, v_star, 1.0, cell.block());
+  EXPECT_EQ(accelerate_points<Quad4>(dv, v_star, 1.0, cell.block()), 0.0);
   EXPECT_DOUBLE_EQ(cell.block().row(Rows::v)[0], 3.0 + 0.12 * 1.0 + 0.48 * 2.0 + 0.32 * 3.0 + 0.08 * 4.0);
   EXPECT_NEAR(cell.block().row(Rows::v + 1)[0], -0.5 - 0.12 * 10.0 + 0.08 * 20.0, 1e-14);
 }
@@ -119,8 +119,9 @@ TEST(AcceleratePoints, BlendsFlipAndPic)
   Cell cell;
   cell.add({.local = {0.0, 0.0}, .v = {3.0, 0.0}});
   const CornerVectors<Quad4> dv{{{1.0, 1.0, 1.0, 1.0}, {}}}, v_star{{{8.0, 8.0, 8.0, 8.0}, {}}};
-  accelerate_points<Quad4>(dv, v_star, 0.75, cell.block());
+  const Real gained = accelerate_points<Quad4>(dv, v_star, 0.75, cell.block());
   EXPECT_DOUBLE_EQ(cell.block().row(Rows::v)[0], 0.75 * 4.0 + 0.25 * 8.0);
+  EXPECT_DOUBLE_EQ(gained, 0.5 * cell.block().row(Rows::mass)[0] * (5.0 * 5.0 - 4.0 * 4.0));
 }
 
 TEST(AcceleratePoints, LeavesPaddingWithoutMomentum)

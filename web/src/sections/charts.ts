@@ -99,7 +99,7 @@ function energies(current: Current, labels: string[]): HTMLElement[] {
     if (!x || columns.length === 0) return [];
     const lines = columns.map(({ name }, k): Line => ({
       label: columnLabel(series, name), x, y: series.column(name)!,
-      colour: (dark) => lineColour(k, dark), dash: name === "numerical" ? [2, 3] : undefined,
+      colour: (dark) => lineColour(k, dark), dash: /^(numerical|unexplained)$/.test(name) ? [2, 3] : undefined,
     }));
     const title = `${say("chart_energy")}${labels.length > 1 ? `, ${labels[run.index]}` : ""}`;
     const chart = new Chart(current.store, { title, xLabel: say("time_axis"), unit: columns[0]!.unit });

@@ -159,11 +159,11 @@ describe("warnings and checks", () => {
   });
 
   it("name what is not as it should be, each once", () => {
-    const run = sampleRun({}, { energy_balance_error: 0.06, clamped_points: 3, points_left: 7, points_su_rose: 2 });
+    const run = sampleRun({}, { unexplained_energy: 0.06, clamped_points: 3, points_left: 7, points_su_rose: 2 });
     run.meta.finished = false;
     run.meta.warnings = { en: ["A frame is missing."], nl: ["Een beeld ontbreekt."] };
     expect(plain(listWarnings(run))).toEqual(["The run has not reached its end: the last row of its ledger is at 4 s.",
-      "The energy balance is off by 6 % of the energy exchanged.", "3 points had to be put back at a wall of the mesh.",
+      "Nothing explains 6 % of the energy that came from outside.", "3 points had to be put back at a wall of the mesh.",
       "7 points left the mesh through open sides.", "A frame is missing.", "Check not passed: Points whose strength ever rose: 2."]);
   });
 
