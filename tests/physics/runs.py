@@ -1,0 +1,188 @@
+"""Calls of the program: a case as a dictionary is written, solved, and its tables are read.
+
+Not for what is judged: rows_*.py. Units as in the case file: SI.
+"""
+import csv
+import json
+import math
+import os
+import subprocess
+import time
+
+import numpy as np
+
+import meshes
+
+NEVER = 1e9  # s: an output that is not wanted
+SECONDS = 900  # of wall time, after which a call is ended
+TODAY = {"strain_shares": "plain", "volume_change": "centre", "pressure": "constant"}  # as before these options
+
+
+def toml(value):
+    """A value as TOML on one line."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {toml(item)}" for key, item in value.items()) + " }"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(toml, value)) + "]"
+    if isinstance(value, (bool, str)):
+        return json.dumps(value)
+    return repr(int(value) if isinstance(value, (int, np.integer)) else float(value))
+
+
+class Result:
+    """Tables of one run. A run that stopped has no largest or last value but infinity."""
+
+    def __init__(self, folder, code, message):
+        self.folder, self.code, self.message = folder, code, message
+        self.ledger = {}
+        if (folder / "ledger.csv").exists():
+            with open(folder / "ledger.csv") as file:
+                rows = list(csv.DictReader(file))
+            self.ledger = {key: np.array([float(row[key]) for row in rows]) for key in (rows[0] if rows else ())}
+
+    def column(self, name):
+        """A column of the ledger; zeros where this build has none of that name."""
+        return self.ledger.get(name, np.zeros_like(self.ledger["time"]))
+
+    def largest(self, name, until=math.inf):
+        if self.code:
+            return math.inf
+        return float(np.abs(self.column(name)[self.column("time") <= until]).max())
+
+    def last(self, name):
+        return math.inf if self.code else float(self.column(name)[-1])
+
+    def at(self, name, moment):
+        return math.inf if self.code else float(np.interp(moment, self.column("time"), self.column(name)))
+
+    def summary(self, key):
+        return math.inf if self.code else json.loads((self.folder / "summary.json").read_text())[key]
+
+    def unexplained(self):
+        """Energy that no outside work and no dissipation explains [J/m], over time: made if positive.
+
+        Formed here from the columns, so that it does not depend on what the program books as `numerical`.
+        """
+        stored = sum(self.column(name) for name in ("kinetic", "elastic", "pore_elastic", "left_energy"))
+        spent = self.column("plastic") + self.column("slip_work")
+        works = ("gravity", "damping", "boundary", "clamp", "water", "load", "relaxation")
+        return stored - stored[0] + spent - sum(self.column(f"{name}_work") for name in works)
+
+    def most_made(self, start=0.0):
+        """Most of unexplained energy over the largest work of gravity [-], and the least."""
+        if self.code:
+            return math.inf, -math.inf
+        relative = self.unexplained() / max(np.abs(self.column("gravity_work")).max(), 1e-300)
+        later = self.column("time") >= start
+        return float(relative[later].max()), float(relative[later].min())
+
+    def motion(self, chosen):
+        """Mean displacement [m] and velocity [m/s] at the end, each [x, y], of the points chosen at the start."""
+        if self.code:
+            return np.full(2, np.inf), np.full(2, np.inf)
+        frames = sorted((self.folder / "csv").glob("frame_*.csv"))
+        first, last = (np.genfromtxt(frame, delimiter=",", names=True) for frame in (frames[0], frames[-1]))
+        order = {int(n): k for k, n in enumerate(last["id"])}
+        picked = [row for row in first if chosen(row)]
+        now = last[[order[int(row["id"])] for row in picked]]
+        moved = [np.mean(now[c]) - np.mean([row[c] for row in picked]) for c in "xy"]
+        return np.array(moved), np.array([np.mean(now[f"velocity_{c}"]) for c in "xy"])
+
+
+class Variant:
+    """One line of the table: a row with one value of each of its factors. It writes its cases into `folder`."""
+
+    def __init__(self, terp, folder, random, settings, factors):
+        self.terp, self.folder, self.random, self.settings, self.factors = terp, folder, random, settings, factors
+        self.cpu = 0.0  # s of processor time so far
+        self.stops = []  # first words of runs that stopped and should not have
+
+    def __getattr__(self, name):
+        try:
+            return self.__dict__["factors"][name]
+        except KeyError:
+            raise AttributeError(name)
+
+    def path(self, name):
+        self.folder.mkdir(parents=True, exist_ok=True)
+        return self.folder / name
+
+    def call(self, command, output):
+        """Exit status and messages of the program; 124 if it did not end in time."""
+        started = time.monotonic()
+        with open(self.path("messages.txt"), "w") as messages:
+            process = subprocess.Popen(list(map(str, command)), stdout=output, stderr=messages)
+            while True:
+                pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+                if pid:
+                    break
+                if time.monotonic() - started > SECONDS:
+                    process.kill()
+                time.sleep(0.01)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.cpu += usage.ru_utime + usage.ru_stime
+        code = 124 if time.monotonic() - started > SECONDS else process.returncode
+        return code, (self.folder / "messages.txt").read_text()
+
+    def write(self, case, name):
+        method = {"shares": self.shares} | case.get("method", {})
+        case = {"scheme": f"mpm_{self.scheme}"} | case | {"method": method}
+        path = self.path(f"{name}.toml")
+        path.write_text("".join(f"{key} = {toml(value)}\n" for key, value in case.items()))
+        return path
+
+    def options(self):
+        return [option for setting in self.settings for option in ("--set", setting)]
+
+    def run(self, case, name="run", fields=(), may_stop=False):
+        """Result of a case; with `fields` the first and the last frame have these. may_stop: that may be right."""
+        output = {"ledger": {"every": 0.02}, "fields": {"every": 0.0 if fields else NEVER}} | case.get("output", {})
+        path = self.write(case | {"output": output}, name)
+        folder = self.folder / name
+        code, message = self.call([self.terp, "run", path, "-o", folder, "-q", "--force", "-j", 1, *self.options()],
+                                  subprocess.DEVNULL)
+        if code and not may_stop:
+            self.stops.append(message.strip().splitlines()[0] if message.strip() else f"exit status {code}")
+        if fields and code == 0:
+            named = [option for field in fields for option in ("--field", field)]
+            self.call([self.terp, "export", folder, *named], subprocess.DEVNULL)
+        return Result(folder, code, message)
+
+    def stability(self, case, *options, name="stability"):
+        """stability.json, or None where the search found no factor."""
+        path = self.write(case, name)
+        folder = self.folder / name
+        self.call([self.terp, "stability", path, "-o", folder, "-q", "-j", 1, *options, *self.options()],
+                  subprocess.DEVNULL)
+        file = folder / "stability.json"
+        return json.loads(file.read_text()) if file.exists() else None
+
+    def draw(self, name, values):
+        """One of the values at random; the line of the variant says which."""
+        if name not in self.factors:
+            self.factors[name] = self.random.choice(list(values))
+        return self.factors[name]
+
+    def mesh(self, width, height, cell, amount=0.25, level=(), kept=(), place=lambda x, y: (x, y), slant=0.37):
+        """`mesh` of a case: the box width x height of the kind of this variant, with sides of the four names.
+
+        level: heights of rows that stay level in a mesh of moved nodes; kept: places of nodes that stay. place: takes
+        the box elsewhere. The top of a polygon slants up by `slant`, a part of the height, or gmsh would fill it with
+        squares.
+        """
+        columns, rows = round(width / cell), round(height / cell)
+        corners = [place(x, y) for x, y in ((0, 0), (width, 0), (width, height), (0, height))]
+        if self.kind == "quads":
+            rows_kept = {round(y / cell) for y in level}
+            nodes_kept = {(round(x / cell), round(y / cell)) for x, y in kept}
+            nodes = meshes.moved_grid(columns, rows, amount, self.random, rows_kept, nodes_kept)
+            nodes = np.array([[place(x * cell, y * cell) for x, y in row] for row in nodes])
+            name = f"quads_{columns}_{rows}.msh"
+            meshes.write_msh(self.path(name), nodes)
+            return {"file": name}
+        if self.kind == "polygon":
+            corners[2] = place(width, height * (1 + slant * self.random.uniform(0.5, 1)))
+            return {"polygon": corners, "edges": {"bottom": [0], "right": [1], "top": [2], "left": [3]}, "cell": cell,
+                    "variant": self.random.randrange(8), "follow_bodies": False}
+        return {"cells": [columns, rows], "sides": {"bottom": corners[:2], "right": corners[1:3],
+                                                    "top": corners[3:1:-1], "left": [corners[0], corners[3]]}}
