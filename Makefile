@@ -14,7 +14,7 @@ PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
 .PHONY: help install build demo test test-long package windows wheel test-web vtk verify verify-paper kill
-.PHONY: test-cluster fuzz sanitize lint accept clean
+.PHONY: physics test-cluster fuzz sanitize lint accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -66,6 +66,9 @@ wheel: build     ## a wheel of the Python package with its compiled part
 
 verify: build    ## all cases with a known answer, or CASE="name name"; writes build/ and docs/verification.md
 	@$(TERP) verify $(CASE) --markdown $(BUILD)/verification.md --overview docs/verification.md
+
+physics: build   ## the table of sound physics: rest, slides, energy; ARGS="--seed 2 --rows level_clay" (tests/physics)
+	@/usr/bin/python3 tests/physics/table.py --terp $(TERP) $(ARGS)
 
 test-web: build  ## the report page: unit tests, and end-to-end tests in Chromium on runs of the program
 	@tools/install-dependencies --web

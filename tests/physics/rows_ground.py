@@ -17,7 +17,7 @@ def ground_mesh(v, width, depth, top, along, border=()):
     """
     if v.kind != "polygon":
         level = (top, *border) if along else border
-        return v.mesh(width, depth, 1.0, amount=v.draw("amount", (0.1, 0.25, 0.35)), level=level), [[0, 0], [width, 0]]
+        return v.mesh(width, depth, 1.0, amount=v.moves_of_nodes(), level=level), [[0, 0], [width, 0]]
     bed = [[0, 0], [width / 2, 0], [width, 2]]
     high = top if along else depth
     return {"polygon": bed + [[width, high], [0, high]], "edges": {"bottom": [0, 1], "right": [2], "top": [3],
@@ -33,10 +33,10 @@ def level_ground(v, strength, along):
             "initial": {"stress": "k0", "k0": 1.0}, "forces": GRAVITY, "boundary": WALLS}
 
 
-@row(cross={"surface": ("across", "along")}, cycle={"su": (500.0, 200.0)})
+@row(cross={"surface": ("across", "along")}, cycle={"su": (500, 200)})
 def level_clay(v):
     """Level clay stays level. 2 x 2 points are judged at 500 Pa."""
-    strength = v.factors["su"] = 500.0 if v.points == 2 else v.su
+    strength = v.factors["su"] = 500 if v.points == 2 else v.su
     run = v.run(level_ground(v, strength, v.surface == "along"))
     return [Measure("K in 4.5 s", run.largest("kinetic", 4.5), "J", at_most=5.0 if v.points == 2 else 1.0),
             Measure("moved in 10 s", run.last("moved_volume"), "m2", at_most=0.0)]
@@ -81,7 +81,7 @@ def still_water(v):
         mesh = {"polygon": [[0, 0], [4, 0], [7, 2], [0, 2]], "cell": 0.25, "variant": v.draw("mesh", range(8)),
                 "edges": {"bottom": [0], "right": [1], "top": [2], "left": [3]}, "follow_bodies": v.surface == "along"}
     else:
-        mesh = v.mesh(4.0, 2.0, 0.25, amount=v.draw("amount", (0.1, 0.25, 0.35)), level=(1.5,),
+        mesh = v.mesh(4.0, 2.0, 0.25, amount=v.moves_of_nodes(), level=(1.5,),
                       place=lambda x, y: (x * (1 + 0.375 * y), y))
     water = {"model": "newtonian_fluid", "density": 1000.0, "bulk_modulus": 2e6, "viscosity": 0.001}
     body = {"material": "water", "polygon": [[0, 0], [4, 0], [4 + 1.5 * depth, depth], [0, depth]],
@@ -97,7 +97,7 @@ def free_fall(v):
     """A block that falls has no stress: no elastic energy, no plastic work, all of its momentum."""
     x, y = 4.0 + v.random.uniform(0, 2), 4.0 + v.random.uniform(0, 0.4)
     block = {"model": "linear_elastic", "density": 1800.0, "shear_modulus": 2e5, "poisson_ratio": 0.48}
-    run = v.run({"time": {"end": 0.7}, "mesh": v.mesh(20.0, 9.0, 0.5, amount=v.draw("amount", (0.1, 0.25, 0.35))),
+    run = v.run({"time": {"end": 0.7}, "mesh": v.mesh(20.0, 9.0, 0.5, amount=v.moves_of_nodes()),
                  "body": [{"material": "block", "box": [[x, y], [x + 4.1, y + 4.1]], "points_per_cell": v.points}],
                  "material": {"block": block if v.strength == "elastic" else clay(500.0)}, "forces": GRAVITY})
     momentum = run.last("mass") * 9.81 * run.last("time")

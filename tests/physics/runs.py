@@ -30,7 +30,7 @@ def toml(value):
 
 
 class Result:
-    """Tables of one run. A run that stopped has no largest or last value but infinity."""
+    """Tables of one run, up to where it stopped if it did; infinite if it did not begin."""
 
     def __init__(self, folder, code, message):
         self.folder, self.code, self.message = folder, code, message
@@ -45,18 +45,13 @@ class Result:
         return self.ledger.get(name, np.zeros_like(self.ledger["time"]))
 
     def largest(self, name, until=math.inf):
-        if self.code:
-            return math.inf
-        return float(np.abs(self.column(name)[self.column("time") <= until]).max())
+        return float(np.abs(self.column(name)[self.column("time") <= until]).max()) if self.ledger else math.inf
 
     def last(self, name):
-        return math.inf if self.code else float(self.column(name)[-1])
+        return float(self.column(name)[-1]) if self.ledger else math.inf
 
     def at(self, name, moment):
-        return math.inf if self.code else float(np.interp(moment, self.column("time"), self.column(name)))
-
-    def summary(self, key):
-        return math.inf if self.code else json.loads((self.folder / "summary.json").read_text())[key]
+        return float(np.interp(moment, self.column("time"), self.column(name))) if self.ledger else math.inf
 
     def unexplained(self):
         """Energy that no outside work and no dissipation explains [J/m], over time: made if positive.
@@ -68,18 +63,17 @@ class Result:
         works = ("gravity", "damping", "boundary", "clamp", "water", "load", "relaxation")
         return stored - stored[0] + spent - sum(self.column(f"{name}_work") for name in works)
 
-    def most_made(self, start=0.0):
+    def most_made(self):
         """Most of unexplained energy over the largest work of gravity [-], and the least."""
-        if self.code:
+        if not self.ledger:
             return math.inf, -math.inf
-        relative = self.unexplained() / max(np.abs(self.column("gravity_work")).max(), 1e-300)
-        later = self.column("time") >= start
-        return float(relative[later].max()), float(relative[later].min())
+        relative = self.unexplained() / np.abs(self.column("gravity_work")).max()
+        return float(relative.max()), float(relative.min())
 
     def motion(self, chosen):
         """Mean displacement [m] and velocity [m/s] at the end, each [x, y], of the points chosen at the start."""
         if self.code:
-            return np.full(2, np.inf), np.full(2, np.inf)
+            return np.full(2, np.nan), np.full(2, np.nan)
         frames = sorted((self.folder / "csv").glob("frame_*.csv"))
         first, last = (np.genfromtxt(frame, delimiter=",", names=True) for frame in (frames[0], frames[-1]))
         order = {int(n): k for k, n in enumerate(last["id"])}
@@ -142,7 +136,8 @@ class Variant:
         code, message = self.call([self.terp, "run", path, "-o", folder, "-q", "--force", "-j", 1, *self.options()],
                                   subprocess.DEVNULL)
         if code and not may_stop:
-            self.stops.append(message.strip().splitlines()[0] if message.strip() else f"exit status {code}")
+            words = [text for text in message.splitlines() if text.startswith("error")]
+            self.stops.append(f"{name}: {words[0] if words else f'exit status {code}'}")
         if fields and code == 0:
             named = [option for field in fields for option in ("--field", field)]
             self.call([self.terp, "export", folder, *named], subprocess.DEVNULL)
@@ -156,6 +151,10 @@ class Variant:
                   subprocess.DEVNULL)
         file = folder / "stability.json"
         return json.loads(file.read_text()) if file.exists() else None
+
+    def moves_of_nodes(self, values=(0.1, 0.25, 0.35)):
+        """How far nodes of a mesh of moved nodes are moved, as a part of a cell."""
+        return self.draw("amount", values) if self.kind == "quads" else 0.0
 
     def draw(self, name, values):
         """One of the values at random; the line of the variant says which."""

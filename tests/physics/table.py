@@ -22,7 +22,7 @@ from pathlib import Path
 import rows_energy
 import rows_ground
 import rows_sand
-from row import ROWS
+from row import ROWS, Measure
 from runs import Variant
 
 HERE = Path(__file__).parent
@@ -71,7 +71,10 @@ def solve(options, folder, row, number, factors):
     place = folder / row.name / str(number)
     variant = Variant(options.terp, place, random.Random(f"{options.seed}/{row.name}/{number}"), options.set, factors)
     try:
-        return row.solve(variant), variant.cpu, variant.stops
+        measures = row.solve(variant)
+        if variant.stops:
+            measures.append(Measure("stopped runs", len(variant.stops), at_most=0))
+        return measures, variant.cpu, variant.stops
     except Exception:
         return [], variant.cpu, variant.stops + [traceback.format_exc()]
     finally:
