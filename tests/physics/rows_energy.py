@@ -41,7 +41,7 @@ def elastic_slip(v):
     soils["upper" if v.stiff == "above" else "lower"] = elastic(3e6 * v.contrast, 0.3)
     run = v.run({"time": {"end": 10.0}, "mesh": v.mesh(4.0, 2.4, 0.2), "body": bodies, "material": soils,
                  "forces": GRAVITY, "boundary": ROLLERS})
-    made, lost = run.most_made()
+    made, lost = run.most_made(1.0)
     return [Measure("slip and plastic work", max(run.largest("plastic"), run.largest("slip_work")), "J", at_most=0.0),
             Measure("made", made, at_most=0.005), Measure("lost", lost, at_least=-0.005)]
 
@@ -110,7 +110,7 @@ def random_boxes(v):
     run = v.run({"time": {"end": 10.0}, "mesh": v.mesh(4.0, 3.0, 0.5, amount=0.2), "body": [{"points": "points.csv"}],
                  "material": {"clay": {"model": "linear_elastic", "density": 1850.0, "shear_modulus": 3e6,
                                        "poisson_ratio": 0.49}}, "forces": GRAVITY, "boundary": ROLLERS})
-    made, lost = run.most_made()
+    made, lost = run.most_made(1.0)
     return [Measure("made", made, at_most=MADE), Measure("lost", lost)]
 
 
