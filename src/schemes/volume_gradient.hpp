@@ -12,13 +12,15 @@
 
 namespace terp {
 
-/// The soil ends in a cell that it does not fill: a cell around one of its corners holds none. Across the corner that
+/// The soil ends in a cell that it does not fill: a cell around one of its corners holds none, or the mesh ends. Across the corner that
 /// lies farthest out no soil lies beyond a plane surface. Gaps between points elsewhere are not the surface: taken for
 /// it, clay of 2 x 2 points flowed with 1.4 times the work of gravity (decision 0067).
 template <class Element>
 bool is_at_surface(const CellGroup<Element>& group, Index cell)
 {
   const auto& mesh = group.mesh;
+  for (const Index other : mesh.neighbours[cell])
+    if (other == outside) return true;
   for (const Index node : mesh.cells[cell])
     for (Index k = mesh.first_cell_of_node[node]; k < mesh.first_cell_of_node[node + 1]; ++k)
       if (group.points.slot_of_cell()[mesh.cells_of_node[k].cell] < 0) return true;

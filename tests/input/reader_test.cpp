@@ -98,6 +98,9 @@ b_bar = false
 objective_rate = "jaumann"
 remap_contact = "across"
 cut_cells = "slip"
+strain_shares = "plain"
+volume_change = "centre"
+pressure = "constant"
 relaxation_time = 0.05
 flip = 0.95
 small_mass = 1e-8
@@ -385,6 +388,9 @@ TEST(Reader, FillsTheMethod)
   EXPECT_EQ(m.objective_rate, ObjectiveRate::jaumann);
   EXPECT_EQ(m.remap_contact, RemapContact::across);
   EXPECT_EQ(m.cut_cells, CutCells::slip);
+  EXPECT_EQ(m.strain_shares, StrainShares::plain);
+  EXPECT_EQ(m.volume_change, VolumeChange::centre);
+  EXPECT_EQ(m.pressure, Pressure::constant);
   EXPECT_EQ((Numbers{m.filled_fraction, m.relaxation_time, m.flip, m.small_mass}), (Numbers{0.8, 0.05, 0.95, 1e-8}));
 }
 

@@ -26,6 +26,7 @@ StateImage after_steps(std::string_view scheme, void (*change)(MethodOptions&))
 {
   Case c = column(std::string(scheme));
   c.bodies[0].velocity = {2.0, 0.5};
+  c.method.shares = Shares::overlap;
   change(c.method);
   Simulation s(c);
   s.step(40);

@@ -106,7 +106,7 @@ TEST(ShareRatio, ABoxOfPointsAtRandomPlacesGainsNoEnergy)
       c.materials[0] = elastic(3.0e6, 0.49, 1850.0);
       c.materials[0].name = c.bodies[0].material;
       c.forces.local_damping = 0.0;
-      c.mesh.cell = {0.5};
+      c.mesh.cell = {0.5, 0.5};
       c.bodies[0].points_per_cell = {2, 2};
       c.time.end = 5.0;
       Simulation s(c);

@@ -39,19 +39,19 @@ std::vector<Index> all_but(Index left_out)
   return cells;
 }
 
-TEST(VolumeGradient, TheSurfaceIsWhereACellAroundACornerIsEmpty)
+TEST(VolumeGradient, TheSurfaceIsWhereACellAroundACornerIsEmptyOrTheMeshEnds)
 {
   Cells inside(all_but(-1));
   EXPECT_FALSE(is_at_surface(inside.group(4), 4));
+  EXPECT_TRUE(is_at_surface(inside.group(3), 3));
   for (const Index empty : {0, 1, 5, 8}) {
     Cells cells(all_but(empty));
     EXPECT_TRUE(is_at_surface(cells.group(3), 4)) << empty;
+    EXPECT_EQ(is_within_soil(cells.group(empty < 4 ? 3 : 4), Pack(0.0))[0], 0.0);
   }
-  Cells far({0, 1, 2, 3, 4, 5, 6, 7});
-  EXPECT_FALSE(is_at_surface(far.group(0), 0));  // the empty cell 8 is beyond cell 4
-  EXPECT_EQ(is_within_soil(far.group(0), Pack(0.0))[0], 1.0);
-  EXPECT_EQ(is_within_soil(far.group(4), Pack(0.0))[0], 0.0);
-  EXPECT_EQ(is_within_soil(far.group(4), Pack(1.0))[0], 1.0);  // filled
+  EXPECT_EQ(is_within_soil(inside.group(4), Pack(0.0))[0], 1.0);
+  EXPECT_EQ(is_within_soil(inside.group(3), Pack(0.0))[0], 0.0);
+  EXPECT_EQ(is_within_soil(inside.group(3), Pack(1.0))[0], 1.0);  // filled
 }
 
 /// Over the points of both materials, each with its own weight in the force.

@@ -129,7 +129,8 @@ TEST(Engine, ARunThatEndsWithItsEventsLeavesThemAsTheyAreAndTheEndUnknown)
   const auto with_end = [](const std::string& text) {
     return changed(text, "displacement = 0.3", "displacement = 0.3\nends_run = true");
   };
-  const StudyWithStores whole(column_study), ends(with_end(column_study));
+  const std::string many = changed(column_study, "number = 12", "number = 36");
+  const StudyWithStores whole(many), ends(with_end(many));
   const Realisations a = whole.run("whole"), b = ends.run("ends");
   int n_ended = 0;
   for (const auto& [number, r] : a) {

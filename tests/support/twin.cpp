@@ -73,6 +73,9 @@ Case make_case(const Json& j)
   c.method.b_bar = o.at("force_operator") == "b_bar";
   c.method.objective_rate = o.at("objective_rate") == "jaumann" ? ObjectiveRate::jaumann : ObjectiveRate::none;
   c.method.shares = o.at("shares") == "overlap" ? Shares::overlap : Shares::point;
+  c.method.strain_shares = StrainShares::plain;  // the twin is written from the paper
+  c.method.volume_change = VolumeChange::centre;
+  c.method.pressure = Pressure::constant;
   c.forces.gravity = o.at("gravity").get<Vec<2>>();
   c.forces.local_damping = o.at("local_damping");
   c.materials = {make_material(j.at("material"))};

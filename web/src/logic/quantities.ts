@@ -47,6 +47,7 @@ export const DUTCH: Record<string, string> = {
   clamp_work: "arbeid van de begrenzing",
   water_work: "arbeid van het water",
   load_work: "arbeid van de belastingen",
+  balance_work: "arbeid van het drukverloop in de cellen",
   relaxation_work: "arbeid van de relaxatie",
   left_energy: "energie van grond die wegging",
   numerical: "numeriek, volgens de balans",
