@@ -278,12 +278,24 @@ std::vector<std::string> print_laws(const Model& model, const State& state)
   return faults;
 }
 
+/// Whether it is the scheme of the paper, and in what it is not.
+void print_form(const Model& model)
+{
+  if (!looks_at(*model.scheme, "as")) return;
+  const std::vector<std::string> differences = differences_from_paper(model.method, *model.scheme);
+  fmt::print("  method         {}{}\n",
+      differences.empty() ? "as in the paper" : "not the paper's: ", fmt::join(differences, ", "));
+  if (model.method.shares == Shares::overlap && !model.scheme->with_overlap.empty())
+    fmt::print("                 {}\n", model.scheme->with_overlap);
+}
+
 void print_check(const CaseFile& file, Simulation& simulation, const RunOptions& options)
 {
   const Model& model = simulation.model;
   const State& state = simulation.state;
   fmt::print("{}\n", printable(file.values.title.empty() ? file.values.name : file.values.title));
   fmt::print("  scheme         {}\n", file.values.scheme);
+  print_form(model);
   fmt::print("{}", describe(measure_quality(*model.mesh)));
   fmt::print("  cells of soil  {}\n", state.points.occupied().size());
   fmt::print("  points         {}\n", state.points.n_points());

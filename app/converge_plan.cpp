@@ -149,6 +149,8 @@ RunStart find_start(const std::string& folder, const CaseFile& file, const Mesh<
     if (summary.finished && summary.terp_version != TERP_VERSION)
       fmt::print(stderr, "warning: {} was solved by terp {}, this is {}; --force solves it anew\n", folder,
           summary.terp_version, TERP_VERSION);
+    if (summary.finished && !summary.values.method)
+      fmt::print(stderr, "warning: {} was solved when [method] had other defaults; --force solves it anew\n", folder);
     if (summary.finished) return RunStart::kept;
   }
   const std::int64_t newest = newest_step(folder);

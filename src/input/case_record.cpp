@@ -108,6 +108,7 @@ void Recorder::add_keys()
 {
   for (const KeyInfo& key : all_keys()) {
     if (key.path == "mesh.file" || key.path == "body[].points") continue;    // add_files
+    if (key.path == "method.as") continue;                                   // the options say it
     if (key.path == "body[].box" || key.path == "body[].polygon") continue;  // one place for two keys: add_outlines
     const std::string section = parent_path(key.path);
     if (const auto n = count_entries(values_, section, false))

@@ -29,6 +29,23 @@ void check_unused(const Node& method, const Scheme& scheme, Problems& warnings)
       warnings.push_back(no_effect(option.name, fmt::format("The scheme {} does not look at it.", scheme.name)));
 }
 
+/// Options whose effect another one takes away.
+void check_beside(const Node& method, const Case& values, Problems& warnings)
+{
+  const MethodOptions& options = values.method;
+  const auto warn_if = [&](bool useless, const char* option, const char* why) {
+    if (useless && find_item(method, option) != nullptr) warnings.push_back(no_effect(option, why));
+  };
+  const bool summed = options.weights == Weights::summed;
+  warn_if(summed, "filled_fraction", "With weights = \"summed\" no cell counts as filled.");
+  warn_if(summed && options.strain_shares == StrainShares::transposed, "strain_shares",
+      "With weights = \"summed\" the weights of the force are those of the points: both ways are the same.");
+  warn_if(!options.b_bar, "volume_change", "It is the volume change of B-bar, and b_bar = false.");
+  const bool weightless = values.forces.gravity == Vec<2>{0.0, 0.0} && values.stages.empty();
+  warn_if(weightless && options.pressure == Pressure::balanced, "pressure",
+      "Without gravity no weight is balanced. Set gravity = [0.0, -9.81] in [forces].");
+}
+
 /// No side has a contact plane, in no stage that is known here.
 void check_contact(const Node& method, const Case& values, Problems& warnings)
 {
@@ -78,6 +95,7 @@ void check_method(const Node& root, const Case& values, Problems& warnings)
   check_locking(*scheme, values, warnings);
   if (method == nullptr || method->kind != NodeKind::table) return;
   check_unused(*method, *scheme, warnings);
+  check_beside(*method, values, warnings);
   check_contact(*method, values, warnings);
 }
 

@@ -117,10 +117,18 @@ std::string describe_law(const MaterialType& law)
 
 std::string describe_scheme(const Scheme& scheme)
 {
-  return fmt::format(
+  std::string out = fmt::format(
       "{0}: scheme\n  {1}\n  Choose it with scheme = \"{0}\" at the top of the case file; its equations are in "
       "docs/methods.md.\n",
       scheme.name, scheme.summary);
+  if (looks_at(scheme, "as"))
+    out += "  In the form of the paper: as = \"paper\" in [method] (terp explain method.as).\n";
+  if (!scheme.with_overlap.empty())
+    out += wrapped(fmt::format("With shares that overlap, the default of soil, it is another method than the paper's: "
+                               "{} (decision 0042).",
+                       scheme.with_overlap),
+        "  ");
+  return out;
 }
 
 std::string describe_section(const SectionInfo& section)

@@ -20,7 +20,7 @@ Words scheme_words()
   for (const Scheme* scheme : all_schemes()) words.emplace_back(scheme->name);
   return words;
 }
-// In the order of the enums in case.hpp and method_options.hpp.
+// In the order of the enums in case.hpp.
 Words stress_words() { return {"none", "k0", "equilibrium"}; }
 Words footing_words() { return {"rough", "smooth"}; }
 

@@ -6,33 +6,35 @@
 namespace terp {
 namespace {
 
-using Words = std::vector<std::string>;
-
-// In the order of the enums in method_options.hpp.
-Words weights_words() { return {"hybrid", "summed"}; }
-Words shares_words() { return {"by_law", "point", "overlap"}; }
-Words strain_shares_words() { return {"plain", "transposed"}; }
-Words volume_change_words() { return {"centre", "soil"}; }
-Words pressure_words() { return {"constant", "balanced"}; }
-Words objective_rate_words() { return {"none", "jaumann"}; }
-Words cut_cells_words() { return {"mean", "slip"}; }
-Words remap_contact_words() { return {"unused_strength", "across"}; }
+template <MethodChoice Choice>
+std::vector<std::string> words()
+{
+  const auto all = words_of(Choice{});
+  return {all.begin(), all.end()};
+}
 
 }  // namespace
 
 std::vector<KeyInfo> method_keys()
 {
   return {
+      {.path = "method.as",
+          .field = [](Case& c, std::size_t) { return word_field(c.method_form); },
+          .words = words<MethodForm>,
+          .meaning =
+              "what the options of this section are where they are not given: those of Terp, which stand here as "
+              "defaults, or those with which Terp repeats the paper (decision 0073): shares = point, strain_shares = "
+              "plain, volume_change = centre, pressure = constant, cut_cells = mean. An option that is given counts"},
       {.path = "method.shares",
           .field = [](Case& c, std::size_t) { return word_field(c.method.shares); },
-          .words = shares_words,
+          .words = words<Shares>,
           .meaning =
               "where a material point counts: in the sub-cell that holds its centre (point), or in every sub-cell "
               "by the part of its extent that lies in it (overlap). by_law: overlap, but point in a case with a fluid "
               "and in schemes that know no other"},
       {.path = "method.weights",
           .field = [](Case& c, std::size_t) { return word_field(c.method.weights); },
-          .words = weights_words,
+          .words = words<Weights>,
           .meaning =
               "weight of a Gauss point (reading R3): the Gauss rule in filled cells and the volume of the points "
               "elsewhere (hybrid), or the volume of the points (summed)"},
@@ -49,25 +51,25 @@ std::vector<KeyInfo> method_keys()
           .equation = "d_eps_bar = d_eps + (theta_0 - tr d_eps) I / 3,  theta_0 = tr d_eps(0)"},
       {.path = "method.strain_shares",
           .field = [](Case& c, std::size_t) { return word_field(c.method.strain_shares); },
-          .words = strain_shares_words,
+          .words = words<StrainShares>,
           .meaning = "how the strain of the Gauss points reaches the points: with the shares of Eq. (1) alone (plain), "
                      "or with the weights of the force as well, so that both ways are transposes (transposed)",
           .equation = "transposed: d_eps_p = sum_g s_pg (Omega_g/W_g) d_eps_g / sum_g s_pg (Omega_g/W_g)"},
       {.path = "method.volume_change",
           .field = [](Case& c, std::size_t) { return word_field(c.method.volume_change); },
-          .words = volume_change_words,
+          .words = words<VolumeChange>,
           .meaning = "where B-bar takes the volume change of a cell that the soil does not fill: in its centre "
                      "(centre), or as the mean over its soil (soil)"},
       {.path = "method.pressure",
           .field = [](Case& c, std::size_t) { return word_field(c.method.pressure); },
-          .words = pressure_words,
+          .words = words<Pressure>,
           .meaning =
               "pressure of a soil within a cell: one number, Eqs. (2) and (3) (constant), or with the slope that "
               "its weight and its acceleration ask for (balanced)",
           .equation = "balanced: f_i += sum_g Omega_g grad N_i G.(x_g - mean x),  G = -rho g + grad p_w + rho a"},
       {.path = "method.cut_cells",
           .field = [](Case& c, std::size_t) { return word_field(c.method.cut_cells); },
-          .words = cut_cells_words,
+          .words = words<CutCells>,
           .meaning = "strain of the soils in a cell that their border cuts: all have that of the cell, which then has "
                      "the mean of their strengths (mean), or they also slip along the border until the shear stress "
                      "on it is the same on both sides (slip; decision 0059)",
@@ -80,12 +82,12 @@ std::vector<KeyInfo> motion_keys()
   return {
       {.path = "method.objective_rate",
           .field = [](Case& c, std::size_t) { return word_field(c.method.objective_rate); },
-          .words = objective_rate_words,
+          .words = words<ObjectiveRate>,
           .meaning = "whether the stress turns with the soil (reading R17)",
           .equation = "jaumann: sigma += (d_omega sigma - sigma d_omega)"},
       {.path = "method.remap_contact",
           .field = [](Case& c, std::size_t) { return word_field(c.method.remap_contact); },
-          .words = remap_contact_words,
+          .words = words<RemapContact>,
           .meaning = "what a contact plane does to the remapped velocity: it stops what crosses it and acts along "
                      "itself with the strength that it left unused in pass 2, or it acts across alone, which may do "
                      "work on soil at rest"},

@@ -363,6 +363,8 @@ void read_values(const Node& root, Case& values, Findings& findings)
 {
   const Node* mesh = find_item(root, "mesh");
   if (mesh != nullptr) values.mesh.kind = mesh_kind_of(*mesh).kind;
+  const Node* form = find_node(root, "method.as");
+  if (form != nullptr && form->text == word_of(MethodForm::paper)) values.method = paper_options();
   CaseReader(root, values, findings).read_section({root, "", "", 0});
   complete_situations(values.water);
 }

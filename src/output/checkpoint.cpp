@@ -4,6 +4,7 @@
 #include "base/errors.hpp"
 #include "output/hdf5_file.hpp"
 #include "output/run_folder.hpp"
+#include "simulation/method_form.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -20,7 +21,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the checksum is over little-endian bytes");
 
-constexpr std::int64_t format_version = 7;
+constexpr std::int64_t format_version = 8;  // 7: [method] had other defaults
 const std::string format_name = "terp checkpoint";
 const std::string arrays = "/arrays", case_place = "/case", tables_place = "/tables";
 
@@ -96,8 +97,9 @@ void check_format(const Hdf5File& file, const std::string& path)
   if (version == format_version) return;
   throw FileError(fmt::format(
       "cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads format {}\n"
-      "  Go on with the terp that wrote it, or solve the case anew.",
-      path, version, file.text("/", "terp_version"), TERP_VERSION, format_version));
+      "  Go on with the terp that wrote it, or solve the case anew.{}",
+      path, version, file.text("/", "terp_version"), TERP_VERSION, format_version,
+      version < format_version ? fmt::format("\n  {}", defaults_before) : ""));
 }
 
 /// The bytes of a file that nothing accounts for yet. A checkpoint is not compressed: what says that it holds more

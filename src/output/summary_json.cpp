@@ -90,8 +90,15 @@ void each(FloodSummary& flood, F&& f)
 }
 
 template <class F>
+void each(MethodOptions& options, F&& f)
+{
+  each_option(options, f);
+}
+
+template <class F>
 void each(Summary& s, F&& f)
 {
+  f("method", s.method);
   f("facing", s.facing), f("slides", s.slides), f("softened_fraction", s.softened_fraction);
   f("reached_sides", s.reached_sides), f("footings", s.footings), f("stages", s.stages);
   f("strength_water", s.strength_water), f("flood", s.flood), f("passes", s.passes);
@@ -132,6 +139,8 @@ Json to_value(const T& value)
     return value == Facing::left ? "left" : "right";
   } else if constexpr (std::is_same_v<T, FloodVerdict>) {
     return std::string(info_of(value).name);
+  } else if constexpr (MethodChoice<T>) {
+    return std::string(word_of(value));
   } else {
     return value;
   }
@@ -155,6 +164,9 @@ bool get(const nlohmann::json& json, const char* name, T& value)
   } else if constexpr (std::is_same_v<T, FloodVerdict>) {
     for (std::size_t k = 0; k < flood_verdicts.size(); ++k)
       if (*found == flood_verdicts[k].name) value = static_cast<FloodVerdict>(k);
+  } else if constexpr (MethodChoice<T>) {
+    for (std::size_t k = 0; k < words_of(value).size(); ++k)
+      if (*found == words_of(value)[k]) value = static_cast<T>(k);
   } else {
     try {
       value = found->get<T>();

@@ -393,7 +393,11 @@ constexpr PassCost stress_cost{.flops = 9 + 9, .rows = (4 + 3 + 1) + (4 + 4 + 1 
 }  // namespace
 
 TERP_SCHEME_DEFINITION(mpm_mixed, MpmMixed, .title = "MPM-Mixed",
-    .summary = "Gauss points own the history (Martinelli & Galavi 2022)", .keeps_gauss_values = true,
-    .gather_cost = gather_cost, .stress_cost = stress_cost, TERP_OVERLAP_FUNCTIONS(MpmMixed))
+    .summary = "Gauss points own the history (Martinelli & Galavi 2022)",
+    .with_overlap =
+        "points add to their own history what the law adds at the Gauss points: none loses strength to "
+        "its neighbours, and none regains any",
+    .keeps_gauss_values = true, .gather_cost = gather_cost, .stress_cost = stress_cost,
+    TERP_OVERLAP_FUNCTIONS(MpmMixed))
 
 }  // namespace terp

@@ -36,9 +36,11 @@ struct Scheme {
   std::string_view name;                 ///< as in the case file: "mpm_gp"
   std::string_view title;                ///< as in a text: "MPM-GP"
   std::string_view summary;              ///< one line
-  std::string_view unused_options = {};  ///< names in MethodOptions that it does not look at, separated by blanks
-  bool locks = false;                    ///< in nearly incompressible soil: a factor of safety would be far too large
-  bool keeps_gauss_values = false;       ///< from gather to update_stress, of every material in every cell
+  std::string_view unused_options = {};  ///< names in [method] that it does not look at, separated by blanks
+  std::string_view with_overlap =
+      {};                           ///< in what it is not the paper's with shares that overlap; empty: in shares alone
+  bool locks = false;               ///< in nearly incompressible soil: a factor of safety would be far too large
+  bool keeps_gauss_values = false;  ///< from gather to update_stress, of every material in every cell
   PassCost gather_cost, stress_cost;
 
   SchemeFunctions overlap = {};  ///< with shares that overlap; empty: the scheme does not look at them

@@ -115,7 +115,7 @@ constexpr PassCost stress_cost{.flops = 44 + 28 + 20 + 30 + 10 + 9, .rows = 2 * 
 
 TERP_SCHEME_DEFINITION(standard_mpm, StandardMpm, .title = "standard MPM",
     .summary = "points carry strain and force; the baseline, which locks and oscillates",
-    .unused_options = "shares weights filled_fraction b_bar cut_cells strain_shares volume_change pressure",
+    .unused_options = "as shares weights filled_fraction b_bar cut_cells strain_shares volume_change pressure",
     .locks = true, .gather_cost = gather_cost, .stress_cost = stress_cost)
 
 }  // namespace terp

@@ -5,9 +5,9 @@
 #include "base/types.hpp"
 #include "boundary/side_kind.hpp"
 #include "materials/material.hpp"
+#include "simulation/method_form.hpp"
 #include "simulation/parameter_field.hpp"
 #include "simulation/time_case.hpp"
-#include "transfer/method_options.hpp"
 #include "user_laws/library_case.hpp"
 #include "water/water_case.hpp"
 
@@ -239,6 +239,7 @@ struct Case {
   std::vector<FootingCase> footings;
   std::vector<LoadCase> loads;
   MethodOptions method;
+  MethodForm method_form = MethodForm::terp;  ///< what `method` was before its own keys were read
   OutputCase output;
   FloodCase flood;
   std::vector<SlipPlaneCase> slip_planes;

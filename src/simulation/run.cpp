@@ -205,6 +205,7 @@ Summary summarise(const Model& model, const State& state)
 {
   Summary s;
   s.scheme = model.description.scheme;
+  s.method = model.method;
   s.at_strength = model.description.at_strength;
   s.n_points = state.points.n_points();
   s.n_cells = model.mesh->n_cells();

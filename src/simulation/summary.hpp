@@ -5,6 +5,7 @@
 #include "events/crest.hpp"
 #include "events/slip_surface.hpp"
 #include "simulation/flood_summary.hpp"
+#include "simulation/method_form.hpp"
 #include "simulation/stage.hpp"
 
 #include <cstdint>
@@ -70,7 +71,8 @@ struct PassTime {
 
 struct Summary {
   std::string scheme;
-  Real at_strength = 1.0;  ///< factor by which all strengths were divided, in the last stage so far [-]
+  std::optional<MethodOptions> method;  ///< that ran; none: not known, as of a run of an older Terp
+  Real at_strength = 1.0;               ///< factor by which all strengths were divided, in the last stage so far [-]
   std::int64_t n_points = 0, n_cells = 0, n_steps = 0;
   Real dt = 0.0;        ///< [s]
   double wall_s = 0.0;  ///< spent solving, over all processes that worked on the run

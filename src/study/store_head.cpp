@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "parallel/instructions.hpp"
+#include "simulation/method_form.hpp"
 #include "system/build_id.hpp"
 
 #include <fmt/format.h>
@@ -16,8 +17,9 @@ namespace terp {
 namespace {
 
 constexpr std::string_view begin = "terp study\t";
-constexpr std::string_view store_format =
-    "7";  // 6: cases had keys that are gone; 5: no processor time; 4: no build, `still_moves` of floods alone
+// 7: [method] had other defaults; 6: cases had keys that are gone; 5: no processor time; 4: no build, `still_moves` of
+// floods alone
+constexpr std::string_view store_format = "8";
 constexpr std::size_t n_words = 7;
 
 bool has_fused_products(const std::string& instructions) { return instructions.starts_with("avx"); }
@@ -57,11 +59,12 @@ StoreHead read_head(std::string_view line, const std::string& path)
   const std::vector<std::string> words = split(line, '\t');
   if (!is_head(line) || (words[1] == store_format && words.size() != n_words))
     throw FileError(fmt::format("{}: this is no store of a study\n  Choose another folder: -o DIR", path));
+  const bool is_older = words[1].size() == store_format.size() && words[1] < store_format;
   if (words[1] != store_format)
     throw FileError(
         fmt::format("{}: this store has format {}, and this terp reads format {}\n  Solve it anew: terp study run "
-                    "STUDY.toml --force, or give it another folder, -o DIR.",
-            path, words[1], store_format));
+                    "STUDY.toml --force, or give it another folder, -o DIR.{}",
+            path, words[1], store_format, is_older ? fmt::format("\n  {}", defaults_before) : ""));
   return {.version = words[2],
       .case_digits = words[3],
       .study_digits = words[4],

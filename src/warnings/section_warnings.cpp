@@ -309,7 +309,11 @@ class SectionCheck {
               fall = std::min(fall, *t);
       }
     const char* drawn = std::ranges::count(chain, true) == 1 ? "It falls" : "They fall";
-    return std::isfinite(fall) ? fmt::format("{} by {:.3g} m. Draw it down to what carries it.", drawn, fall)
+    return std::isfinite(fall) ? fmt::format(
+                                     "{} by {:.3g} m. Draw it down to what carries it.\nSoil that lands comes "
+                                     "to rest up to a cell above the ground "
+                                     "(docs/limits.md#8-sides-contact-and-footings).",
+                                     drawn, fall)
                                : "Nothing below carries it. Give the side below it a condition in [boundary].";
   }
 

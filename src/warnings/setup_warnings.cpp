@@ -13,6 +13,7 @@
 #include "simulation/softening_scales.hpp"
 #include "warnings/flood_warnings.hpp"
 #include "warnings/library_warnings.hpp"
+#include "warnings/limit_warnings.hpp"
 #include "warnings/shared_cells.hpp"
 #include "warnings/water_warnings.hpp"
 
@@ -123,6 +124,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_odd_scales(model, state, warnings);
   find_odd_softening_lengths(model, state, warnings);
   find_shared_layers(model, state, warnings);
+  find_known_limits(model, state, warnings);
   find_odd_libraries(model, state, warnings);
   find_wide_cells(model, state, warnings);
   find_short_averaging(model, warnings);

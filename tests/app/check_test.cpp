@@ -7,9 +7,9 @@ TEST(Check, TellsWhatWouldRun)
   const ScratchFolder folder;
   const Finished f = succeeded(test::terp(column_command("check"), folder.path()));
   for (const char* line :
-      {"  scheme         mpm_gp\n", "  mesh           192 cells, 231 nodes\n", "  cells of soil  64\n",
-          "  points         1600\n", "  body 0         clay, 16 m^2, 31840 kg per m, 1600 points\n",
-          "  mass           31840 kg per m\n",
+      {"  scheme         mpm_gp\n  method         as in the paper\n", "  mesh           192 cells, 231 nodes\n",
+          "  cells of soil  64\n", "  points         1600\n",
+          "  body 0         clay, 16 m^2, 31840 kg per m, 1600 points\n", "  mass           31840 kg per m\n",
           "  softening      no length, no reference width: the result will depend on the cells (docs/convergence.md)\n",
           "  time step      0.00303 s\n", "  steps          66 to t = 0.2 s\n", "nothing was run\n"})
     EXPECT_THAT(f.out, HasSubstr(line));
@@ -17,6 +17,24 @@ TEST(Check, TellsWhatWouldRun)
   EXPECT_THAT(f.out, ContainsRegex("  expected time  [0-9.]+ s on 1 thread, [0-9.]+ s of it for output "
                                    "[(][0-9.]+ M point-steps/s in a trial[)]\n"));
   EXPECT_TRUE(names_in(folder.path()).empty());
+}
+
+TEST(Check, TellsInWhatTheMethodIsNotThePapers)
+{
+  const auto said = [](const std::vector<std::string>& changes) {
+    std::vector<std::string> more;
+    for (const std::string& change : changes) more.insert(more.end(), {"--set", change});
+    const std::string out = succeeded(test::terp(column_command("check", more))).out;
+    const std::size_t begin = out.find("  method "), end = out.find("  mesh  ");
+    return begin < end ? out.substr(begin, end - begin) : "";
+  };
+  EXPECT_EQ(said({"scheme=mpm_mixed"}), "  method         as in the paper\n");
+  EXPECT_EQ(said({"method.shares=overlap", "method.flip=0.95"}),
+      "  method         not the paper's: shares = overlap, flip = 0.95\n");
+  EXPECT_THAT(said({"scheme=mpm_mixed", "method.as=terp"}),
+      AllOf(StartsWith("  method         not the paper's: shares = overlap, "),
+          HasSubstr("                 points add to their own history what the law adds")));
+  EXPECT_EQ(said({"scheme=standard_mpm"}), "");
 }
 
 TEST(Check, NamesWhatChangedSinceTheImport)

@@ -93,7 +93,7 @@ void write_file(const std::string& path, Bytes bytes)
     if (as_it_should_be(bytes, [&](unsigned char how) { write_values(file, name, how, bytes); })) write();
   };
   attribute("/", "format", [&] { file.set_text("/", "format", "terp checkpoint"); });
-  attribute("/", "format_version", [&] { file.set_integers("/", "format_version", {7 - bytes() % 2}); });
+  attribute("/", "format_version", [&] { file.set_integers("/", "format_version", {8 - bytes() % 2}); });
   attribute("/", "terp_version", [&] { file.set_text("/", "terp_version", "0.1.0"); });
   attribute("/", "time", [&] { file.set_real("/", "time", 0.5); });
   attribute("/", "step", [&] { file.set_integers("/", "step", {500}); });

@@ -25,6 +25,16 @@ TEST(Explain, KnowsEveryLawSchemeAndSection)
     EXPECT_THAT(explain(topic_of(section.path)), HasSubstr(section.meaning));
 }
 
+TEST(Explain, SaysOfASchemeWhichFormIsThePapers)
+{
+  const std::string word = "In the form of the paper: as = \"paper\" in [method]";
+  EXPECT_THAT(explain("mpm_gp"), AllOf(HasSubstr(word), Not(HasSubstr("overlap"))));
+  EXPECT_THAT(explain("standard_mpm"), Not(HasSubstr(word)));
+  const std::string mixed = explain("mpm_mixed");
+  EXPECT_THAT(mixed, AllOf(HasSubstr(word), HasSubstr("With shares that overlap, the default of soil, it is another"),
+                         HasSubstr("none loses strength to its neighbours, and none regains any")));
+}
+
 TEST(Explain, GivesTheEquationsOfAMaterial)
 {
   EXPECT_THAT(explain("tresca_softening"),

@@ -91,10 +91,14 @@ start = 0.25
 end = 1.5
 ramp = 0.125
 [method]
+as = "paper"
 shares = "overlap"
 weights = "summed"
 filled_fraction = 0.8
 b_bar = false
+strain_shares = "transposed"
+volume_change = "soil"
+pressure = "balanced"
 objective_rate = "jaumann"
 remap_contact = "across"
 cut_cells = "slip"
@@ -381,8 +385,12 @@ TEST(Reader, FillsHoles)
 
 TEST(Reader, FillsTheMethod)
 {
+  EXPECT_EQ(read_every_key().method_form, MethodForm::paper);
   const MethodOptions m = read_every_key().method;
   EXPECT_EQ(m.shares, Shares::overlap);
+  EXPECT_EQ(m.strain_shares, StrainShares::transposed);
+  EXPECT_EQ(m.volume_change, VolumeChange::soil);
+  EXPECT_EQ(m.pressure, Pressure::balanced);
   EXPECT_EQ(m.weights, Weights::summed);
   EXPECT_FALSE(m.b_bar);
   EXPECT_EQ(m.objective_rate, ObjectiveRate::jaumann);

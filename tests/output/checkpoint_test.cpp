@@ -3,6 +3,7 @@
 #include "output/run_folder.hpp"
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
+#include "simulation/method_form.hpp"
 #include "support/process.hpp"
 #include "support/scratch.hpp"
 #include "support/leaks.hpp"
@@ -113,13 +114,14 @@ TEST_F(Checkpoint, WithAnyByteFlippedIsRefusedOrComesBackToTheBit)
 TEST_F(Checkpoint, OfAnotherFormatNamesBothVersions)
 {
   const std::string path = write_sample(folder, 1);
-  for (const int version : {6, 99}) {
+  for (const int version : {7, 99}) {
     Hdf5File file(path, Hdf5File::Mode::change);
     file.set_integers("/", "format_version", {version});
     file.close();
     EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
         AllOf(HasSubstr(fmt::format("checkpoint format {}", version)),
-            HasSubstr("reads format 7\n  Go on with the terp that wrote it")));
+            HasSubstr("reads format 8\n  Go on with the terp that wrote it, or solve the case anew."),
+            EndsWith(version < 8 ? "anew.\n  " + std::string(defaults_before) : "anew.")));
   }
 }
 

@@ -28,6 +28,7 @@ Summary sample_summary()
   summary.points_left = 2, summary.reached_sides = {{"right", 1.5, true}},
   summary.footings = {{"plate", {0.5, -0.25}, {3.0, 4.5}, 7.0, 12.5}};
   summary.strength_water = {{"peat", "su_peak", "high", "start"}, {"clay", "su_peak", "start", {}}};
+  summary.method = paper_options(), summary.method->flip = 0.95, summary.method->pressure = Pressure::balanced;
   summary.v_999 = 5.5, summary.residual_height = 3.5, summary.at_strength = 1.25;
   summary.flood = {.verdict = FloodVerdict::floods,
       .water_level = 4.0,
@@ -87,6 +88,10 @@ TEST_F(SummaryJson, HoldsEveryNumberUnderItsName)
     "strength_water":
     [{"material": "peat", "parameter": "su_peak", "stress": "high", "daily": "start"},
     {"material": "clay", "parameter": "su_peak", "stress": "start", "daily": null}],
+    "method": {"shares": "point", "weights": "hybrid", "filled_fraction": 0.9, "b_bar": true,
+    "strain_shares": "plain", "volume_change": "centre", "pressure": "balanced", "cut_cells": "mean",
+    "objective_rate": "none", "remap_contact": "unused_strength", "relaxation_time": 0.0, "flip": 0.95,
+    "small_mass": 1e-9},
     "v_999": 5.5, "residual_height": 3.5,
     "flood": {"verdict": "floods", "water_level": 4.0,
     "water_level_origin": "the river", "river": "left", "residual_height": 3.5, "freeboard": -0.5,
@@ -174,6 +179,7 @@ TEST_F(SummaryJson, WhatAnOlderFileLacksKeepsItsDefault)
   EXPECT_EQ(back.values.scheme, "mpm_gp");
   EXPECT_EQ(back.values.n_points, 0);
   EXPECT_FALSE(back.values.second_failure_time.has_value());
+  EXPECT_FALSE(back.values.method.has_value());
   EXPECT_FALSE(back.finished);
 }
 

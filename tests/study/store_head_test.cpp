@@ -1,4 +1,5 @@
 #include "study/store_head.hpp"
+#include "simulation/method_form.hpp"
 #include "support/test.hpp"
 
 namespace store_head_test {
@@ -20,8 +21,11 @@ TEST(StoreHead, ComesBackAsItWasWritten)
   EXPECT_FALSE(is_head("17\t0.5"));
   EXPECT_EQ(refusal([] { read_head("17\t0.5", "x.rows"); }),
       "x.rows: this is no store of a study\n  Choose another folder: -o DIR");
-  EXPECT_THAT(refusal([] { read_head("terp study\t4\t0.1.0\ta\tb", "x.rows"); }),
-      HasSubstr("x.rows: this store has format 4, and this terp reads format 7\n  Solve it anew"));
+  for (const auto& [format, last_line] :
+      {std::pair<std::string, std::string>{"7", "\n  " + std::string(defaults_before)}, {"10", "-o DIR."}})
+    EXPECT_THAT(refusal([&] { read_head("terp study\t" + format + "\t0.1.0\ta\tb", "x.rows"); }),
+        AllOf(HasSubstr("x.rows: this store has format " + format + ", and this terp reads format 8\n  Solve it anew"),
+            EndsWith(last_line)));
 }
 
 TEST(StoreHead, SaysWhatIsAnotherStudy)

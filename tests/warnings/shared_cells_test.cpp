@@ -36,7 +36,9 @@ TEST(SharedCells, AThinLayerOfSoilThatYieldsIsTold)
   };
   EXPECT_THAT(warnings_of(layer_between(0.25, 0.875)), ElementsAre());  // a fifth
   Case thin = layer_between(0.375, 0.625);
-  EXPECT_THAT(warnings_of(thin), ElementsAre());  // its soils do not have one strain
+  const auto in_stronger_soil =
+      told("material.\"clay\"", "`clay` is a layer in stronger soil, 0.25 m thick on cells of 0.25 m");
+  EXPECT_THAT(warnings_of(thin), ElementsAre(in_stronger_soil));  // its soils do not have one strain
   const auto is_told = [](const std::string& remedy) {
     return ElementsAre(told("material.\"clay\"", "most of `clay` lies in cells that it shares with other soil",
         AllOf(StartsWith("Got 100 % of its volume. Such a cell has the mean strength of its soils:"),
