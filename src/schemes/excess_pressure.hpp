@@ -83,7 +83,8 @@ void update_excess(const SchemeContext& context, const CellGroup<Element>& group
   for (Index p = 0; p < block.n; p += pack_width) {
     Real* at = block.row(material.excess_row) + p;
     const Pack volumetric = trace(strain_at_points(strain, upper_halves<Element>(block, p)));
-    step(Pack::load(at), group.excess[b], volumetric, Pack::load(block.row(PointRows<Element::dim>::volume) + p), sums).store(at);
+    step(Pack::load(at), group.excess[b], volumetric, Pack::load(block.row(PointRows<Element::dim>::volume) + p), sums)
+        .store(at);
   }
 }
 

@@ -205,8 +205,8 @@ struct MpmGp {
       StripArrays<dim> strip;
       const HalfCompliance compliance(context.materials[block.material]);
       for (Index p = 0; p < n; p += pack_width)
-        prepare_points(context.method, block, first + p, strain, {cell_pressure, compliance.at(block, first + p)},
-            strip, p, sums);
+        prepare_points(
+            context.method, block, first + p, strain, {cell_pressure, compliance.at(block, first + p)}, strip, p, sums);
       if (looks_around(context, block.material))
         for (Index p = 0; p < n; p += pack_width)
           Element::at_sub_cell(strain.d_spin, upper_halves<Element>(block, first + p)).store(strip.d_spin + p);

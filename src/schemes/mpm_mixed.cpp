@@ -265,7 +265,7 @@ struct MpmMixed {
   /// Of eight cells [J per m].
   struct GaussWork {
     Pack plastic{0.0}, plastic_beside{0.0};  ///< with the weights of the force; by how much more with the volumes
-    Pack power{0.0};                         ///< of the stress at the start on the strain, with the volumes of the points
+    Pack power{0.0};  ///< of the stress at the start on the strain, with the volumes of the points
   };
   /// Runs the law on the Gauss points of eight cells.
   static GaussWork update_gauss_points(const SchemeContext& context, const CellGroup<Element>& group,
@@ -385,8 +385,8 @@ struct MpmMixed {
   }
 };
 
-// Rows: sigma, Omega and one state variable to gather; then strain, sigma and Omega read, and with state written. Flops:
-// for the ledger 9.
+// Rows: sigma, Omega and one state variable to gather; then strain, sigma and Omega read, and with state written.
+// Flops: for the ledger 9.
 constexpr PassCost gather_cost{.flops = 4 + 40, .rows = 1 + 4 + 1};
 constexpr PassCost stress_cost{.flops = 9 + 9, .rows = (4 + 3 + 1) + (4 + 4 + 1 + 1)};
 

@@ -12,9 +12,9 @@
 
 namespace terp {
 
-/// The soil ends in a cell that it does not fill: a cell around one of its corners holds none, or the mesh ends. Across the corner that
-/// lies farthest out no soil lies beyond a plane surface. Gaps between points elsewhere are not the surface: taken for
-/// it, clay of 2 x 2 points flowed with 1.4 times the work of gravity (decision 0067).
+/// The soil ends in a cell that it does not fill: a cell around one of its corners holds none, or the mesh ends. Across
+/// the corner that lies farthest out no soil lies beyond a plane surface. Gaps between points elsewhere are not the
+/// surface: taken for it, clay of 2 x 2 points flowed with 1.4 times the work of gravity (decision 0067).
 template <class Element>
 bool is_at_surface(const CellGroup<Element>& group, Index cell)
 {

@@ -68,9 +68,9 @@ std::string describe_clamped(const State& state)
 /// What lies around the fastest point.
 struct Place {
   Index cell = -1;
-  Vec<2> x{0.0, 0.0};                ///< of the point [m]
-  Real speed = 0.0;                  ///< [m/s]
-  std::set<std::string> materials;   ///< of the cell and of those that share a node with it
+  Vec<2> x{0.0, 0.0};                       ///< of the point [m]
+  Real speed = 0.0;                         ///< [m/s]
+  std::set<std::string> materials;          ///< of the cell and of those that share a node with it
   Real softest = INFINITY, stiffest = 0.0;  ///< their moduli K + 4G/3 [Pa]
 
   Real contrast() const { return stiffest / softest; }
@@ -103,8 +103,8 @@ std::string describe_energy(const Model& model, const State& state, const TableR
 {
   constexpr Real few = 9.0, high = 10.0;  // points per cell; contrast of stiffness: docs/limits.md
   const Place place = find_fastest_place(model, state);
-  const Real per_cell =
-      static_cast<Real>(state.points.n_points()) / static_cast<Real>(std::max<std::size_t>(state.points.occupied().size(), 1));
+  const Real per_cell = static_cast<Real>(state.points.n_points()) /
+                        static_cast<Real>(std::max<std::size_t>(state.points.occupied().size(), 1));
   std::string likely, next;
   const auto add = [&](const char* cause, const char* cure) {
     likely += (likely.empty() ? "" : ", or ") + std::string(cause);

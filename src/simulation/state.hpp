@@ -16,15 +16,15 @@ namespace terp {
 /// Work done so far [J per m]; positive when it adds energy to the soil.
 struct WorkTotals {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0;
-  Real clamps = 0.0;      ///< what points keep of the velocity that the boundary takes from nodes in pass 4
-  OuterWork outer{};      ///< of forces from outside: loads, water
-  Real plastic = 0.0;     ///< dissipated
-  Real internal = 0.0;    ///< of the internal forces on the nodes
-  Real taken = 0.0;       ///< of the stress of the points, each step's at its start, on their strain
-  Real reset = 0.0;       ///< gained by stored energy as pressures were set at the start of steps (reading R10)
-  Real relaxation = 0.0;  ///< of velocities that the mesh does not see, as they fade
-  Real exchanged = 0.0;   ///< largest sum of the sizes of gravity, damping, boundary, outer and plastic so far: what
-                          ///< swings to and fro was exchanged, too
+  Real clamps = 0.0;        ///< what points keep of the velocity that the boundary takes from nodes in pass 4
+  OuterWork outer{};        ///< of forces from outside: loads, water
+  Real plastic = 0.0;       ///< dissipated
+  Real internal = 0.0;      ///< of the internal forces on the nodes
+  Real taken = 0.0;         ///< of the stress of the points, each step's at its start, on their strain
+  Real reset = 0.0;         ///< gained by stored energy as pressures were set at the start of steps (reading R10)
+  Real relaxation = 0.0;    ///< of velocities that the mesh does not see, as they fade
+  Real exchanged = 0.0;     ///< largest sum of the sizes of gravity, damping, boundary, outer and plastic so far: what
+                            ///< swings to and fro was exchanged, too
   Real from_outside = 0.0;  ///< the same of the works from outside alone, so far
   Real last_step = 0.0;     ///< given() and internal, in the last step alone
 
@@ -48,7 +48,7 @@ struct WorkTotals {
 
 /// Of the balance of energy, over the rows of the ledger so far [J per m].
 struct EnergyMarks {
-  Real most_lost = 0.0;     ///< by the soil, all in all
+  Real most_lost = 0.0;        ///< by the soil, all in all
   Real most_dissipated = 0.0;  ///< plastic work
   Real most_unexplained = 0.0;
 };
@@ -61,11 +61,11 @@ struct State {
   WorkTotals work;
   /// Running mean of the out-of-balance force, of damping with an averaging time [N per m]; shape [n_nodes], or empty.
   std::vector<Vec<2>> mean_force;
-  std::int64_t equilibrium_steps = 0;    ///< made in the search for equilibrium, while the clock stands at 0
-  bool has_no_start = false;             ///< the search found no equilibrium, so that nothing can be judged
-  Real mass_placed = 0.0;                ///< of bodies that stages placed so far [kg per m]
-  Real mass_removed = 0.0;               ///< of bodies that stages dug away so far [kg per m]
-  Real start_energy = 0.0;               ///< kinetic + stored at t = 0 [J per m]
+  std::int64_t equilibrium_steps = 0;  ///< made in the search for equilibrium, while the clock stands at 0
+  bool has_no_start = false;           ///< the search found no equilibrium, so that nothing can be judged
+  Real mass_placed = 0.0;              ///< of bodies that stages placed so far [kg per m]
+  Real mass_removed = 0.0;             ///< of bodies that stages dug away so far [kg per m]
+  Real start_energy = 0.0;             ///< kinetic + stored at t = 0 [J per m]
   EnergyMarks energy_marks;
   std::int64_t first_step = 0;           ///< Model::first_step and first_time
   Real first_time = 0.0;                 ///< [s]

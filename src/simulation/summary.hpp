@@ -104,7 +104,7 @@ struct Summary {
       softened_fraction;                  ///< (time [s], share of the volume that lost half of its drop [-])
   std::int64_t points_eps_eq_p_fell = 0;  ///< points whose eps_eq_p ever fell between two ledger rows
   std::int64_t points_su_rose = 0;        ///< points whose S_u ever rose between two ledger rows
-  Real unexplained_energy = 0.0;    ///< the most so far over what came from outside [-]
+  Real unexplained_energy = 0.0;          ///< the most so far over what came from outside [-]
   Real energy_balance_error = 0.0;  ///< |numerical| at the end over the energy exchanged: works, plastic, start [-]
   std::int64_t clamped_points = 0;
   std::vector<ReachedSide>

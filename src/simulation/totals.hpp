@@ -30,10 +30,10 @@ struct TotalsRequest {
 
 /// Sums and extremes over the points.
 struct Totals {
-  Real mass = 0.0;                    ///< [kg per m]
-  Vec<2> momentum{0.0, 0.0};          ///< [N s per m]
+  Real mass = 0.0;                                        ///< [kg per m]
+  Vec<2> momentum{0.0, 0.0};                              ///< [N s per m]
   Real kinetic = 0.0, elastic = 0.0, pore_elastic = 0.0;  ///< of the points [J per m]
-  Real v_max = 0.0, v_999 = 0.0;      ///< largest speed, and that which 99.9 % of the points do not exceed [m/s]
+  Real v_max = 0.0, v_999 = 0.0;  ///< largest speed, and that which 99.9 % of the points do not exceed [m/s]
   MovedSoil moved;
   std::array<Real, most_slopes>
       growth{};  ///< growth of eps_eq_p since the last row, summed over the volume, of each slope [m^2]
@@ -92,7 +92,8 @@ struct BalanceSums {
   {
     if (material.water_stiffness > 0.0) {
       const Pack excess = Pack::load(block.row(material.excess_row) + p);
-      pore_elastic += Pack::load(block.row(Rows::volume) + p) * (excess * excess * Pack(0.5 / material.water_stiffness));
+      pore_elastic +=
+          Pack::load(block.row(Rows::volume) + p) * (excess * excess * Pack(0.5 / material.water_stiffness));
     }
     if (material.type->stiffness_by_stress)
       enter([&](Pack, Pack, Pack, Pack) { return stored_energy_of_points(material, block, p); }, block, p);

@@ -61,10 +61,10 @@ struct NodeSums {
 
 /// Sums over the cells of one chunk, and where the points are listed that left their cell.
 struct CellSums {
-  Real plastic = 0.0;              ///< work of the step [J per m]
-  Real taken = 0.0, reset = 0.0;   ///< of StressSums [J per m]
-  Real relaxation = 0.0;           ///< kinetic energy that velocities gain as they fade [J per m]
-  int thread = 0;         ///< whose list holds the points that left
+  Real plastic = 0.0;             ///< work of the step [J per m]
+  Real taken = 0.0, reset = 0.0;  ///< of StressSums [J per m]
+  Real relaxation = 0.0;          ///< kinetic energy that velocities gain as they fade [J per m]
+  int thread = 0;                 ///< whose list holds the points that left
   std::size_t first_leaving = 0, end_of_leaving = 0;
 
   void enter(const StressSums& of)

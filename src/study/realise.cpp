@@ -196,8 +196,8 @@ bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, 
   const Outcome outcome = event.ends_run ? run_to_event(simulation, event, stop, ends_early) : simulation.run(stop);
   if (outcome != Outcome::finished) return false;
   if (const Real share = unexplained_share(simulation.state); share > unexplained_that_fails) {
-    result.fault = fmt::format(
-        "its energy is wrong: nothing explains {:.2g} % of what came from outside", 100.0 * share);
+    result.fault =
+        fmt::format("its energy is wrong: nothing explains {:.2g} % of what came from outside", 100.0 * share);
     return true;
   }
   read_outcomes(simulation, event, result);

@@ -80,8 +80,8 @@ inline std::array<Pack, dim> interpolate(const std::array<std::array<Real, n>, d
   return value;
 }
 
-/// v_p += dt sum N_i a_i (FLIP); with flip < 1 blended with sum N_i v*_i (PIC). Returns the kinetic energy that blending
-/// adds [J per m], as a rule below zero.
+/// v_p += dt sum N_i a_i (FLIP); with flip < 1 blended with sum N_i v*_i (PIC). Returns the kinetic energy that
+/// blending adds [J per m], as a rule below zero.
 ///
 /// dv        dt a_i [m/s], v_star  v* of the nodes [m/s]
 template <class Element>

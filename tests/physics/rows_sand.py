@@ -56,7 +56,8 @@ def from_rest(v, strength, cell, name, may_stop=False):
 def sand_rests(v):
     """A face with 1.1 times the strength that it needs comes to rest and stays for 10 s without damping."""
     run = from_rest(v, v.strength, HEIGHT / v.cells, "rest")
-    return [Measure("moved in 10 s", run.last("moved_volume"), "m2", at_most=0.0), Measure("v at the end", run.last("v_999"), "m/s")]
+    return [Measure("moved in 10 s", run.last("moved_volume"), "m2", at_most=0.0),
+            Measure("v at the end", run.last("v_999"), "m/s")]
 
 
 @row(number=36, cycle=DIKE | {"strength": SLIDING})
@@ -65,8 +66,8 @@ def sand_slides(v):
     cell = HEIGHT / v.cells
     case, friction = sand_dike(v, v.strength, cell)
     found = v.run(case | {"initial": {"stress": "equilibrium"}, "time": {"end": 0.01}}, "rest", may_stop=True)
-    run = v.run(case | {"initial": {"stress": "k0", "k0": 1 - math.sin(math.radians(friction))}, "time": {"end": 6.0}},
-                "k0")
+    k0 = {"stress": "k0", "k0": 1 - math.sin(math.radians(friction))}
+    run = v.run(case | {"initial": k0, "time": {"end": 6.0}}, "k0")
     skin = 0.5 * cell * HEIGHT * math.hypot(1, v.slope)
     return [Measure("equilibrium found", 0.0 if found.code == 3 else 1.0, at_most=0.0),
             Measure("moved from k0", run.last("moved_volume"), "m2", at_least=skin)]

@@ -66,8 +66,8 @@ class Result:
     def most_made(self, window=0.0):
         """Most of unexplained energy over the largest work of gravity [-], and the least.
 
-        window: means over so many seconds. The kinetic energy of a leapfrog step lies half a step beside the elastic
-        one. So in a body that swings their sum swings, too, by some per cent.
+        window: means over so many seconds, less that of the first. The kinetic energy of a leapfrog step lies half a
+        step beside the elastic one. So in a body that swings their sum swings, too, by some per cent.
         """
         if not self.ledger:
             return math.inf, -math.inf
@@ -75,6 +75,7 @@ class Result:
         if window:
             part = (self.column("time") / window).astype(int)
             relative = np.bincount(part, relative) / np.maximum(np.bincount(part), 1)
+            relative -= relative[0]
         return float(relative.max()), float(relative.min())
 
     def motion(self, chosen):

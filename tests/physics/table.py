@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Prints the table of sound physics: what must rest rests, what must slide slides, no energy comes from nothing.
 
-    table.py [--terp build/terp] [--seed 1] [--rows NAME ...] [--share 1] [--jobs 2] [--set KEY=VALUE ...] [--keep FOLDER]
+    table.py [--terp build/terp] [--seed 1] [--rows NAME ...] [--share 1] [--jobs 2] [--set KEY=VALUE] [--keep FOLDER]
 
 One line per variant of a row: verdict, row, factors, each number with its bounds, processor time. Verdicts: `pass`;
 `open`: known red, no worse than open.toml says; `FAIL`; `info`: nothing to judge. README.md says how rows are made.

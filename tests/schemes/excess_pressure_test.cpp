@@ -41,8 +41,8 @@ void expect_equal_energies(Simulation& total, Simulation& effective)
   EXPECT_NEAR(b["elastic"] + b["pore_elastic"], scale, 1e-6 * scale);
   for (const char* column : {"kinetic", "transfer", "pressure_reset", "numerical", "unexplained"})
     EXPECT_NEAR(b[column], a[column], 1e-6 * scale) << column;
-  EXPECT_NEAR(kinetic_and_stored_energy(effective.model, effective.state), b["kinetic"] + b["elastic"] + b["pore_elastic"],
-      1e-9 * scale);
+  EXPECT_NEAR(kinetic_and_stored_energy(effective.model, effective.state),
+      b["kinetic"] + b["elastic"] + b["pore_elastic"], 1e-9 * scale);
 }
 
 TEST_P(ExcessPressure, AndEffectiveStressMoveSoilAsTotalStressOfTheUndrainedStiffness)

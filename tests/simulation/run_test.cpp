@@ -181,7 +181,8 @@ TEST(Summarise, TheBalanceErrorIsAShareOfTheEnergyExchanged)
   solve(s, recorder);
   const TableRow& row = recorder.last_row;
   const Real exchanged = std::abs(row["gravity_work"]) + std::abs(row["damping_work"]) +
-                         std::abs(row["boundary_work"]) + std::abs(row["balance_work"]) + row["plastic"] + s.state.start_energy;
+                         std::abs(row["boundary_work"]) + std::abs(row["balance_work"]) + row["plastic"] +
+                         s.state.start_energy;
   EXPECT_GT(std::abs(row["numerical"]), 1e-6 * exchanged);
   EXPECT_NEAR(summarise(s.model, s.state).energy_balance_error,
       std::abs(row["numerical"] + 0.5 * s.state.work.last_step) / exchanged, 1e-12);
