@@ -71,8 +71,8 @@ std::vector<KeyInfo> method_keys()
           .field = [](Case& c, std::size_t) { return word_field(c.method.cut_cells); },
           .words = words<CutCells>,
           .meaning = "strain of the soils in a cell that their border cuts: all have that of the cell, which then has "
-                     "the mean of their strengths (mean), or they also slip along the border until the shear stress "
-                     "on it is the same on both sides (slip; decision 0059)",
+                     "the mean of their strengths (mean), or once one yields they also slip along the border until the "
+                     "shear stress on it is the same on both sides (slip; decision 0071)",
           .equation = "d_eps_m = B (du_i - k s_i t) + g_m sym(t n),  tau_m = t.sigma_m.n equal in all soils"},
   };
 }

@@ -67,6 +67,12 @@ inline Role driver_of_strength(const SoilMaterial& material)
   return find_role(material.type->state, Role::softening) >= 0 ? Role::softening : Role::plastic_strain;
 }
 
+/// False: the law is elastic.
+inline bool can_yield(const SoilMaterial& material)
+{
+  return material.type->by_library || !material.type->state.empty() || material.type->depends_on_rate;
+}
+
 /// True if the law has a strength, as a derived field or as a state variable.
 inline bool has_strength(const SoilMaterial& material)
 {

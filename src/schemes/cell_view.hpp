@@ -20,6 +20,7 @@ struct SchemeContext {
   const std::vector<SoilMaterial>& materials;
   Real dt = 0.0;                       ///< length of the step [s]
   int inverse_extent = -1;             ///< row of the points, with shares that overlap
+  int slip_row = -1;                   ///< row of the points: plastic work of the last step (Model::slip_row)
   const PorePressure* pore = nullptr;  ///< on the nodes; nullptr: no water
   bool all_drains = false;             ///< no soil is undrained: in the search for equilibrium
   Real excess_kept = 1.0;              ///< part of its excess pressure that drained soil keeps in this step
@@ -56,6 +57,7 @@ CornerPore<Element> pore_at_corners(
 /// What the stress pass adds up for the ledger [J per m].
 struct StressSums {
   Real plastic_work = 0.0;  ///< of the laws
+  Real slip_work = 0.0;     ///< lost where soils slip along their border
   Pack taken{0.0};          ///< by the points: their stress at the start of the step on their strain, by lanes
   Pack reset{0.0};          ///< gained by stored energy as the pressure of that start is set (reading R10), by lanes
 
@@ -171,6 +173,7 @@ inline void update_strip(
     arrays.around = &around;
   }
   material.law->update(arrays);
+  if (context.slip_row >= 0) std::copy_n(strip.plastic_work, n, block.row(context.slip_row) + first);
 }
 
 /// First-order Jaumann rotation: sigma += w sigma - sigma w, w = d_spin of the step (reading R17).

@@ -1,9 +1,9 @@
-// Cells that a border between soils cuts: the soils slip along it, so that the shear stress on it is the same on both
-// sides, and the corners move with them, k by soil a (docs/methods.md, section 3; decision 0059).
+// Cells that a border between soils cuts: where a soil yielded in the step before, the soils slip along it, so that the
+// shear stress on it is the same on both sides, and the corners move with them, k by soil a (docs/methods.md, section
+// 3; decision 0071).
 //
 //   d_eps_m = B (du_i - k s_i t) + g_m (t n + n t)/2
-//   g_m     = (tau - tau_m)/G_m + d_gamma (V/(G_m sum_k V_k/G_k) - 1) + k c_a
-//   tau     = sum_k V_k tau_k/G_k / sum_k V_k/G_k,   d_gamma = 2 t.B(du_i - k s_i t).n + k c_a
+//   g_m     = (tau - tau_m)/G_m + k c_a,   tau = sum_k V_k tau_k/G_k / sum_k V_k/G_k
 #pragma once
 
 #include "schemes/block_slip.hpp"
@@ -29,17 +29,8 @@ void keep_mean_stress(const CellGroup<Element>& group, const BlockLayer& layer, 
   }
 }
 
-/// Sets the slip of all blocks of a group from their mean stress.
+/// Sets the slip of all blocks of a group, but for the kink, from their mean stress.
 void find_slips(const SchemeContext& context, const CellGroup<Quad4>& group);
-
-/// Slip g of a soil in one step.
-template <class Element, class R>
-R slip_of(R normal, R shear, R held, R rate, const GaussStrain<Element, R>& strain)
-{
-  const auto mean = [](const PerGauss<Element, R>& values) { return total(values) * R(1.0 / Element::n_gauss); };
-  const R stretch = mean(strain.d_eps[0]) - mean(strain.d_eps[1]), in_plane = mean(strain.d_eps[3]);
-  return held + rate * (R(2.0) * (normal * stretch + R(2.0) * shear * in_plane));
-}
 
 /// Adds the strain of a slip to that of the cell, at all Gauss points.
 template <class Element, class R>
@@ -62,8 +53,8 @@ inline Real kink_of(const Kink& kink, Real d_gamma, Real across)
 }
 
 /// Displacements of the corners less what the soils of the cut cells slipped past each other, for the strain that both
-/// sides of the border have. The work of the corners with the rest is booked as lost on the border. moved: room for
-/// them where there are such cells.
+/// sides of the border have; adds them to the slip of the soils. The work of the corners with the rest is booked as
+/// lost on the border. moved: room for them where there are such cells.
 template <class Element>
 const GroupVectors<Element>& without_kinks(
     const CellGroup<Element>& group, const GroupVectors<Element>& du, GroupVectors<Element>& moved, Real& lost)
@@ -89,8 +80,7 @@ const GroupVectors<Element>& without_kinks(
     for (int d = 0; d < Element::dim; ++d)
       for (int i = 0; i < Element::n_corners; ++i) moved[c][d][i] -= k * kink.above[i] * t[d];
     lost += k * kink.force;
-    for_each_block(group.points, group.cells[c],
-        [&](const auto&, Index b) { group.slips[b].held += k * kink.share * (1.0 + group.slips[b].rate); });
+    for_each_block(group.points, group.cells[c], [&](const auto&, Index b) { group.slips[b].g += k * kink.share; });
   }
   return moved;
 }
@@ -103,7 +93,7 @@ const GaussStrain<Element>& with_slip(
   if (group.slips.empty() || !group.slips[b].acts()) return strain;
   const BlockSlip& slip = group.slips[b];
   slipped = strain;
-  add_slip(slip.normal, slip.shear, slip_of(slip.normal, slip.shear, slip.held, slip.rate, strain), slipped);
+  add_slip(slip.normal, slip.shear, slip.g, slipped);
   return slipped;
 }
 
@@ -117,9 +107,8 @@ const GaussStrain<Element, Pack>& with_slips(const CellGroup<Element>& group, co
   const auto lanes = [&](Real BlockSlip::*part) {
     return pack_of([&](int c) { return acts(layer.block[c]) ? group.slips[layer.block[c]].*part : 0.0; });
   };
-  const Pack normal = lanes(&BlockSlip::normal), shear = lanes(&BlockSlip::shear);
   slipped = strain;
-  add_slip(normal, shear, slip_of(normal, shear, lanes(&BlockSlip::held), lanes(&BlockSlip::rate), strain), slipped);
+  add_slip(lanes(&BlockSlip::normal), lanes(&BlockSlip::shear), lanes(&BlockSlip::g), slipped);
   return slipped;
 }
 
@@ -139,24 +128,20 @@ Real shear_on_border(const PointBlock<Dim>& block, const BlockSlip& slip)
   return sum(sum_of_tau) / sum(volume);
 }
 
-/// Fixes the slip g of all blocks of a group for this step, strain: of the cells. Returns what the slip takes from the
-/// stress of the start without any work of the nodes [J per m]: it is lost on the border, as the shear stress on both
-/// sides was not the same.
+/// What the slip of all blocks of a group takes from the stress of the start without any work of the nodes [J per m]:
+/// it is lost on the border, as the shear stress on both sides was not the same. Before the law runs.
 template <class Element>
-Real fix_slips(const CellGroup<Element>& group, const GaussStrain<Element, Pack>& strain)
+Real lost_by_slipping(const CellGroup<Element>& group)
 {
   if (group.slips.empty()) return 0.0;
-  const auto of_cells = strain_by_cell(strain);
   Real lost = 0.0;
   for (int c = 0; c < group.n(); ++c)
     for_each_block(group.points, group.cells[c], [&](const auto& block, Index b) {
       BlockSlip& slip = group.slips[b];
       if (!slip.acts()) return;
-      slip.held = slip_of(slip.normal, slip.shear, slip.held, slip.rate, of_cells[c]);
-      slip.rate = 0.0;
       slip.before = shear_on_border(block, slip);
       const Real tau = slip.normal * (slip.sigma[0] - slip.sigma[1]) + 2.0 * slip.shear * slip.sigma[3];
-      lost -= slip.weight * tau * slip.held;
+      lost -= slip.weight * tau * slip.g;
     });
   return lost;
 }
@@ -168,7 +153,7 @@ Real lost_while_slipping(const CellGroup<Element>& group, Index b)
 {
   if (group.slips.empty() || !group.slips[b].acts()) return 0.0;
   const BlockSlip& slip = group.slips[b];
-  return -0.5 * slip.weight * (shear_on_border(group.points.block(b), slip) - slip.before) * slip.held;
+  return -0.5 * slip.weight * (shear_on_border(group.points.block(b), slip) - slip.before) * slip.g;
 }
 
 }  // namespace terp

@@ -22,10 +22,10 @@ struct MpmGp {
       const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
     GroupVectors<Element> room;
-    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.plastic_work);
+    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.slip_work);
     const GaussStrain<Element, Pack> lanes = strain_of_group(group, moved, context.method.b_bar);  // Step 2
     const auto strain = strain_by_cell(lanes);
-    sums.plastic_work += fix_slips(group, lanes);
+    sums.slip_work += lost_by_slipping(group);
     GaussStrain<Element> slipped;
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
@@ -33,7 +33,7 @@ struct MpmGp {
         const GaussStrain<Element>& own = handed_back(group, b, with_slip(group, b, strain[c], slipped), slipped);
         update_excess(context, group, b, own, sums);
         update_points(context, block, own, group.pressure[b], sums);
-        sums.plastic_work += lost_while_slipping(group, b);
+        sums.slip_work += lost_while_slipping(group, b);
       });
     }
   }
@@ -54,9 +54,9 @@ struct MpmGp {
       const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
     GroupVectors<Element> room;
-    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.plastic_work);
+    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.slip_work);
     const auto strain = strain_of_group(group, moved, context.method.b_bar);  // Step 2
-    sums.plastic_work += fix_slips(group, strain);
+    sums.slip_work += lost_by_slipping(group);
     for_each_layer(group, [&](const BlockLayer& layer) {
       LeftRows<Element> rows;
       GaussStrain<Element, Pack> slipped;
@@ -92,7 +92,7 @@ struct MpmGp {
             });
         for (Index first = 0; first < block.n_padded(); first += strip_length)
           update_strip_from_patch(context, block, first, size, patch, {pressure, excess}, sums);
-        sums.plastic_work += lost_while_slipping(group, b);
+        sums.slip_work += lost_while_slipping(group, b);
       });
     }
   }

@@ -31,22 +31,25 @@ struct MpmMixed {
       const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
     GroupVectors<Element> room;
-    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.plastic_work);
+    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.slip_work);
     const GaussStrain<Element, Pack> lanes = strain_of_group(group, moved, context.method.b_bar);  // Step 2
     const auto strain = strain_by_cell(lanes);
-    sums.plastic_work += fix_slips(group, lanes);
+    sums.slip_work += lost_by_slipping(group);
     GaussStrain<Element, Pack> slipped_lanes;
     GaussStrain<Element> slipped;
     for_each_layer(group, [&](const BlockLayer& layer) {
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
       GaussRow<Element>* rows = group.rows_of(layer);
+      GaussRow<Element> plastic_work;
       const GaussStrain<Element, Pack>& own_lanes =
           handed_back(group, layer, with_slips(group, layer, lanes, slipped_lanes), slipped_lanes);
-      const GaussWork work = update_gauss_points(context, group, layer, own_lanes, gauss, rows);  // Step 3
+      const GaussWork work =
+          update_gauss_points(context, group, layer, own_lanes, {gauss, rows, plastic_work});  // Step 3
       sums.taken += where_blocks_are(layer, work.power - work.plastic_beside);
       const HalfCompliance compliance(material);
       const auto sigma = by_cell(gauss);
+      turn_by_cell(plastic_work);
       for (int k = 0; k < material.n_state(); ++k) turn_by_cell(rows[k]);
       for (int c = 0; c < group.n(); ++c) {
         if (layer.block[c] < 0) continue;
@@ -59,9 +62,9 @@ struct MpmMixed {
         for (Index p = 0; p < block.n; p += pack_width) {
           sums.set_pressure(compliance.at(block, p), Pack::load(block.row(PointRows<dim>::volume) + p),
               mean_stress(block, p), gauss.pressure[c]);
-          assign_to_points(sigma[c], rows, c, own, material, block, p);  // Step 4
+          assign_to_points(context, {sigma[c], rows, plastic_work, own, c}, block, p);  // Step 4
         }
-        sums.plastic_work += lost_while_slipping(group, layer.block[c]);
+        sums.slip_work += lost_while_slipping(group, layer.block[c]);
       }
     });
   }
@@ -94,9 +97,9 @@ struct MpmMixed {
       const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
     GroupVectors<Element> room;
-    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.plastic_work);
+    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.slip_work);
     const GaussStrain<Element, Pack> of_cells = strain_of_group(group, moved, context.method.b_bar);  // Step 2
-    sums.plastic_work += fix_slips(group, of_cells);
+    sums.slip_work += lost_by_slipping(group);
     for_each_layer(group, [&](const BlockLayer& layer) {
       GaussStrain<Element, Pack> slipped;
       const GaussStrain<Element, Pack>& strain = with_slips(group, layer, of_cells, slipped);
@@ -110,7 +113,9 @@ struct MpmMixed {
       }
       for (int k = 0; k < material.n_state(); ++k)
         if (!material.type->state[k].scratch) rows.set(HistoryRows::end + k, state[k]);
-      const GaussWork work = update_gauss_points(context, group, layer, strain, gauss, state);  // Step 3
+      GaussRow<Element> plastic_work;
+      const GaussWork work =
+          update_gauss_points(context, group, layer, strain, {gauss, state, plastic_work});  // Step 3
       for (int c = 0; c < group.n(); ++c)
         if (layer.block[c] >= 0) sums.plastic_work += work.plastic[c];
       if (context.method.strain_shares == StrainShares::plain)
@@ -125,6 +130,7 @@ struct MpmMixed {
         else
           rows.set_change(HistoryRows::end + k, state[k]);
       }
+      if (context.slip_row >= 0) rows.set(HistoryRows::end + material.n_state(), plastic_work);
       rows.set(HistoryRows::spin, strain.d_spin);
       rows.weigh(group, layer, HistoryRows::ratio, HistoryRows::end + material.n_state());
       if (!group.excess.empty()) rows.set(group.patches->gauss_width - 1, layer, group.excess);
@@ -147,7 +153,7 @@ struct MpmMixed {
           with_shares(block, p, size,
               [&](const auto& shares) { take_values(context, patch, shares, block, p, kept); });  // Step 4
         kept.shift(block);
-        sums.plastic_work += lost_while_slipping(group, b);
+        sums.slip_work += lost_while_slipping(group, b);
       });
     }
   }
@@ -243,6 +249,8 @@ struct MpmMixed {
       const Pack before = material.type->state[k].scratch ? Pack(0.0) : Pack::load(at);
       (before + inverse * patch.at_points<1>(shares, HistoryRows::end + k)[0]).store(at);
     }
+    if (context.slip_row >= 0)
+      patch.at_points<1>(shares, HistoryRows::end + material.n_state())[0].store(block.row(context.slip_row) + p);
     scale_volume(block, p, accumulate_strain(block, p, d_eps));
   }
 
@@ -267,11 +275,18 @@ struct MpmMixed {
     Pack plastic{0.0}, plastic_beside{0.0};  ///< with the weights of the force; by how much more with the volumes
     Pack power{0.0};  ///< of the stress at the start on the strain, with the volumes of the points
   };
+  /// What the law changes at the Gauss points of eight cells.
+  struct AtGaussPoints {
+    GaussValues<Element, Pack>& gauss;
+    GaussRow<Element>* rows;          ///< of the law
+    GaussRow<Element>& plastic_work;  ///< out: of the step [J/m^3]
+  };
+
   /// Runs the law on the Gauss points of eight cells.
   static GaussWork update_gauss_points(const SchemeContext& context, const CellGroup<Element>& group,
-      const BlockLayer& layer, const GaussStrain<Element, Pack>& strain, GaussValues<Element, Pack>& gauss,
-      GaussRow<Element>* rows)
+      const BlockLayer& layer, const GaussStrain<Element, Pack>& strain, const AtGaussPoints& at)
   {
+    const auto& [gauss, rows, plastic_work] = at;
     const SoilMaterial& material = context.materials[layer.material];
     GaussWork work;
     for (int g = 0; g < Element::n_gauss; ++g) {
@@ -281,7 +296,6 @@ struct MpmMixed {
     }
     if (rotates(context)) rotate_gauss_points(strain, gauss);
     constexpr Index n = Element::n_gauss * pack_width;  // numbers of a row
-    PerGauss<Element, Pack> plastic_work;
     StressArrays<dim> arrays{};
     for (int k = 0; k < n_sym<dim>; ++k) arrays.sigma[k] = numbers_of(gauss.sigma[k]);
     for (int k = 0; k < n_sym<dim>; ++k) arrays.d_eps[k] = numbers_of(strain.d_eps[k]);
@@ -369,19 +383,29 @@ struct MpmMixed {
     from_lanes(lanes, [&](int c) { return numbers_of(row) + Element::n_gauss * c; });
   }
 
-  /// rows: of the law at the Gauss points, turned by cell; c: number of this cell among them.
-  static void assign_to_points(const StressOfCell& sigma, const GaussRow<Element>* rows, int c,
-      const GaussStrain<Element>& strain, const SoilMaterial& material, const PointBlock<dim>& block, Index p)
+  /// What the points of a cell take; its rows have those of all cells of the group, turned by cell.
+  struct OfCell {
+    const StressOfCell& sigma;
+    const GaussRow<Element>* rows;          ///< of the law
+    const GaussRow<Element>& plastic_work;  ///< of the step [J/m^3]
+    const GaussStrain<Element>& strain;
+    int number;  ///< of the cell in its group
+  };
+
+  static void assign_to_points(const SchemeContext& context, const OfCell& cell, const PointBlock<dim>& block, Index p)
   {
+    const SoilMaterial& material = context.materials[block.material];
     const auto upper = upper_halves<Element>(block, p);
-    for (int k = 0; k < n_sym<dim>; ++k)
-      Element::at_sub_cell(sigma[k], upper).store(block.row(PointRows<dim>::sigma + k) + p);
-    for (int k = 0; k < material.n_state(); ++k) {
+    const auto assign = [&](const GaussRow<Element>& row, int to) {
       PerGauss<Element> value;
-      std::copy_n(numbers_of(rows[k]) + Element::n_gauss * c, Element::n_gauss, value.begin());
-      Element::at_sub_cell(value, upper).store(block.row(material.rows[k]) + p);
-    }
-    scale_volume(block, p, accumulate_strain(block, p, strain_at_points(strain, upper)));
+      std::copy_n(numbers_of(row) + Element::n_gauss * cell.number, Element::n_gauss, value.begin());
+      Element::at_sub_cell(value, upper).store(block.row(to) + p);
+    };
+    for (int k = 0; k < n_sym<dim>; ++k)
+      Element::at_sub_cell(cell.sigma[k], upper).store(block.row(PointRows<dim>::sigma + k) + p);
+    for (int k = 0; k < material.n_state(); ++k) assign(cell.rows[k], material.rows[k]);
+    if (context.slip_row >= 0) assign(cell.plastic_work, context.slip_row);
+    scale_volume(block, p, accumulate_strain(block, p, strain_at_points(cell.strain, upper)));
   }
 };
 

@@ -1,4 +1,4 @@
-// Where two soils of a cell have their border, from the points around it (docs/methods.md, section 3; decision 0059).
+// Where two soils of a cell have their border, from the points around it (docs/methods.md, section 3; decision 0071).
 // Not for: how far they slip along it (cut_cells.hpp).
 #pragma once
 

@@ -175,7 +175,7 @@ bool has_library_law(const Model& model)
 struct Faults {
   Real unexplained = 0.0;  ///< by the books, whatever its sign
   Real made = 0.0;         ///< by no books: more than the soil was given from outside, or than it had before
-  Real undone = 0.0;       ///< plastic work
+  Real undone = 0.0;       ///< of plastic work and slip
 };
 
 /// Enters the row in the marks of the state.
@@ -186,13 +186,13 @@ Faults find_wrong_energy(const Model& model, State& state, const TableRow& row)
   const Real half_step = 0.5 * state.work.last_step, offset = half_step_offset(state, row);
   const Real stored = row["kinetic"] + row["elastic"] + row["pore_elastic"] + row["left_energy"] + half_step;
   const Real lost = state.work.outside() + state.start_energy - stored;
-  const Real plastic = state.work.plastic;
+  const Real dissipated = state.work.plastic + state.work.slip;
   Faults faults{.unexplained = std::max(std::abs(row["unexplained"] + half_step) - offset, 0.0),
       .made = std::max(marks.most_lost - lost - offset, 0.0),
-      .undone = std::max(marks.most_dissipated - plastic, 0.0)};
+      .undone = std::max(marks.most_dissipated - dissipated, 0.0)};
   if (!has_library_law(model)) {
     marks.most_lost = std::max(marks.most_lost, lost);
-    marks.most_dissipated = std::max(marks.most_dissipated, plastic);
+    marks.most_dissipated = std::max(marks.most_dissipated, dissipated);
   }
   marks.most_unexplained = std::max({marks.most_unexplained, faults.unexplained, faults.made});
   return faults;
@@ -221,7 +221,8 @@ std::string find_fault_in_balance(const Model& model, State& state, const TableR
             faults.unexplained, row["unexplained"] > 0.0 ? "were gained" : "were lost", scale));
   if (faults.undone > most_undone * scale)
     return describe_energy(model, state, row,
-        fmt::format("{:.3g} J per m of plastic work were given back, which no soil can, {:.3g} J came from outside",
+        fmt::format(
+            "{:.3g} J per m of plastic work and slip were given back, which no soil can, {:.3g} J came from outside",
             faults.undone, scale));
   if (std::max(faults.unexplained, faults.made) <= unexplained_that_fails * scale) return {};
   if (const Real share = overtaken_share(model, state); share > most_overtaken)

@@ -17,7 +17,7 @@ namespace {
 Real numerical_energy(const LedgerContext& c)
 {
   const WorkTotals& w = c.state.work;
-  return c.totals.kinetic + c.totals.elastic + c.totals.pore_elastic + c.left_energy + w.plastic -
+  return c.totals.kinetic + c.totals.elastic + c.totals.pore_elastic + c.left_energy + w.plastic + w.slip -
          c.state.start_energy - w.given();
 }
 
@@ -60,8 +60,11 @@ constexpr LedgerQuantity balance[] = {
     {{"pore_elastic", "J/m", "elastic energy of the pore water",
          "elastic energy stored in the excess pressure of undrained soil of effective stress"},
         [](C c) { return c.totals.pore_elastic; }},
-    {{"plastic", "J/m", "plastic work", "plastic work of the soil so far; it never falls"},
+    {{"plastic", "J/m", "plastic work", "plastic work of the laws so far; it never falls"},
         [](C c) { return c.state.work.plastic; }},
+    {{"slip_work", "J/m", "work of slip in cut cells",
+         "what soils lost so far that slip along their border in the cells that it cuts"},
+        [](C c) { return c.state.work.slip; }},
     {{"gravity_work", "J/m", "work of gravity", "work of gravity so far"}, [](C c) { return c.state.work.gravity; }},
     {{"damping_work", "J/m", "work of damping", "work of damping so far"}, [](C c) { return c.state.work.damping; }},
     {{"boundary_work", "J/m", "work of boundaries", "work of boundaries so far: friction, adhesion, prescribed motion"},
@@ -86,7 +89,7 @@ constexpr LedgerQuantity balance[] = {
         [](C c) { return c.left_energy; }},
     {{"numerical", "J/m", "not explained by the balance",
          "what the balance does not explain: (kinetic + elastic + pore_elastic) - (the same at t = 0) + left_energy + "
-         "plastic - the works above"},
+         "plastic + slip_work - the works above"},
         numerical_energy},
     {{"transfer", "J/m", "stress work lost between nodes and points",
          "part of `numerical`: work of the stress on the strain of the points, less that of the internal forces on the "

@@ -31,7 +31,7 @@ inline Real energy_exchanged(const WorkTotals& w)
 {
   Real of_forces = std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary);
   for (const Real work : w.outer) of_forces += std::abs(work);
-  return std::max(w.exchanged, of_forces + w.plastic);
+  return std::max(w.exchanged, of_forces + w.plastic + std::abs(w.slip));
 }
 
 /// ledger.csv: the balance, and the columns of these followers.

@@ -62,6 +62,7 @@ struct Model {
   RowTable rows;                          ///< what a point carries
   NodeDiffusion diffusion;                ///< of nonlocal softening; empty without
   int inverse_extent = -1;                ///< row of the points, with shares that overlap
+  int slip_row = -1;  ///< of the points: plastic work of the last step, where soils slip in cut cells; -1: they do not
   std::shared_ptr<const Overburden> ground = {};  ///< of the run at t = 0, where a parameter varies; nullptr: none
   /// The same in each stage that places bodies, by its number; empty: parameters do not vary, or no stage does.
   std::map<StageNumber, std::shared_ptr<const Overburden>> later_ground = {};
@@ -88,10 +89,7 @@ struct Model {
   }
   Real pressure_of(const Load& load, Real time) const { return load.pressure_at(time, ramp.share_at(time)); }
   bool spreads_softening() const { return diffusion.n_substeps > 0; }
-  bool slips_in_cut_cells() const
-  {
-    return method.cut_cells == CutCells::slip && materials.size() > 1 && looks_at(*scheme, "cut_cells");
-  }
+  bool slips_in_cut_cells() const { return slip_row >= 0; }
   /// Of schemes that integrate at Gauss points.
   bool hands_back_transposed() const
   {

@@ -49,7 +49,8 @@ std::string row_name(const Model& model, int first)
 /// run.
 bool may_differ(const RowInfo& row)
 {
-  return row.owner == "load" || row.owner == "water" || row.owner == "stage" || row.name.starts_with("parameter_");
+  return row.owner == "load" || row.owner == "water" || row.owner == "stage" || row.owner == "slip" ||
+         row.name.starts_with("parameter_");
 }
 
 /// The state with the rows of this run. Loads keep their points; rows that the other run did not have begin with their

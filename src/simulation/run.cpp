@@ -224,7 +224,7 @@ Summary summarise(const Model& model, const State& state)
   // energy (docs/methods.md, section 5).
   const Real half_step = 0.5 * w.last_step;
   const Real numerical =
-      kinetic_and_stored_energy(model, state) + half_step + w.plastic - state.start_energy - w.given();
+      kinetic_and_stored_energy(model, state) + half_step + w.plastic + w.slip - state.start_energy - w.given();
   s.unexplained_energy = unexplained_share(state);
   s.energy_balance_error = exchanged > 0.0 ? std::abs(numerical) / exchanged : 0.0;
   s.clamped_points = state.clamped;

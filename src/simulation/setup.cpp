@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "forces/time_step.hpp"
 #include "mesh/mesh_error.hpp"
+#include "schemes/patch_rows.hpp"
 #include "simulation/flood_level.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/kernels.hpp"
@@ -24,7 +25,6 @@
 #include "simulation/setup_points.hpp"
 #include "simulation/softening_scales.hpp"
 #include "simulation/stages.hpp"
-#include "transfer/overlap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +32,6 @@
 
 namespace terp {
 namespace {
-
-constexpr int most_rows_of_law = PatchView::most_rows - 3 * n_sym<2> - 1;  // with shares that overlap
 
 /// Steps to the end; the tolerance is round-off of an end that is a whole number of steps.
 Real steps_to(Real end, Real step) { return std::ceil(end / step * (1.0 - 1e-12)); }
@@ -57,13 +55,15 @@ std::vector<SoilMaterial> make_materials(const Case& c)
 void check_room_for_state(const Model& model, const std::vector<Index>& used)
 {
   if (!model.scheme->keeps_gauss_values || model.method.shares != Shares::overlap) return;
+  const int others = HistoryRows::end + (model.slips_in_cut_cells() ? 1 : 0) + (model.has_excess_pressure() ? 1 : 0);
+  const int room = PatchView::most_rows - others;
   for (const Index m : used) {
     const SoilMaterial& material = model.materials[m];
-    if (material.n_rows() <= most_rows_of_law) continue;
+    if (material.n_rows() <= room) continue;
     throw InputError(Problem{"material." + material.name, "the law has too many state variables for this scheme",
         fmt::format("{} numbers of each point; {} has room for {} with method.shares = \"overlap\".\n"
                     "Use scheme = \"mpm_gp\", or method.shares = \"point\".",
-            material.n_rows(), model.scheme->name, most_rows_of_law),
+            material.n_rows(), model.scheme->name, room),
         "method.shares", false, {"scheme", "method.shares"}});
   }
 }
@@ -73,6 +73,21 @@ Shares shares_by_law(const Model& model, const std::vector<Index>& used)
 {
   const auto is_fluid = [&](Index m) { return model.materials[m].law->shear_modulus() == 0.0; };
   return std::ranges::any_of(used, is_fluid) ? Shares::point : Shares::overlap;
+}
+
+/// Elastic soil does not slip.
+bool slips_in_cut_cells(const Model& model, const std::vector<Index>& used)
+{
+  return model.method.cut_cells == CutCells::slip && looks_at(*model.scheme, "cut_cells") && used.size() > 1 &&
+         std::ranges::any_of(used, [&](Index m) { return can_yield(model.materials[m]); });
+}
+
+int add_slip_row(RowTable& rows)
+{
+  return rows.add({.name = "last_plastic_work",
+      .unit = "J/m^3",
+      .meaning = "plastic work of the last step per volume, after which soils slip in the cells that they share",
+      .owner = "slip"});
 }
 
 /// A formula may give no number at some place.
@@ -268,6 +283,7 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
   const std::vector<Index> used = used_materials(whole);
   settle_laws(whole, used, model);
   if (model.method.shares == Shares::by_law) model.method.shares = shares_by_law(model, used);
+  if (slips_in_cut_cells(model, used)) model.slip_row = add_slip_row(model.rows);
   check_room_for_state(model, used);
   if (model.scheme->functions(model.method.shares).integrate != nullptr)
     model.inverse_extent = model.rows.add({.name = "inverse_extent",

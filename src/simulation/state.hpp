@@ -18,13 +18,14 @@ struct WorkTotals {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0;
   Real clamps = 0.0;        ///< what points keep of the velocity that the boundary takes from nodes in pass 4
   OuterWork outer{};        ///< of forces from outside: loads, water
-  Real plastic = 0.0;       ///< dissipated
+  Real plastic = 0.0;       ///< dissipated by the laws
+  Real slip = 0.0;          ///< dissipated where soils slip along their border in cut cells
   Real internal = 0.0;      ///< of the internal forces on the nodes
   Real taken = 0.0;         ///< of the stress of the points, each step's at its start, on their strain
   Real reset = 0.0;         ///< gained by stored energy as pressures were set at the start of steps (reading R10)
   Real relaxation = 0.0;    ///< of velocities that the mesh does not see, as they fade
-  Real exchanged = 0.0;     ///< largest sum of the sizes of gravity, damping, boundary, outer and plastic so far: what
-                            ///< swings to and fro was exchanged, too
+  Real exchanged = 0.0;     ///< largest sum of the sizes of gravity, damping, boundary, outer, plastic and slip so far:
+                            ///< what swings to and fro was exchanged, too
   Real from_outside = 0.0;  ///< the same of the works from outside alone, so far
   Real last_step = 0.0;     ///< given() and internal, in the last step alone
 

@@ -244,6 +244,7 @@ std::vector<ArraySource> arrays_of(const State& state)
   }
   if (state.mass_placed != 0.0 || state.mass_removed != 0.0)
     arrays.copy("mass_of_bodies", std::vector<Real>{state.mass_placed, state.mass_removed});
+  if (w.slip != 0.0) arrays.copy("slip_work", std::vector<Real>{w.slip});
   if (state.work.outer != OuterWork{})
     arrays.copy("work_from_outside", std::vector<Real>(state.work.outer.begin(), state.work.outer.end()));
   arrays.copy("counts", std::vector<std::int64_t>{state.clamped, state.equilibrium_steps, state.frames_reported});
@@ -351,6 +352,7 @@ State restore(const Model& model, const StateImage& image)
     const auto& mass = arrays.reals("mass_of_bodies", 2);
     state.mass_placed = mass[0], state.mass_removed = mass[1];
   }
+  if (arrays.has("slip_work")) state.work.slip = arrays.reals("slip_work", 1)[0];
   if (arrays.has("work_from_outside"))
     std::ranges::copy(arrays.reals("work_from_outside", n_outer_kinds), state.work.outer.begin());
   state.start_energy = w[7];

@@ -114,6 +114,7 @@ void finish_sums(State& state, Workspace& work)
   state.work.last_step = total.gravity + total.damping + total.boundary + total.clamps + outer + total.internal;
   for (const CellSums& sums : work.cell_sums) {
     state.work.plastic += sums.plastic;
+    state.work.slip += sums.slip;
     state.work.taken += sums.taken;
     state.work.reset += sums.reset;
     state.work.relaxation += sums.relaxation;
@@ -318,6 +319,7 @@ void step_compiled(const Model& model, State& state, Workspace& work)
       .materials = model.materials,
       .dt = model.dt,
       .inverse_extent = model.inverse_extent,
+      .slip_row = model.slip_row,
       .pore = model.water ? &work.pore : nullptr,
       .all_drains = work.settling,
       .excess_kept = excess_kept(model, state),

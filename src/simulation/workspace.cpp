@@ -30,12 +30,12 @@ std::size_t n_packs(std::size_t n) { return (n + pack_width - 1) / pack_width; }
 void start_patches(const Model& model, const State& state, Index n_gauss_rows, PatchValues& patches)
 {
   const std::size_t most = 2 * static_cast<std::size_t>(state.points.n_blocks());
-  const int n_excess = model.has_excess_pressure() ? 1 : 0;
+  const int n_excess = model.has_excess_pressure() ? 1 : 0, n_work = model.slips_in_cut_cells() ? 1 : 0;
   patches.cells = find_patch_partners(*model.mesh);
   patches.excess_place = patch_others + n_gauss_rows;
   patches.sum_width = patches.excess_place + n_excess;
   patches.gauss_width =
-      (model.scheme->keeps_gauss_values ? HistoryRows::end : StrainRows::end) + n_gauss_rows + n_excess;
+      (model.scheme->keeps_gauss_values ? HistoryRows::end + n_work : StrainRows::end) + n_gauss_rows + n_excess;
   TERP_ASSERT(std::max(patches.sum_width, patches.gauss_width) <= PatchView::most_rows);
   patches.partners.reserve(most);
   patches.taken.reserve(most);

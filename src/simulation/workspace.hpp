@@ -62,6 +62,7 @@ struct NodeSums {
 /// Sums over the cells of one chunk, and where the points are listed that left their cell.
 struct CellSums {
   Real plastic = 0.0;             ///< work of the step [J per m]
+  Real slip = 0.0;                ///< of soils along their border in the step [J per m]
   Real taken = 0.0, reset = 0.0;  ///< of StressSums [J per m]
   Real relaxation = 0.0;          ///< kinetic energy that velocities gain as they fade [J per m]
   int thread = 0;                 ///< whose list holds the points that left
@@ -70,6 +71,7 @@ struct CellSums {
   void enter(const StressSums& of)
   {
     plastic += of.plastic_work;
+    slip += of.slip_work;
     taken += sum(of.taken);
     reset += sum(of.reset);
   }

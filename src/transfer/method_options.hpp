@@ -11,7 +11,7 @@ enum class StrainShares { plain, transposed };        ///< strain of the Gauss p
 enum class VolumeChange { centre, soil };             ///< where the volume change of a cell is taken: reading R5
 enum class Pressure { constant, balanced };           ///< the smooth pressure within a cell
 enum class ObjectiveRate { none, jaumann };           ///< reading R17
-enum class CutCells { mean, slip };                   ///< soils of one cell along their border: decision 0059
+enum class CutCells { mean, slip };                   ///< soils of one cell along their border: decision 0071
 enum class RemapContact { unused_strength, across };  ///< contact in pass 4: decision 0037
 
 struct MethodOptions {

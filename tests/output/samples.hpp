@@ -48,7 +48,7 @@ inline std::vector<TableRow> sample_ledger(Real time)
   row["time"] = time, row["step"] = 100, row["stage"] = 2, row["kinetic"] = 1.25, row["kinetic_nodal"] = 0.75,
   row["elastic"] = 2.5;
   row["plastic"] = 3.75, row["gravity_work"] = 4.5, row["damping_work"] = -5.5, row["boundary_work"] = -6.5;
-  row["clamp_work"] = 0.375, row["water_work"] = 0.875, row["load_work"] = -0.5;
+  row["slip_work"] = 0.0625, row["clamp_work"] = 0.375, row["water_work"] = 0.875, row["load_work"] = -0.5;
   row["relaxation_work"] = -0.25;
   row["left_energy"] = 0.125, row["numerical"] = 1e-12, row["mass"] = 31840.0, row["momentum_x"] = 7.5;
   row["mass_placed"] = 640.0, row["mass_removed"] = 320.0;

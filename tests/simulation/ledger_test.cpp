@@ -37,14 +37,16 @@ TEST(Ledger, TheDifferenceOfTheBooksIsWhatWorksDoNotExplain)
   Simulation s = books();
   set_value(s.state, 0, Rows::v, 3.0);
   s.state.start_energy = 100.0;
-  s.state.work = {.gravity = 700.0, .damping = -30.0, .boundary = -4.0, .clamps = 2.0, .plastic = 55.0};
+  s.state.work = {.gravity = 700.0, .damping = -30.0, .boundary = -4.0, .clamps = 2.0, .plastic = 55.0, .slip = 7.0};
   const TableRow row = keep_ledger(s.model, s.state, s.work);
-  EXPECT_NEAR(row["numerical"], row["kinetic"] + row["elastic"] + 55.0 - 100.0 - (700.0 - 30.0 - 4.0 + 2.0), 1e-9);
+  EXPECT_NEAR(
+      row["numerical"], row["kinetic"] + row["elastic"] + 55.0 + 7.0 - 100.0 - (700.0 - 30.0 - 4.0 + 2.0), 1e-9);
   EXPECT_EQ(row["gravity_work"], 700.0);
   EXPECT_EQ(row["damping_work"], -30.0);
   EXPECT_EQ(row["boundary_work"], -4.0);
   EXPECT_EQ(row["clamp_work"], 2.0);
   EXPECT_EQ(row["plastic"], 55.0);
+  EXPECT_EQ(row["slip_work"], 7.0);
 }
 
 // Both of them follow from the points alone: elastic soil has begun the step with the stress of its end less C d_eps.

@@ -38,6 +38,7 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
       .boundary = 3.0,
       .clamps = 3.5,
       .plastic = 4.0,
+      .slip = 4.5,
       .internal = 5.0,
       .taken = 5.0625,
       .reset = 5.09375,
@@ -61,6 +62,7 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   EXPECT_EQ(back.work.boundary, 3.0);
   EXPECT_EQ(back.work.clamps, 3.5);
   EXPECT_EQ(back.work.plastic, 4.0);
+  EXPECT_EQ(back.work.slip, 4.5);
   EXPECT_EQ(back.work.internal, 5.0);
   EXPECT_EQ(back.work.relaxation, 5.125);
   EXPECT_EQ(back.work.exchanged, 5.25);

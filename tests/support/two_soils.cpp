@@ -23,4 +23,16 @@ Case two_soils(const std::string& scheme, Shares shares, Vec<2> place, Real degr
   return c;
 }
 
+Case two_clays(const std::string& scheme, Shares shares, Vec<2> place, Real degrees)
+{
+  Case c = two_soils(scheme, shares, place, degrees);
+  const auto never_yields = [](const MaterialCase& of, Real shear_modulus, Real poisson_ratio) {
+    MaterialCase soil = clay({shear_modulus, poisson_ratio, 1e9, 1e9});
+    soil.name = of.name;
+    return soil;
+  };
+  c.materials = {never_yields(c.materials[0], soft, 0.3), never_yields(c.materials[1], stiff, 0.2)};
+  return c;
+}
+
 }  // namespace terp::test

@@ -41,6 +41,7 @@ export const DUTCH: Record<string, string> = {
   elastic: "elastische energie",
   pore_elastic: "elastische energie van het poriënwater",
   plastic: "plastische arbeid",
+  slip_work: "arbeid van het glijden langs grenzen tussen grondsoorten",
   gravity_work: "arbeid van de zwaartekracht",
   damping_work: "arbeid van de demping",
   boundary_work: "arbeid van de randen",
