@@ -18,7 +18,7 @@ namespace {
 constexpr Real stronger = 1.5;    // times the strength of the layer
 constexpr Real most_of_it = 0.5;  // of a material
 constexpr Real slender = 5.0;     // length over thickness: less is a lens
-constexpr Real touching = 1e-3;   // of a cell: what coordinates in millimetres leave between outlines that touch
+constexpr Real between_layers = 1e-3;   // of a cell: what coordinates in millimetres leave between outlines that touch
 
 /// A stretch of a vertical line in one material; -1: in none.
 struct Piece {
@@ -96,7 +96,7 @@ class LayerSearch {
     std::ranges::sort(levels, std::greater());
     std::vector<Piece> pieces;
     for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
-      if (!(levels[k] - levels[k + 1] > touching * columns_.width)) continue;
+      if (!(levels[k] - levels[k + 1] > between_layers * columns_.width)) continue;
       const Index m = material_at(x, 0.5 * (levels[k] + levels[k + 1]));
       if (!pieces.empty() && pieces.back().material == m)
         pieces.back().base = levels[k + 1];

@@ -204,7 +204,7 @@ TEST(Guards, PlasticWorkThatIsGivenBackIsAFault)
   s.state.work.plastic -= 0.9e-3 * scale;
   EXPECT_EQ(fault_of_row(s), "");
   s.state.work.plastic -= 0.2e-3 * scale;
-  EXPECT_THAT(fault_of_row(s), HasSubstr("J per m of plastic work were given back, which no soil can, "));
+  EXPECT_THAT(fault_of_row(s), HasSubstr("J per m of plastic work and slip were given back, which no soil can, "));
 }
 
 TEST(Guards, TheLargestShareOfUnexplainedEnergyIsRemembered)
