@@ -15,10 +15,10 @@
 namespace terp {
 namespace {
 
-constexpr Real stronger = 1.5;    // times the strength of the layer
-constexpr Real most_of_it = 0.5;  // of a material
-constexpr Real slender = 5.0;     // length over thickness: less is a lens
-constexpr Real between_layers = 1e-3;   // of a cell: what coordinates in millimetres leave between outlines that touch
+constexpr Real stronger = 1.5;         // times the strength of the layer
+constexpr Real most_of_it = 0.5;       // of a material
+constexpr Real slender = 5.0;          // length over thickness: less is a lens
+constexpr Real between_layers = 1e-3;  // of a cell: what coordinates in millimetres leave between outlines that touch
 
 /// A stretch of a vertical line in one material; -1: in none.
 struct Piece {

@@ -57,7 +57,8 @@ TEST(LimitWarnings, TwoPointsAlongACellAreFewForSoilThatFlows)
                         "or 4.\nMore: docs/limits.md#12-few-points-per-cell")));
   c.materials[0] = clay({.su_residual = 8e3});  // does not soften
   EXPECT_THAT(limits_of(c), IsEmpty());
-  c.materials[0] = {"clay", "newtonian_fluid", 1000.0, find_material("newtonian_fluid")->complete(std::vector<Real>{2e6, 1.0})};
+  c.materials[0] = {
+      "clay", "newtonian_fluid", 1000.0, find_material("newtonian_fluid")->complete(std::vector<Real>{2e6, 1.0})};
   EXPECT_EQ(limits_of(c).size(), 1u);
 }
 

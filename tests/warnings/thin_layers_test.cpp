@@ -73,7 +73,8 @@ TEST(ThinLayers, OfSandAreComparedAtThePressureOfTheirDepth)
 {
   Case c = layer(0.5, 1.0, 0.0, 5e3);  // above the layer some 20 kPa
   MaterialCase& sand = c.materials[1];
-  sand = {"weak", "mohr_coulomb", 2000.0, find_material("mohr_coulomb")->complete(std::vector<Real>{2e6, 0.3, 0.0, 6.0})};
+  sand = {
+      "weak", "mohr_coulomb", 2000.0, find_material("mohr_coulomb")->complete(std::vector<Real>{2e6, 0.3, 0.0, 6.0})};
   EXPECT_EQ(layers_of(c).size(), 1u) << "20 kPa tan 6 = 2.1 kPa";
   sand.parameters = find_material("mohr_coulomb")->complete(std::vector<Real>{2e6, 0.3, 0.0, 30.0});
   EXPECT_TRUE(layers_of(c).empty());
