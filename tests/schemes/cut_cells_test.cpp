@@ -152,7 +152,7 @@ Case heap(const Way& way, Real contrast, Real degrees, bool turned)
       part.velocity_at = [](Vec<2> x) { return Vec<2>{0.5 * x[1], std::sin(3.0 * x[0])}; };
   } else {
     c.mesh.size = {2.0, 1.25};
-    c.mesh.cell = 0.2;
+    c.mesh.cell = {0.2, 0.2};
     c.sides = {side("left", SideKind::roller), side("right", SideKind::roller), side("bottom", SideKind::roller)};
     c.forces.gravity = {0.0, -9.81};
   }
@@ -228,7 +228,9 @@ TEST_P(SoilsOfACutCell, KeepThePlasticWorkOfTheLastStepAtTheirPoints)
   Real kept = 0.0;
   edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     const Real work = block.row(s.model.slip_row)[lane];
-    if (block.material == 1) EXPECT_EQ(work, 0.0);
+    if (block.material == 1) {
+      EXPECT_EQ(work, 0.0);
+    }
     kept += block.row(Rows::volume)[lane] * work;
   });
   const bool at_points = GetParam().scheme == "mpm_gp";  // the law runs there
