@@ -27,7 +27,8 @@ namespace terp {
 /// It may have: derived_value(k, state); check(); softened_strain(), the plastic strain at which 95 % of the softening
 /// is done, of the slowest if it has several, infinite where nothing softens; viscosity(), of a stress that any strain
 /// rate adds to the elastic one at once, as in a fluid: it shortens the time step; `total_stress = true` of an
-/// undrained strength or a fluid; `depends_on_rate = true` where the update looks at dt, be it viscosity or a strength
+/// undrained strength or a fluid; `ignores_pressure = true` of another strength that does not follow the mean stress;
+/// `depends_on_rate = true` where the update looks at dt, be it viscosity or a strength
 /// that the rate raises; `not_judged`, a reason why `terp stability` would give a number that is none.
 ///
 /// Where the stiffness follows the stress, bulk_modulus() and shear_modulus() are those of the stiffest state, which
@@ -230,6 +231,7 @@ constexpr bool law_has_total_stress()
 template <class Law>
 constexpr bool law_ignores_pressure()
 {
+  if constexpr (requires { Law::ignores_pressure; }) return Law::ignores_pressure;
   return law_has_total_stress<Law>() || Law::state.empty();
 }
 

@@ -31,6 +31,10 @@ struct WrappedLaw {
   static constexpr std::size_t n_own = Base::state.size();
   static constexpr std::size_t strain_row = find_role(Base::state, Role::plastic_strain);
   static constexpr bool depends_on_rate = requires { Base::depends_on_rate; };
+  static constexpr bool ignores_pressure = [] {
+    if constexpr (requires { Base::total_stress; }) return Base::total_stress;
+    return false;
+  }();
   static_assert(strain_row < n_own, "a law that softens has a state variable of Role::plastic_strain");
 
   explicit WrappedLaw(std::span<const P> values) : law(values) {}

@@ -189,7 +189,7 @@ Faults find_wrong_energy(const Model& model, State& state, const TableRow& row)
   const Real dissipated = state.work.plastic + state.work.slip;
   Faults faults{.unexplained = std::max(std::abs(row["unexplained"] + half_step) - offset, 0.0),
       .made = std::max(marks.most_lost - lost - offset, 0.0),
-      .undone = std::max(marks.most_dissipated - dissipated, 0.0)};
+      .undone = has_library_law(model) ? 0.0 : std::max(marks.most_dissipated - dissipated, 0.0)};
   if (!has_library_law(model)) {
     marks.most_lost = std::max(marks.most_lost, lost);
     marks.most_dissipated = std::max(marks.most_dissipated, dissipated);

@@ -4,6 +4,7 @@
 COLUMN = """\
 [time]
 end = 0.4
+courant = 0.5
 [mesh]
 size = [10.0, 3.0]
 cell = 1.0

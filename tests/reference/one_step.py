@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from overlap_shares import overlap_shares
+from overlap_shares import overlap_shares, taken_shares
 
 CORNERS = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])  # of the cell and, scaled, of the Gauss rule
 GAUSS = CORNERS / np.sqrt(3.0)  # weights w_g are all 1
@@ -140,7 +140,10 @@ def tresca_return(mat, s_t, eps):
 def point_shares(case, pts, xi, subs):
     """Part of each point that counts in each sub-cell, shape [n, n_cells, 4]; over these, its sum is 1."""
     if case["options"]["shares"] == "overlap":
-        return overlap_shares(case["mesh"]["cells"], pts["cell"], xi, pts["extent"], met)
+        mesh = case["mesh"]
+        volumes = np.array([gauss_volumes(mesh["nodes"][cell]).sum() for cell in mesh["cells"]])
+        taken = taken_shares(pts["volume"], pts["cell"], volumes)
+        return overlap_shares(mesh["cells"], pts["cell"], xi, pts["extent"], taken, met)
     shares = np.zeros((len(xi), len(case["mesh"]["cells"]), 4))
     shares[np.arange(len(xi)), pts["cell"], subs] = 1
     return shares

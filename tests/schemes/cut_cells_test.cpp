@@ -253,7 +253,7 @@ TEST(CutCellsWithAKink, StrainTheSoilThatShearsAndNotTheOther)
 {
   constexpr Real k = 1e-3;
   Case c = two_soils("mpm_gp", Shares::point, {2.6, 2.4}, 30.0, 6);
-  c.materials[1] = elastic(soft, 0.3, 2000.0);
+  c.materials[1] = clay({.shear_modulus = soft, .poisson_ratio = 0.3, .su_peak = 1e9, .su_residual = 1e9});
   c.materials[1].name = "hard rock";
   Simulation s(c);
   const auto n_cells = static_cast<Index>(s.state.points.occupied().size());

@@ -10,6 +10,7 @@ namespace terp::test {
 /// 2 m high, 4 m wide, cells of 1 m, 2 x 2 points: 32 points.
 inline const std::string column_case = R"([time]
 end = 0.8
+courant = 0.5
 [mesh]
 size = [10.0, 3.0]
 cell = 1.0

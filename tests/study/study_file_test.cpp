@@ -123,7 +123,7 @@ TEST(StudyFile, ADrawThatAStageReplacesIsRefused)
     const std::string stage =
         "[[stage]]\nname = \"flood\"\nduration = 0.8\nset = { \"" + key + "\" = " + value + " }\n";
     const std::string path =
-        write_study(folder.path(), column_study, changed(column_case, "[time]\nend = 0.8\n", stage));
+        write_study(folder.path(), column_study, changed(column_case, "[time]\nend = 0.8\ncourant = 0.5\n", stage));
     return refusal<CaseError>([&] { prepare_study(read_study(path)); });
   };
   EXPECT_THAT(message("material.clay.su_peak"),
