@@ -45,7 +45,7 @@ def length_in(centre, half, start):
 
 
 def sub_cells_at(cells, occupied, taken, e, corner, across):
-    """Cells that take what lies across the given axes at a corner of cell e with their parts, and a name of the case."""
+    """Cells that take what lies across the given axes at a corner of cell e, with their parts; a name of the case."""
     if not across:
         return [(e, 1.0)], "share in its cell"
     sides = [across_side(cells, e, corner, axis) for axis in across]
