@@ -97,12 +97,16 @@ void update_excess_from_patch(const SchemeContext& context, const CellGroup<Elem
   if (material.excess_row < 0) return;
   const int excess = group.patches->gauss_width - 1;
   const ExcessStep step(context, material);
+  const bool weighed = context.method.strain_shares == StrainShares::transposed;
+  const auto inverse_of = [&](const auto& shares) {
+    return inverse_ratio(patch.at_points<1>(shares, HistoryRows::ratio)[0], weighed);
+  };
   Pack above(0.0), volume(0.0);  // of the points, above that around them; as their pressure keeps its mean
   for (Index p = 0; p < block.n; p += pack_width)
     with_shares(block, p, size, [&](const auto& shares) {
       const Pack omega = Pack::load(block.row(PointRows<Element::dim>::volume) + p);
       const Pack own = Pack::load(block.row(material.excess_row) + p);
-      above = fma(omega, own - patch.at_points<1>(shares, excess)[0], above);
+      above = fma(omega, own - inverse_of(shares) * patch.at_points<1>(shares, excess)[0], above);
       volume += omega;
     });
   const Pack shift(sum(above) / sum(volume));
@@ -110,9 +114,7 @@ void update_excess_from_patch(const SchemeContext& context, const CellGroup<Elem
     with_shares(block, p, size, [&](const auto& shares) {
       Real* at = block.row(material.excess_row) + p;
       const auto direct = patch.at_points<3>(shares, HistoryRows::strain);
-      const Pack inverse = inverse_ratio(
-          patch.at_points<1>(shares, HistoryRows::ratio)[0], context.method.strain_shares == StrainShares::transposed);
-      const Pack around = patch.at_points<1>(shares, excess)[0] + shift;
+      const Pack inverse = inverse_of(shares), around = inverse * patch.at_points<1>(shares, excess)[0] + shift;
       const Pack omega = Pack::load(block.row(PointRows<Element::dim>::volume) + p);
       step(Pack::load(at), around, inverse * (direct[0] + direct[1] + direct[2]), omega, sums).store(at);
     });

@@ -132,8 +132,9 @@ struct MpmMixed {
       }
       if (context.slip_row >= 0) rows.set(HistoryRows::end + material.n_state(), plastic_work);
       rows.set(HistoryRows::spin, strain.d_spin);
-      rows.weigh(group, layer, HistoryRows::ratio, HistoryRows::end + material.n_state());
-      if (!group.excess.empty()) rows.set(group.patches->gauss_width - 1, layer, group.excess);
+      const int excess = group.excess.empty() ? -1 : group.patches->gauss_width - 1;
+      if (excess >= 0) rows.set(excess, layer, group.excess);
+      rows.weigh(group, layer, HistoryRows::ratio, HistoryRows::end + material.n_state(), excess);
       rows.leave(group, layer);
     });
   }

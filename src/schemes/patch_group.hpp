@@ -171,18 +171,21 @@ class LeftRows {
     set(row, lanes);
   }
 
-  /// Row `ratio` becomes 1. Where the way back is the transpose of the way there, rows 0 to `end` - 1 are then weighed.
-  void weigh(const CellGroup<Element>& group, const BlockLayer& layer, int ratio, int end)
+  /// Row `ratio` becomes 1. Where the way back is the transpose of the way there, rows 0 to `end` - 1 are then weighed,
+  /// and row `other`; -1: none.
+  void weigh(const CellGroup<Element>& group, const BlockLayer& layer, int ratio, int end, int other = -1)
   {
     PerGauss<Element, Pack> lanes;
     lanes.fill(Pack(1.0));
     set(ratio, lanes);
     if (group.ratios.empty()) return;
     const ShareRatio<Element, Pack> weights(ratios_of(group, layer));
-    for (int r = 0; r < end; ++r) {
+    const auto weigh_row = [&](int r) {
       for (int g = 0; g < Element::n_gauss; ++g) lanes[g] = rows_[g][r / pack_width][r % pack_width];
       set(r, weights.weigh(lanes));
-    }
+    };
+    for (int r = 0; r < end; ++r) weigh_row(r);
+    if (other >= 0) weigh_row(other);
   }
 
   void leave(const CellGroup<Element>& group, const BlockLayer& layer) const

@@ -32,7 +32,7 @@ TEST(Explain, SaysOfASchemeWhichFormIsThePapers)
   EXPECT_THAT(explain("standard_mpm"), Not(HasSubstr(word)));
   const std::string mixed = explain("mpm_mixed");
   EXPECT_THAT(mixed, AllOf(HasSubstr(word), HasSubstr("With shares that overlap, the default of soil, it is another"),
-                         HasSubstr("none loses strength to its neighbours, and none regains any")));
+                         HasSubstr("none loses strength to its\n  neighbours, and none regains any")));
 }
 
 TEST(Explain, GivesTheEquationsOfAMaterial)

@@ -96,9 +96,9 @@ shares = "overlap"
 weights = "summed"
 filled_fraction = 0.8
 b_bar = false
-strain_shares = "plain"
-volume_change = "centre"
-pressure = "constant"
+strain_shares = "transposed"
+volume_change = "soil"
+pressure = "balanced"
 objective_rate = "jaumann"
 remap_contact = "across"
 cut_cells = "slip"
@@ -385,17 +385,14 @@ TEST(Reader, FillsTheMethod)
   EXPECT_EQ(read_every_key().method_form, MethodForm::paper);
   const MethodOptions m = read_every_key().method;
   EXPECT_EQ(m.shares, Shares::overlap);
-  EXPECT_EQ(m.strain_shares, StrainShares::transposed);
-  EXPECT_EQ(m.volume_change, VolumeChange::soil);
-  EXPECT_EQ(m.pressure, Pressure::balanced);
   EXPECT_EQ(m.weights, Weights::summed);
   EXPECT_FALSE(m.b_bar);
   EXPECT_EQ(m.objective_rate, ObjectiveRate::jaumann);
   EXPECT_EQ(m.remap_contact, RemapContact::across);
   EXPECT_EQ(m.cut_cells, CutCells::slip);
-  EXPECT_EQ(m.strain_shares, StrainShares::plain);
-  EXPECT_EQ(m.volume_change, VolumeChange::centre);
-  EXPECT_EQ(m.pressure, Pressure::constant);
+  EXPECT_EQ(m.strain_shares, StrainShares::transposed);
+  EXPECT_EQ(m.volume_change, VolumeChange::soil);
+  EXPECT_EQ(m.pressure, Pressure::balanced);
   EXPECT_EQ((Numbers{m.filled_fraction, m.relaxation_time, m.flip, m.small_mass}), (Numbers{0.8, 0.05, 0.95, 1e-8}));
 }
 

@@ -19,7 +19,7 @@ case = "column.toml"
 [[random]]
 key = "material.clay.su_peak"
 distribution = "lognormal"
-mean = "6 kPa"
+mean = "8 kPa"
 cov = 0.4
 [estimator]
 kind = "monte_carlo"

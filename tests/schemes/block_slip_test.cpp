@@ -62,13 +62,13 @@ TEST(CutCells, HaveAKinkOnlyWhereTheSoilOfLessShearYieldedAndBothShearAlike)
     });
   };
   constexpr Real degrees = 0.0;
-  expect_kinks(*after_a_step(degrees, weak_and_strong, {1.0, 0.0}), 4e3 / soft);
-  expect_kinks(*after_a_step(degrees, weak_and_strong, {0.0, 1.0}), 0.0);
+  expect_kinks(*after_a_step(degrees, weak_and_strong, {1e4, 0.0}), 4e3 / soft);
+  expect_kinks(*after_a_step(degrees, weak_and_strong, {0.0, 1e4}), 0.0);
   auto sigma = weak_and_strong;
   sigma[0][3] = -2e3;
-  expect_kinks(*after_a_step(degrees, sigma, {1.0, 1.0}), 0.0);
+  expect_kinks(*after_a_step(degrees, sigma, {1e4, 1e4}), 0.0);
   sigma[1][3] = -6e3;
-  expect_kinks(*after_a_step(degrees, sigma, {1.0, 0.0}), -4e3 / soft);
+  expect_kinks(*after_a_step(degrees, sigma, {1e4, 0.0}), -4e3 / soft);
 }
 
 TEST(CutCells, GiveBackByAKinkNoMoreThanTheirPlasticWork)

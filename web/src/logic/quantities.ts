@@ -59,6 +59,7 @@ export const DUTCH: Record<string, string> = {
   y: "y",
   // Passes of the step
   "points to cells": "punten naar cellen",
+  "cell acceleration": "versnelling van de cellen",
   nodes: "knopen",
   "cells to points": "cellen naar punten",
   velocities: "snelheden",
