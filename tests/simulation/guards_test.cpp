@@ -1,4 +1,5 @@
 #include "followers/followers.hpp"
+#include "mesh/mesh_error.hpp"
 #include "simulation/guards.hpp"
 #include "support/simulations.hpp"
 #include <fmt/format.h>
