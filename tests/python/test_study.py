@@ -27,7 +27,7 @@ kind = "monte_carlo"
 number = 8
 [events]
 volume = 1.0
-displacement = 0.1
+displacement = 0.05
 """
 CURVE = STUDY + """
 [fragility]

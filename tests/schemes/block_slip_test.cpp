@@ -53,24 +53,6 @@ TEST(CutCells, SlipOnlyAfterPlasticWorkAboveRoundOff)
   }
 }
 
-TEST(CutCells, HaveAKinkOnlyWhereTheSoilOfLessShearYieldedAndBothShearAlike)
-{
-  const auto expect_kinks = [](const Simulation& s, Real slipped) {
-    for_each_cut_cell(s, [&](Index b, Index) {
-      ASSERT_TRUE(s.work.slips[b].acts());
-      EXPECT_NEAR(s.work.slips[b].kink.slipped, slipped, 1e-12 + 0.05 * std::abs(slipped));
-    });
-  };
-  constexpr Real degrees = 0.0;
-  expect_kinks(*after_a_step(degrees, weak_and_strong, {1e4, 0.0}), 4e3 / soft);
-  expect_kinks(*after_a_step(degrees, weak_and_strong, {0.0, 1e4}), 0.0);
-  auto sigma = weak_and_strong;
-  sigma[0][3] = -2e3;
-  expect_kinks(*after_a_step(degrees, sigma, {1e4, 1e4}), 0.0);
-  sigma[1][3] = -6e3;
-  expect_kinks(*after_a_step(degrees, sigma, {1e4, 0.0}), -4e3 / soft);
-}
-
 TEST(CutCells, GiveBackByAKinkNoMoreThanTheirPlasticWork)
 {
   int n_bounded = 0, n_free = 0;

@@ -32,7 +32,7 @@ TEST(Stages, OfLoadsAloneDoNotReadAFileOfPointsAgain)
   c.bodies[0].points_file = "points.csv";
   const std::string file = c.folder + "/points.csv";
   std::ofstream(file) << "x,y,volume,material\n0.6,0.1,0.04," << c.materials[0].called() << '\n';
-  Simulation s(staged(c, {{stage("a", 0.1), {}}, {stage("b", 0.1), [](Case& b) { b.forces.gravity[1] = -5.0; }}}));
+  Simulation s(staged(c, {{stage("a", 0.03), {}}, {stage("b", 0.03), [](Case& b) { b.forces.gravity[1] = -5.0; }}}));
   std::filesystem::remove(file);
   s.run();
   EXPECT_EQ(s.state.stages_done.size(), 2u);
