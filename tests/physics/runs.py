@@ -7,14 +7,13 @@ import json
 import math
 import os
 import subprocess
-import time
 
 import numpy as np
 
 import meshes
 
 NEVER = 1e9  # s: an output that is not wanted
-SECONDS = 900  # of wall time, after which a call is ended
+SECONDS = 600  # of processor time, after which a call is ended
 TODAY = {"strain_shares": "plain", "volume_change": "centre", "pressure": "constant"}  # as before these options
 
 
@@ -109,22 +108,16 @@ class Variant:
         self.folder.mkdir(parents=True, exist_ok=True)
         return self.folder / name
 
-    def call(self, command, output):
-        """Exit status and messages of the program; 124 if it did not end in time."""
-        started = time.monotonic()
-        with open(self.path("messages.txt"), "w") as messages:
-            process = subprocess.Popen(list(map(str, command)), stdout=output, stderr=messages)
-            while True:
-                pid, status, usage = os.wait4(process.pid, os.WNOHANG)
-                if pid:
-                    break
-                if time.monotonic() - started > SECONDS:
-                    process.kill()
-                time.sleep(0.01)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        self.cpu += usage.ru_utime + usage.ru_stime
-        code = 124 if time.monotonic() - started > SECONDS else process.returncode
-        return code, (self.folder / "messages.txt").read_text()
+    def call(self, command):
+        """Exit status and messages of the program; negative if it was ended, as beyond its processor time."""
+        command = ["prlimit", f"--cpu={SECONDS}", *map(str, command)]
+        with open(self.path("messages.txt"), "w+") as messages:
+            process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=messages)
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            messages.seek(0)
+            self.cpu += usage.ru_utime + usage.ru_stime
+            return process.returncode, messages.read()
 
     def write(self, case, name):
         method = {"shares": self.shares} | case.get("method", {})
@@ -133,31 +126,39 @@ class Variant:
         path.write_text("".join(f"{key} = {toml(value)}\n" for key, value in case.items()))
         return path
 
-    def options(self):
-        return [option for setting in self.settings for option in ("--set", setting)]
+    def options(self, case):
+        """The settings of the command line, but those of [method] in a run as before these options."""
+        before = case.get("method", {}).items() >= TODAY.items()
+        return [option for setting in self.settings if not (before and setting.startswith("method."))
+                for option in ("--set", setting)]
 
     def run(self, case, name="run", fields=(), may_stop=False):
         """Result of a case; with `fields` the first and the last frame have these. may_stop: that may be right."""
         output = {"ledger": {"every": 0.02}, "fields": {"every": 0.0 if fields else NEVER}} | case.get("output", {})
         path = self.write(case | {"output": output}, name)
         folder = self.folder / name
-        code, message = self.call([self.terp, "run", path, "-o", folder, "-q", "--force", "-j", 1, *self.options()],
-                                  subprocess.DEVNULL)
-        if code and not may_stop:
-            words = [text for text in message.splitlines() if text.startswith("error")]
-            self.stops.append(f"{name}: {words[0] if words else f'exit status {code}'}")
+        code, message = self.call([self.terp, "run", path, "-o", folder, "-q", "--force", "-j", 1,
+                                   *self.options(case)])
+        if not may_stop:
+            self.note_stop(name, code, message)
         if fields and code == 0:
             named = [option for field in fields for option in ("--field", field)]
-            self.call([self.terp, "export", folder, *named], subprocess.DEVNULL)
+            self.call([self.terp, "export", folder, *named])
         return Result(folder, code, message)
+
+    def note_stop(self, name, code, message):
+        if code:
+            words = [text for text in message.splitlines() if text.startswith("error")]
+            self.stops.append(f"{name}: {words[0] if words else f'exit status {code}'}")
 
     def stability(self, case, *options, name="stability"):
         """stability.json, or None where the search found no factor."""
         path = self.write(case, name)
         folder = self.folder / name
-        self.call([self.terp, "stability", path, "-o", folder, "-q", "-j", 1, *options, *self.options()],
-                  subprocess.DEVNULL)
+        code, message = self.call([self.terp, "stability", path, "-o", folder, "-j", 1, *options, *self.options(case)])
         file = folder / "stability.json"
+        if not file.exists():
+            self.note_stop(name, code or "without a factor", message)
         return json.loads(file.read_text()) if file.exists() else None
 
     def moves_of_nodes(self, values=(0.1, 0.25, 0.35)):

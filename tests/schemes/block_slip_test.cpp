@@ -53,6 +53,32 @@ TEST(CutCells, SlipOnlyAfterPlasticWorkAboveRoundOff)
   }
 }
 
+/// The kinks of the cells of the level border, away from the ends of the upper body.
+void expect_kinks(const Simulation& s, Real slipped)
+{
+  int n = 0;
+  for (const Index cell : s.state.points.occupied()) {
+    const Vec<2>& at = s.model.mesh->centres[cell];
+    if (std::abs(at[0] - 2.6) > 1.0 || std::abs(at[1] - 2.4) > 0.125) continue;
+    const BlockSlip& first = s.work.slips[s.state.points.first_block(cell)];
+    EXPECT_TRUE(first.acts());
+    EXPECT_NEAR(first.kink.slipped, slipped, 1e-9);
+    ++n;
+  }
+  EXPECT_GT(n, 5);
+}
+
+TEST(CutCells, HaveAKinkOnlyWhereTheSoilOfLessShearYieldedAndBothShearAlike)
+{
+  expect_kinks(*after_a_step(0.0, weak_and_strong, {1.0, 0.0}), 4e3 / soft);
+  expect_kinks(*after_a_step(0.0, weak_and_strong, {0.0, 1.0}), 0.0);
+  auto sigma = weak_and_strong;
+  sigma[0][3] = -2e3;
+  expect_kinks(*after_a_step(0.0, sigma, {1.0, 1.0}), 0.0);
+  sigma[1][3] = -6e3;
+  expect_kinks(*after_a_step(0.0, sigma, {1.0, 0.0}), -4e3 / soft);
+}
+
 TEST(CutCells, GiveBackByAKinkNoMoreThanTheirPlasticWork)
 {
   int n_bounded = 0, n_free = 0;
