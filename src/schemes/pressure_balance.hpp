@@ -6,8 +6,9 @@
 // rho is the density of its points, a_K the acceleration of the cell in this step, grad p_w that of the water which
 // pulls at the soil. The sum is linear in G. So a cell keeps the matrices k_i = sum_g Omega_g grad N_i (x_g - mean x)^T
 // of its blocks, times rho, and the nodes find a_K and the force with them (simulation/balance_passes.hpp). Where the
-// surface cuts the cell, the points take the place of the Gauss points, as they do for the volume change. Only soil
-// whose strength ignores the pressure takes part: others would stand by a pressure that their law does not see.
+// surface cuts the cell, the points take the place of the Gauss points, as they do for the volume change. Soil whose
+// strength follows the pressure takes part in those cells alone: elsewhere the layers that fail would stand by a
+// pressure that their law does not see.
 #pragma once
 
 #include "schemes/volume_gradient.hpp"
@@ -110,13 +111,15 @@ void add_balance(const SchemeContext& context, const CellGroup<Element>& group, 
     const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, Pack within)
 {
   const SoilMaterial& material = context.materials[layer.material];
-  if (!material.type->ignores_pressure) return;
+  const bool everywhere = material.type->ignores_pressure;
   std::array<std::array<Real, 16>, pack_width> full;
-  const auto k = moment_of_gauss_points(group, geometry, gauss.weight);
-  for (int i = 0; i < 4; ++i)
-    from_lanes(std::array{k[i][0][0], k[i][0][1], k[i][1][0], k[i][1][1]}, [&](int c) { return &full[c][4 * i]; });
+  if (everywhere) {
+    const auto k = moment_of_gauss_points(group, geometry, gauss.weight);
+    for (int i = 0; i < 4; ++i)
+      from_lanes(std::array{k[i][0][0], k[i][0][1], k[i][1][0], k[i][1][1]}, [&](int c) { return &full[c][4 * i]; });
+  }
   for (int c = 0; c < group.n(); ++c) {
-    if (layer.block[c] < 0) continue;
+    if (layer.block[c] < 0 || (!everywhere && within[c] != 0.0)) continue;
     const PointBlock<2>& block = group.points.block(layer.block[c]);
     const CellGeometry<Element>& cell = group.mesh.geometry(group.cells[c]);
     BlockMoment moment;

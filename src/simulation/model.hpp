@@ -99,12 +99,7 @@ struct Model {
   {
     return method.volume_change == VolumeChange::soil && looks_at(*scheme, "volume_change");
   }
-  /// Some soil has a slope of its pressure within the cells.
-  bool balances_pressure() const
-  {
-    return method.pressure == Pressure::balanced && looks_at(*scheme, "pressure") &&
-           std::ranges::any_of(materials, [](const SoilMaterial& m) { return m.type->ignores_pressure; });
-  }
+  bool balances_pressure() const { return method.pressure == Pressure::balanced && looks_at(*scheme, "pressure"); }
   bool has_excess_pressure() const
   {
     return std::ranges::any_of(materials, [](const SoilMaterial& m) { return m.excess_row >= 0; });

@@ -9,7 +9,7 @@
 #include "simulation/setup.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/state_image.hpp"
-#include "stability/judged_soil.hpp"
+#include "stability/soil_motion.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -105,7 +105,7 @@ Trial Trials::run(Real factor, const std::function<void(const Trial&)>& report) 
   State state = restore(model, start.rest);
   set_point_parameters(model, start.seeds, state);  // reduced; the elastic soil did not look at them
   Workspace work(model, state);
-  JudgedSoil soil(model, state);
+  OutOfBalance balance(model);
   LastWindows last;
   Trial trial;
   trial.factor = factor;
@@ -113,7 +113,7 @@ Trial Trials::run(Real factor, const std::function<void(const Trial&)>& report) 
   const std::int64_t per_window = std::max<std::int64_t>(1, model.n_steps / rules.most_windows);
   const auto judge_window = [&] {
     trial.windows.push_back({state.time * std::sqrt(start.stiffening),
-        soil.largest_displacement(state) * start.stiffening, soil.take_out_of_balance()});
+        displacement_of_the_fastest(state) * start.stiffening, balance.take_share()});
     last.enter(state);
     trial.steps = state.step;
     trial.verdict = judge(trial.windows, rules, start);
@@ -124,7 +124,7 @@ Trial Trials::run(Real factor, const std::function<void(const Trial&)>& report) 
     return trial.verdict == TrialVerdict::undecided;
   };
   const auto goes_on = [&] {
-    soil.add_forces(model, work);
+    balance.add_forces(model, work);
     return state.step % per_window != 0 || judge_window();
   };
   const StepsMade made = make_steps(

@@ -107,8 +107,29 @@ TEST(PressureBalance, HasNeitherResultantNorMoment)
     }
 }
 
-/// Soil that yields by its pressure would stand by strength that is not there.
-TEST(PressureBalance, IsForSoilWhoseStrengthIgnoresThePressure)
+/// Inside, soil that yields by its pressure would stand by strength that is not there.
+TEST(PressureBalance, OfSoilWhoseStrengthFollowsThePressureActsAtTheSurfaceAlone)
+{
+  Case c = level_clay("mpm_gp");
+  const auto count_cells = [&](bool at_surface) {
+    Simulation s = simulate_on(distorted_rectangle(10, 4, 1.0, 0.25, 11), c);
+    s.step(1);
+    int n = 0;
+    for (std::size_t slot = 0; slot < s.state.points.occupied().size(); ++slot) {
+      const bool upper = s.model.mesh->centres[s.state.points.occupied()[slot]][1] > 3.0;
+      n += upper == at_surface && s.work.balance[slot].moment[0] != CellBalance::Matrix{};
+    }
+    return n;
+  };
+  EXPECT_EQ(count_cells(true), 10);
+  EXPECT_EQ(count_cells(false), 30);
+  const std::vector<Real> sand{2.0e5, 0.3, 1.0e3, 30.0};
+  c.materials[0] = {c.materials[0].name, "mohr_coulomb", 1800.0, find_material("mohr_coulomb")->complete(sand)};
+  EXPECT_EQ(count_cells(true), 10);
+  EXPECT_EQ(count_cells(false), 0);
+}
+
+TEST(PressureBalance, LawsSayWhetherTheirStrengthFollowsThePressure)
 {
   for (const char* law : {"tresca_softening", "ngi_adp", "newtonian_fluid", "linear_elastic"})
     EXPECT_TRUE(find_material(law)->ignores_pressure) << law;
