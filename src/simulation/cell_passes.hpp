@@ -100,7 +100,7 @@ inline Real accelerate_and_map(const Model& model, std::span<const NodeValues> n
   view.corners.momentum = {};
   Real gained = 0.0;
   for_each_block(view.points, view.cell, [&](PointBlock<2> block, Index) {
-    gained += accelerate_points<Quad4>(dv, v_star, model.method.flip, block);
+    gained += accelerate_points<Quad4>(dv, v_star, model.materials[block.material].flip, block);
     map_momentum(block, view.corners);
   });
   return gained;

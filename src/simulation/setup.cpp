@@ -68,11 +68,24 @@ void check_room_for_state(const Model& model, const std::vector<Index>& used)
   }
 }
 
-/// Water that breaks up stops itself with shares that overlap (decision 0042).
-Shares shares_by_law(const Model& model, const std::vector<Index>& used)
+bool is_fluid(const SoilMaterial& material)
 {
-  const auto is_fluid = [&](Index m) { return model.materials[m].law->shear_modulus() == 0.0; };
-  return std::ranges::any_of(used, is_fluid) ? Shares::point : Shares::overlap;
+  return material.law->shear_modulus() == 0.0;
+}
+
+/// With which still water stays still (decision 0074).
+constexpr Real flip_of_fluids = 0.95;
+
+/// What the method leaves to the laws. Water that breaks up stops itself with shares that overlap (decision 0042).
+void set_method_by_law(const std::vector<Index>& used, Model& model)
+{
+  const bool any_fluid = std::ranges::any_of(used, [&](Index m) { return is_fluid(model.materials[m]); });
+  MethodOptions& method = model.method;
+  if (method.shares == Shares::by_law) method.shares = any_fluid ? Shares::point : Shares::overlap;
+  const Real given = method.flip;
+  for (SoilMaterial& material : model.materials)
+    material.flip = !std::isnan(given) ? given : is_fluid(material) ? flip_of_fluids : 1.0;
+  if (std::isnan(given)) method.flip = any_fluid ? flip_of_fluids : 1.0;
 }
 
 /// Elastic soil does not slip.
@@ -282,7 +295,7 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
     set_ground(whole, model);
   const std::vector<Index> used = used_materials(whole);
   settle_laws(whole, used, model);
-  if (model.method.shares == Shares::by_law) model.method.shares = shares_by_law(model, used);
+  set_method_by_law(used, model);
   if (slips_in_cut_cells(model, used)) model.slip_row = add_slip_row(model.rows);
   check_room_for_state(model, used);
   if (model.scheme->functions(model.method.shares).integrate != nullptr)

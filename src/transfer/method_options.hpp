@@ -3,6 +3,8 @@
 
 #include "base/types.hpp"
 
+#include <limits>
+
 namespace terp {
 
 enum class Shares { by_law, point, overlap };         ///< where a point counts: decision 0042
@@ -26,7 +28,7 @@ struct MethodOptions {
   CutCells cut_cells = CutCells::slip;
   RemapContact remap_contact = RemapContact::unused_strength;
   Real relaxation_time = 0.0;  ///< with which points lose the velocity that the mesh does not see; 0: never [s]
-  Real flip = 1.0;             ///< 1: pure FLIP, 0: pure PIC [-]
+  Real flip = std::numeric_limits<Real>::quiet_NaN();  ///< 1: pure FLIP, 0: pure PIC; NaN: by law, Model has it [-]
   Real small_mass = 1e-9;      ///< nodes lighter than this times rho V_e keep v = a = 0 [-]
 };
 
