@@ -68,10 +68,7 @@ void check_room_for_state(const Model& model, const std::vector<Index>& used)
   }
 }
 
-bool is_fluid(const SoilMaterial& material)
-{
-  return material.law->shear_modulus() == 0.0;
-}
+bool is_fluid(const SoilMaterial& material) { return material.law->shear_modulus() == 0.0; }
 
 /// With which still water stays still (decision 0074).
 constexpr Real flip_of_fluids = 0.95;

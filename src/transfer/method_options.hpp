@@ -29,7 +29,7 @@ struct MethodOptions {
   RemapContact remap_contact = RemapContact::unused_strength;
   Real relaxation_time = 0.0;  ///< with which points lose the velocity that the mesh does not see; 0: never [s]
   Real flip = std::numeric_limits<Real>::quiet_NaN();  ///< 1: pure FLIP, 0: pure PIC; NaN: by law, Model has it [-]
-  Real small_mass = 1e-9;      ///< nodes lighter than this times rho V_e keep v = a = 0 [-]
+  Real small_mass = 1e-9;                              ///< nodes lighter than this times rho V_e keep v = a = 0 [-]
 };
 
 }  // namespace terp
