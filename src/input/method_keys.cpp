@@ -24,7 +24,7 @@ std::vector<KeyInfo> method_keys()
           .meaning =
               "what the options of this section are where they are not given: those of Terp, which stand here as "
               "defaults, or those with which Terp repeats the paper (decision 0073): shares = point, strain_shares = "
-              "plain, volume_change = centre, pressure = constant, cut_cells = mean. An option that is given counts"},
+              "plain, volume_change = centre, pressure = constant, cut_cells = mean, flip = 1. What is given counts"},
       {.path = "method.shares",
           .field = [](Case& c, std::size_t) { return word_field(c.method.shares); },
           .words = words<Shares>,

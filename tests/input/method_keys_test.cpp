@@ -39,7 +39,7 @@ TEST(MethodKeys, OneWordGivesTheOptionsOfThePaper)
 {
   const std::string by_name =
       "shares = \"point\"\nstrain_shares = \"plain\"\nvolume_change = \"centre\"\n"
-      "pressure = \"constant\"\ncut_cells = \"mean\"\n";
+      "pressure = \"constant\"\ncut_cells = \"mean\"\nflip = 1.0\n";
   EXPECT_EQ(texts_of(options_of("as = \"paper\"\n")), texts_of(options_of(by_name)));
   EXPECT_EQ(texts_of(options_of("", {"method.as=paper"})), texts_of(options_of(by_name)));
   EXPECT_EQ(texts_of(options_of("as = \"terp\"\n")), texts_of(MethodOptions{}));
@@ -65,7 +65,7 @@ TEST(MethodKeys, ARunThatGoesOnLooksAtTheOptionsAndNotAtTheWord)
   };
   const std::string all =
       "shares = \"point\"\nstrain_shares = \"plain\"\nvolume_change = \"centre\"\n"
-      "pressure = \"constant\"\ncut_cells = \"mean\"\n";
+      "pressure = \"constant\"\ncut_cells = \"mean\"\nflip = 1.0\n";
   const std::string paper = record_text(record_of("as = \"paper\""));
   EXPECT_THAT(changes_since(paper, record_of(all)), IsEmpty());
   const auto changes = changes_since(paper, record_of("as = \"paper\"\nshares = \"overlap\""));

@@ -60,6 +60,8 @@ def chosen(options):
         if options.rows and name not in options.rows:
             continue
         variants = list(enumerate(row.variants(options.seed)))
+        if len(variants) == 1 and options.share < 1 and name not in (options.rows or []):
+            continue  # the finest cells: minutes each
         count = math.ceil(options.share * len(variants) - 1e-9)
         taken = sorted(random.Random(f"{options.seed}/{name}/share").sample(range(len(variants)), count))
         work += [(row, *variants[k]) for k in taken]
