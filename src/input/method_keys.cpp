@@ -106,7 +106,7 @@ std::vector<KeyInfo> motion_keys()
           .default_text = "1; of fluids 0.95"},
       {.path = "method.small_mass",
           .field = [](Case& c, std::size_t) { return &c.method.small_mass; },
-          .range = {0.0, 1.0, false, true},
+          .range = {0.0, 0.001, false, true},
           .meaning = "nodes lighter than this part of a full cell are not accelerated; they move with their points",
           .equation = "m_i < small_mass rho V_e: a_i = 0"},
   };

@@ -17,10 +17,11 @@ struct SoilMaterial {
   bool stores_effective = false;           ///< effective stress where there is water, else total stress
   std::vector<Real> softening_scale = {};  ///< h/t_ref by cell, shape [n_cells]; empty: 1
   bool is_ground = true;                   ///< what a slope or dike is made of: neither water nor a load
-  int increment_row = -1;      ///< of the points: what they softened in this step; -1: by themselves, or not at all
-  int excess_row = -1;         ///< of the points: excess pore pressure; -1: no soil of the case has any
-  Real flip = 1.0;             ///< share of FLIP in the velocity of its points
-  Real water_stiffness = 0.0;  ///< K_w/n of undrained soil that stores effective stress; 0: of all other soil [Pa]
+  int increment_row = -1;         ///< of the points: what they softened in this step; -1: by themselves, or not at all
+  int excess_row = -1;            ///< of the points: excess pore pressure; -1: no soil of the case has any
+  Real flip = 1.0;                ///< share of FLIP in the velocity of its points
+  bool ignores_pressure = false;  ///< its strength does not follow the mean stress: by its law, or without friction
+  Real water_stiffness = 0.0;     ///< K_w/n of undrained soil that stores effective stress; 0: of all other soil [Pa]
 
   /// Water enters and leaves as its volume changes.
   bool is_drained() const { return stores_effective && water_stiffness == 0.0; }

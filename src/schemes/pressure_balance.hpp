@@ -3,6 +3,8 @@
 //
 //   f_int,i += sum_g Omega_g grad N_i(xi_g) G.(x_g - mean x),   G = rho (a_K - g) + r grad p_w
 //
+// Where several soils share the cell, mean x is that of all of them and what Eq. (4) has of that is taken off: the
+// pressures of its blocks differ by G from place to place, but have one gradient grad N_i(0) there.
 // rho is the density of its points, a_K the acceleration of the cell in this step, grad p_w that of the water which
 // pulls at the soil. The sum is linear in G. So a cell keeps the matrices k_i = sum_g Omega_g grad N_i (x_g - mean x)^T
 // of its blocks, times rho, and the nodes find a_K and the force with them (simulation/balance_passes.hpp). Where the
@@ -31,33 +33,50 @@ struct CellBalance {
 
 using BlockMoment = PerCorner<Quad4, CellBalance::Matrix>;
 
-/// k_i of a block from its points [m^2].
-template <class Element>
-BlockMoment moment_of_points(const CellGeometry<Element>& cell, const PointBlock<2>& block, Real weight)
-{
-  Vec<2> mean{0.0, 0.0};
+/// Volume of points and their mean place, from the middle of their cell.
+struct SoilPlace {
   Real volume = 0.0;
-  const auto for_each_pack = [&](auto&& f) {
+  Vec<2> mean{0.0, 0.0};
+
+  template <class Element>
+  void add(const CellGeometry<Element>& cell, const PointBlock<2>& block)
+  {
+    Vec<2> sums{0.0, 0.0};
+    Real added = 0.0;
     for (Index p = 0; p < block.n; p += pack_width) {
-      const auto local = load_rows<2>(block, Rows::xi, p);
-      f(Pack::load(block.row(Rows::volume) + p), local, Element::offset_from_centre(cell.map, local));
+      const Pack omega = Pack::load(block.row(Rows::volume) + p);
+      const auto x = Element::offset_from_centre(cell.map, load_rows<2>(block, Rows::xi, p));
+      added += sum(omega);
+      for (int d = 0; d < 2; ++d) sums[d] += sum(omega * x[d]);
     }
-  };
-  for_each_pack([&](Pack omega, const auto&, const auto& x) {
-    volume += sum(omega);
-    for (int d = 0; d < 2; ++d) mean[d] += sum(omega * x[d]);
-  });
-  for (Real& m : mean) m /= volume;
+    for (int d = 0; d < 2; ++d) mean[d] = (mean[d] * volume + sums[d]) / (volume + added);
+    volume += added;
+  }
+};
+
+/// k_i of a block from its points [m^2]. about: mean place of all soil of the cell, from which the pressures of its
+/// blocks differ by G; the force has taken them with `volume_gradient`, the one gradient of the cell.
+template <class Element>
+BlockMoment moment_of_points(const CellGeometry<Element>& cell, const PointBlock<2>& block, Real weight,
+    const Vec<2>& about, const PerCorner<Element, Vec<2>>& volume_gradient)
+{
+  SoilPlace own;
+  own.add(cell, block);
   BlockMoment k{};
-  for_each_pack([&](Pack omega, const auto& local, const auto& x) {
+  for (Index p = 0; p < block.n; p += pack_width) {
+    const auto local = load_rows<2>(block, Rows::xi, p);
+    const auto x = Element::offset_from_centre(cell.map, local);
     const auto gradient = gradients_at(cell, local);
-    const Pack w = omega * Pack(weight / volume);
+    const Pack w = Pack::load(block.row(Rows::volume) + p) * Pack(weight / own.volume);
     for (int e = 0; e < 2; ++e) {
-      const Pack arm = w * (x[e] - Pack(mean[e]));
+      const Pack arm = w * (x[e] - Pack(about[e]));
       for (int i = 0; i < 4; ++i)
         for (int d = 0; d < 2; ++d) k[i][d][e] += sum(gradient[i][d] * arm);
     }
-  });
+  }
+  for (int i = 0; i < 4; ++i)
+    for (int d = 0; d < 2; ++d)
+      for (int e = 0; e < 2; ++e) k[i][d][e] -= weight * volume_gradient[i][d] * (own.mean[e] - about[e]);
   return k;
 }
 
@@ -111,7 +130,7 @@ void add_balance(const SchemeContext& context, const CellGroup<Element>& group, 
     const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, Pack within)
 {
   const SoilMaterial& material = context.materials[layer.material];
-  const bool everywhere = material.type->ignores_pressure;
+  const bool everywhere = material.ignores_pressure;
   std::array<std::array<Real, 16>, pack_width> full;
   if (everywhere) {
     const auto k = moment_of_gauss_points(group, geometry, gauss.weight);
@@ -123,11 +142,21 @@ void add_balance(const SchemeContext& context, const CellGroup<Element>& group, 
     const PointBlock<2>& block = group.points.block(layer.block[c]);
     const CellGeometry<Element>& cell = group.mesh.geometry(group.cells[c]);
     BlockMoment moment;
-    if (within[c] != 0.0)
+    int n_blocks = 0;
+    SoilPlace soil_of_cell;
+    for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& other, Index) {
+      ++n_blocks;
+      if (context.method.b_bar || other.data == block.data) soil_of_cell.add(cell, other);
+    });
+    if (within[c] != 0.0 && n_blocks == 1)
       for (int i = 0; i < 4; ++i)
         moment[i] = {{{full[c][4 * i], full[c][4 * i + 1]}, {full[c][4 * i + 2], full[c][4 * i + 3]}}};
-    else
-      moment = moment_of_points(cell, block, total(gauss.weight)[c]);
+    else {
+      PerCorner<Element, Vec<2>> volume_gradient;
+      for (int i = 0; i < 4; ++i)
+        for (int d = 0; d < 2; ++d) volume_gradient[i][d] = geometry.centre_gradient[i][d][c];
+      moment = moment_of_points(cell, block, total(gauss.weight)[c], soil_of_cell.mean, volume_gradient);
+    }
     const BlockMass soil(block);
     const Real rho = soil.mass / soil.volume;
     for (int i = 0; i < 4; ++i)

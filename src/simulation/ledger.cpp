@@ -92,8 +92,8 @@ constexpr LedgerQuantity balance[] = {
          "plastic + slip_work - the works above"},
         numerical_energy},
     {{"transfer", "J/m", "stress work lost between nodes and points",
-         "part of `numerical`: work of the stress on the strain of the points, less that of the internal forces on the "
-         "nodes, so far; above 0 it is energy from nowhere"},
+         "part of `numerical`: work of the stress on the strain of the points and slip_work, less the work of the "
+         "internal forces on the nodes, so far; above 0 it is energy from nowhere"},
         [](C c) { return c.state.work.transfer(); }},
     {{"pressure_reset", "J/m", "elastic energy lost as pressures are smoothed",
          "part of `numerical`: change of elastic energy so far as each step begins with the smooth pressure of the "

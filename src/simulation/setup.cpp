@@ -36,6 +36,20 @@ namespace {
 /// Steps to the end; the tolerance is round-off of an end that is a whole number of steps.
 Real steps_to(Real end, Real step) { return std::ceil(end / step * (1.0 - 1e-12)); }
 
+/// The strength of the law does, or that of its parameters: all of its angles are zero at all points.
+bool ignores_pressure(const MaterialCase& m, const MaterialType& type)
+{
+  if (type.ignores_pressure) return true;
+  const std::vector<int> varying = varying_parameters(m, type);
+  bool has_angle = false, has_friction = false;
+  for (int k = 0; k < static_cast<int>(type.parameters.size()); ++k) {
+    if (type.parameters[k].reduction != Reduction::divide_tangent) continue;
+    has_angle = true;
+    has_friction |= m.parameters[k] != 0.0 || std::ranges::find(varying, k) != varying.end();
+  }
+  return has_angle && !has_friction;
+}
+
 std::vector<SoilMaterial> make_materials(const Case& c)
 {
   std::vector<SoilMaterial> materials;
@@ -46,6 +60,7 @@ std::vector<SoilMaterial> make_materials(const Case& c)
     materials.push_back({m.name, type, type->make_varying(m.parameters, varying_parameters(m, *type)), m.density, {},
         m.softening, m.stores_effective()});
     SoilMaterial& material = materials.back();
+    material.ignores_pressure = ignores_pressure(m, *type);
     material.is_ground = m.ground && material.law->shear_modulus() > 0.0;  // a fluid is none
   }
   return materials;

@@ -43,8 +43,8 @@ struct WorkTotals {
     return std::abs(gravity) + std::abs(boundary) + std::abs(clamps) + std::abs(outer[outer_load]) +
            std::abs(outer[outer_water]);
   }
-  /// What the points took more than the nodes gave.
-  Real transfer() const { return taken + internal; }
+  /// What the points and the slip of soils took more than the nodes gave.
+  Real transfer() const { return taken + internal + slip; }
 };
 
 /// Of the balance of energy, over the rows of the ledger so far [J per m].

@@ -54,6 +54,23 @@ TEST(PressureBalance, LevelClayStaysLevelInDistortedCells)
   EXPECT_GT(largest_kinetic_energy(flows), 10.0);
 }
 
+/// A border that no soil knows of: the same clay under two names.
+TEST(PressureBalance, TwoClaysOfOneKindStayLevelAsOne)
+{
+  for (const char* scheme : {"mpm_gp", "mpm_mixed"}) {
+    Case c = level_clay(scheme);
+    c.materials.push_back(c.materials[0]);
+    c.materials[1].name = "lower";
+    c.bodies.push_back(c.bodies[0]);
+    c.bodies[0].polygon = {{0.0, 1.4}, {10.0, 1.7}, {10.0, 3.5}, {0.0, 3.5}};
+    c.bodies[1].polygon = {{0.0, 0.0}, {10.0, 0.0}, {10.0, 1.7}, {0.0, 1.4}};
+    c.bodies[1].material = "lower";
+    Simulation s = simulate_on(distorted_rectangle(10, 4, 1.0, 0.35, 11), c);
+    EXPECT_LT(largest_kinetic_energy(s), 1.0) << scheme;
+    EXPECT_EQ(s.state.work.plastic, 0.0) << scheme;
+  }
+}
+
 /// A body that falls has no stress, whatever its cells: the slope follows the acceleration of the same step.
 TEST(PressureBalance, AFallingBlockIsNotStrained)
 {
@@ -87,7 +104,8 @@ TEST(PressureBalance, HasNeitherResultantNorMoment)
   PerGauss<Quad4, Pack> weight;
   for (Pack& of_gauss : weight) of_gauss = Pack(random.between(0.1, 0.3));
   const auto by_gauss = moment_of_gauss_points(group, geometry_of(group), weight);
-  const BlockMoment by_points = moment_of_points(mesh.geometry(cell), only_block(points, cell), 0.5);
+  const BlockMoment by_points = moment_of_points(
+      mesh.geometry(cell), only_block(points, cell), 0.5, {0.1, -0.2}, mesh.geometry(cell).centre_gradient);
   for (const bool of_points : {false, true})
     for (int e = 0; e < 2; ++e) {
       const auto force = [&](int i, int d) { return of_points ? by_points[i][d][e] : by_gauss[i][d][e][0]; };
@@ -127,6 +145,18 @@ TEST(PressureBalance, OfSoilWhoseStrengthFollowsThePressureActsAtTheSurfaceAlone
   c.materials[0] = {c.materials[0].name, "mohr_coulomb", 1800.0, find_material("mohr_coulomb")->complete(sand)};
   EXPECT_EQ(count_cells(true), 10);
   EXPECT_EQ(count_cells(false), 0);
+}
+
+TEST(PressureBalance, SoilWithoutFrictionIgnoresThePressure)
+{
+  Case c = level_clay("mpm_gp");
+  const auto ignores = [&](Real friction) {
+    const std::vector<Real> values{2.0e5, 0.48, 300.0, friction};
+    c.materials[0] = {c.materials[0].name, "mohr_coulomb", 1800.0, find_material("mohr_coulomb")->complete(values)};
+    return build_model(c, 1).materials[0].ignores_pressure;
+  };
+  EXPECT_TRUE(ignores(0.0));
+  EXPECT_FALSE(ignores(1.0));
 }
 
 TEST(PressureBalance, LawsSayWhetherTheirStrengthFollowsThePressure)
