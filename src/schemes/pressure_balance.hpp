@@ -143,15 +143,15 @@ void add_balance(const SchemeContext& context, const CellGroup<Element>& group, 
     const CellGeometry<Element>& cell = group.mesh.geometry(group.cells[c]);
     BlockMoment moment;
     int n_blocks = 0;
-    SoilPlace soil_of_cell;
-    for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& other, Index) {
-      ++n_blocks;
-      if (context.method.b_bar || other.data == block.data) soil_of_cell.add(cell, other);
-    });
+    for_each_block(group.points, group.cells[c], [&](const PointBlock<2>&, Index) { ++n_blocks; });
     if (within[c] != 0.0 && n_blocks == 1)
       for (int i = 0; i < 4; ++i)
         moment[i] = {{{full[c][4 * i], full[c][4 * i + 1]}, {full[c][4 * i + 2], full[c][4 * i + 3]}}};
     else {
+      SoilPlace soil_of_cell;
+      for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& other, Index) {
+        if (context.method.b_bar || other.data == block.data) soil_of_cell.add(cell, other);
+      });
       PerCorner<Element, Vec<2>> volume_gradient;
       for (int i = 0; i < 4; ++i)
         for (int d = 0; d < 2; ++d) volume_gradient[i][d] = geometry.centre_gradient[i][d][c];
