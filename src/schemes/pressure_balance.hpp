@@ -3,14 +3,15 @@
 //
 //   f_int,i += sum_g Omega_g grad N_i(xi_g) G.(x_g - mean x),   G = rho (a_K - g) + r grad p_w
 //
-// Where several soils share the cell, mean x is that of all of them and what Eq. (4) has of that is taken off: the
-// pressures of its blocks differ by G from place to place, but have one gradient grad N_i(0) there.
 // rho is the density of its points, a_K the acceleration of the cell in this step, grad p_w that of the water which
 // pulls at the soil. The sum is linear in G. So a cell keeps the matrices k_i = sum_g Omega_g grad N_i (x_g - mean x)^T
 // of its blocks, times rho, and the nodes find a_K and the force with them (simulation/balance_passes.hpp). Where the
 // surface cuts the cell, the points take the place of the Gauss points, as they do for the volume change. Soil whose
 // strength follows the pressure takes part in those cells alone: elsewhere the layers that fail would stand by a
 // pressure that their law does not see.
+//
+// Where several soils share the cell, mean x is that of all of them, and what Eq. (4) has of that is taken off: the
+// pressures of its blocks differ by G from place to place, but have one gradient grad N_i(0) there.
 #pragma once
 
 #include "schemes/volume_gradient.hpp"
