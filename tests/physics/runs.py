@@ -77,17 +77,21 @@ class Result:
             relative -= relative[0]
         return float(relative.max()), float(relative.min())
 
+    def points(self):
+        """The points in the first and in the last frame, in one order: those that are in both."""
+        frames = sorted((self.folder / "csv").glob("frame_*.csv"))
+        first, last = (np.genfromtxt(frame, delimiter=",", names=True) for frame in (frames[0], frames[-1]))
+        _, before, after = np.intersect1d(first["id"], last["id"], return_indices=True)
+        return first[before], last[after]
+
     def motion(self, chosen):
         """Mean displacement [m] and velocity [m/s] at the end, each [x, y], of the points chosen at the start."""
         if self.code:
             return np.full(2, np.nan), np.full(2, np.nan)
-        frames = sorted((self.folder / "csv").glob("frame_*.csv"))
-        first, last = (np.genfromtxt(frame, delimiter=",", names=True) for frame in (frames[0], frames[-1]))
-        order = {int(n): k for k, n in enumerate(last["id"])}
-        picked = [row for row in first if chosen(row)]
-        now = last[[order[int(row["id"])] for row in picked]]
-        moved = [np.mean(now[c]) - np.mean([row[c] for row in picked]) for c in "xy"]
-        return np.array(moved), np.array([np.mean(now[f"velocity_{c}"]) for c in "xy"])
+        first, last = self.points()
+        picked = [chosen(row) for row in first]
+        moved = [np.mean(last[picked][c] - first[picked][c]) for c in "xy"]
+        return np.array(moved), np.array([np.mean(last[picked][f"velocity_{c}"]) for c in "xy"])
 
 
 class Variant:
