@@ -397,6 +397,17 @@ TEST_P(SoilsOfACutCell, CloseTheLedgerOfEnergyAsSoilsOfOneStrainDo)
   EXPECT_LT(error(*slip), error(*mean) + 0.005);
 }
 
+/// What the nodes gave is what the points and the slip took.
+TEST_P(SoilsOfACutCell, LoseNoWorkBetweenNodesAndPoints)
+{
+  Case c = collapse(GetParam());
+  c.method.strain_shares = StrainShares::transposed;
+  const auto run = solved(c, CutCells::slip);
+  const WorkTotals& work = run->state.work;
+  EXPECT_GT(work.slip, 0.02 * work.taken);
+  EXPECT_LT(std::abs(work.transfer()), 0.01 * work.taken);
+}
+
 TEST_P(SoilsOfACutCell, ChangeNoBitOfOneSoil)
 {
   Case c = column(GetParam().scheme, 0.25);

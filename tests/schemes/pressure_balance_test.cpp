@@ -87,8 +87,9 @@ TEST(PressureBalance, AFallingBlockIsNotStrained)
   }
 }
 
-/// Force and moment of the slope of a block are zero in any cell, filled or not.
-TEST(PressureBalance, HasNeitherResultantNorMoment)
+/// Force and moment of the slope of a block are zero in any cell, filled or not, as is its work in a swell that is the
+/// same everywhere: that is the work of the constant part.
+TEST(PressureBalance, HasNeitherResultantNorMomentNorWorkInASwell)
 {
   const Mesh<2> mesh = distorted_rectangle(3, 3, 1.0, 0.3, 13);
   const Index cell = 4;
@@ -109,11 +110,12 @@ TEST(PressureBalance, HasNeitherResultantNorMoment)
   for (const bool of_points : {false, true})
     for (int e = 0; e < 2; ++e) {
       const auto force = [&](int i, int d) { return of_points ? by_points[i][d][e] : by_gauss[i][d][e][0]; };
-      Real moment = 0.0, largest = 0.0;
+      Real moment = 0.0, swell = 0.0, largest = 0.0;
       Vec<2> sum{0.0, 0.0};
       for (int i = 0; i < 4; ++i) {
         const Vec<2> x = mesh.nodes[mesh.cells[cell][i]];
         moment += x[0] * force(i, 1) - x[1] * force(i, 0);
+        swell += x[0] * force(i, 0) + x[1] * force(i, 1);
         for (int d = 0; d < 2; ++d) {
           sum[d] += force(i, d);
           largest = std::max(largest, std::abs(force(i, d)));
@@ -121,6 +123,7 @@ TEST(PressureBalance, HasNeitherResultantNorMoment)
       }
       for (int d = 0; d < 2; ++d) EXPECT_NEAR(sum[d], 0.0, 1e-14);
       EXPECT_NEAR(moment, 0.0, 1e-13);
+      EXPECT_NEAR(swell, 0.0, 1e-13);
       EXPECT_GT(largest, 1e-3);
     }
 }
