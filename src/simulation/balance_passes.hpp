@@ -66,8 +66,9 @@ inline void set_cell_acceleration(const Model& model, const State& state, Index 
     all += mass[i];
     for (int d = 0; d < 2; ++d) a[d] += mass[i] * of_node[d];
   }
-  const Real most = most_followed * std::hypot(work.gravity[0], work.gravity[1]), size = std::hypot(a[0], a[1]) / all;
-  const Real part = size > most ? most / size : 1.0;
+  const auto squared = [](const Vec<2>& v) { return v[0] * v[0] + v[1] * v[1]; };
+  const Real most = most_followed * most_followed * squared(work.gravity) * all * all, size = squared(a);
+  const Real part = size > most ? std::sqrt(most / size) : 1.0;
   for (int d = 0; d < 2; ++d) work.balance[slot].acceleration[d] = part * a[d] / all;
 }
 
