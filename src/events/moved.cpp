@@ -1,8 +1,18 @@
 #include "events/moved.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace terp {
+
+Real farthest_way(
+    const PointBlock<2>& block, Index lane, std::span<const Real> x_initial, std::span<const Real> moved_before)
+{
+  const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+  const Real dx = block.row(Rows::x)[lane] - x_initial[2 * id],
+             dy = block.row(Rows::x + 1)[lane] - x_initial[2 * id + 1];
+  return std::max(std::sqrt(dx * dx + dy * dy), moved_before.empty() ? 0.0 : moved_before[id]);
+}
 
 MovedSoil join(const MovedSoil& a, const MovedSoil& b)
 {

@@ -59,6 +59,11 @@ class MovedSearch {
   Pack left_{std::numeric_limits<Real>::infinity()}, right_{-std::numeric_limits<Real>::infinity()};
 };
 
+/// How far a point has come from its first place [m], or had come before displacement was counted anew, if that is
+/// more. moved_before: by id, shape [n_points] [m]; empty: it never was.
+Real farthest_way(
+    const PointBlock<2>& block, Index lane, std::span<const Real> x_initial, std::span<const Real> moved_before);
+
 /// What two parts of the soil moved.
 MovedSoil join(const MovedSoil& a, const MovedSoil& b);
 

@@ -5,7 +5,6 @@
 #include "input/case_file.hpp"
 
 #include "input/check_case.hpp"
-#include "input/library_keys.hpp"
 #include "input/other_files.hpp"
 #include "input/overrides.hpp"
 #include "input/printable.hpp"
@@ -117,10 +116,6 @@ CaseFile read_case_text(const std::string& text, const std::string& path, const 
   file.values.name = name_of_case(path);
   file.values.folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".";
   read_values(file.source.root, file.values, findings);
-  load_libraries(file.source.root, file.values, findings.problems);
-  set_end_of_run(file.values);
-  file.values.flood.given = find_item(file.source.root, "flood") != nullptr;
-  set_start(file.source.root, file.values, findings);
   check_case(file.source.root, file.values, findings);
   file.notes = findings.notes;
   if (findings.problems.empty()) read_stages(file.source, file.values, findings.warnings);

@@ -164,11 +164,10 @@ void read_stages(const Document& document, Case& values, std::vector<Problem>& w
     if (const Node* set = find_node(document.root, path + ".set"))
       set_values(path, *set, changed.root, findings.problems);
     Case now;
-    now.name = values.name, now.folder = values.folder, now.flood.given = values.flood.given;
+    now.name = values.name, now.folder = values.folder;
     if (findings.problems.empty()) {
       read_values(changed.root, now, findings);
-      load_libraries(changed.root, now, findings.problems);
-      set_end_of_run(now);
+      now.initial = values.initial;  // of the run, whatever water a stage brings
       check_case(changed.root, now, findings);
       check_fields_of_laws(values, now, findings.problems);
       check_libraries_of_stage(values, now, findings.problems);

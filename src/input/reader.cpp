@@ -6,8 +6,10 @@
 #include "input/reader.hpp"
 
 #include "base/closest.hpp"
+#include "input/check_case.hpp"
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"
+#include "input/library_keys.hpp"
 #include "input/mesh_kinds.hpp"
 #include "input/side_kinds.hpp"
 
@@ -367,6 +369,10 @@ void read_values(const Node& root, Case& values, Findings& findings)
   if (form != nullptr && form->text == word_of(MethodForm::paper)) values.method = paper_options();
   CaseReader(root, values, findings).read_section({root, "", "", 0});
   complete_situations(values.water);
+  load_libraries(root, values, findings.problems);
+  set_end_of_run(values);
+  values.flood.given = find_item(root, "flood") != nullptr;
+  set_start(root, values, findings);
 }
 
 }  // namespace terp

@@ -8,7 +8,8 @@
 
 namespace terp {
 
-/// Fills the case from the file and reports every unknown, missing and wrong key.
+/// Fills the case from the file, with what follows from keys that are left out, and reports every unknown, missing and
+/// wrong key.
 void read_values(const Node& root, Case& values, Findings& findings);
 
 /// Fills in what the section of a material left out: from ratios (su_residual from sensitivity), defaults, and other

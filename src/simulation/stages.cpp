@@ -90,8 +90,10 @@ bool rests_by_mean(const RestRule& rest, State& state)
 /// Displacement and strain are counted from now on.
 void reset_displacement(State& state)
 {
+  state.moved_before.resize(static_cast<std::size_t>(state.n_ids()), 0.0);
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    state.moved_before[id] = farthest_way(block, lane, state.x_initial, state.moved_before);
     for (int d = 0; d < 2; ++d) state.x_initial[2 * id + d] = block.row(Rows::x + d)[lane];
     for (int k = 0; k < n_sym<2>; ++k) block.row(Rows::strain + k)[lane] = 0.0;
   });

@@ -59,6 +59,8 @@ struct State {
   std::int64_t step = 0;
   PointBlocks<2> points;
   std::vector<Real> x_initial;  ///< by id, shape [n_points, 2] [m]
+  /// By id: how far it had come in one of the sections before displacement was counted anew [m]; empty: it never was.
+  std::vector<Real> moved_before;
   WorkTotals work;
   /// Running mean of the out-of-balance force, of damping with an averaging time [N per m]; shape [n_nodes], or empty.
   std::vector<Vec<2>> mean_force;

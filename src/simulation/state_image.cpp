@@ -218,6 +218,7 @@ std::vector<ArraySource> arrays_of(const State& state)
   ArrayWriter arrays(list);
   add_points(state, arrays);
   arrays.refer("x_initial", state.x_initial);
+  if (!state.moved_before.empty()) arrays.refer("moved_before", state.moved_before);
   if (!state.mean_force.empty()) {
     std::vector<Real> values;
     for (const Vec<2>& force : state.mean_force) values.insert(values.end(), force.begin(), force.end());
@@ -312,6 +313,8 @@ State restore(const Model& model, const StateImage& image)
   const ArrayReader arrays(image);
   get_points(model, image, state);
   state.x_initial = arrays.reals("x_initial");
+  if (arrays.has("moved_before"))
+    state.moved_before = arrays.reals("moved_before", static_cast<std::size_t>(state.n_ids()));
   if (model.damping.averaging_time > 0.0) {
     state.mean_force.resize(model.mesh->nodes.size());
     const auto& values = arrays.reals("mean_force", 2 * state.mean_force.size());

@@ -29,30 +29,44 @@ namespace {
 
 constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 
+/// A part of the ground, and how far it came in any stage between two that count displacement anew; what left: without
+/// end.
+struct WayOfSoil {
+  Real way, volume;  ///< [m], [m^2]
+};
+
+std::vector<WayOfSoil> ways_of_ground(const Simulation& s)
+{
+  const State& state = s.state;
+  const std::vector<std::uint8_t> ground = ground_of(s.model);
+  std::vector<WayOfSoil> ways;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    if (is_ground(ground, block))
+      ways.push_back({farthest_way(block, lane, state.x_initial, state.moved_before), block.row(Rows::volume)[lane]});
+  });
+  for (const LeftPoint& point : state.left) ways.push_back({std::numeric_limits<Real>::infinity(), point.volume});
+  return ways;
+}
+
 Real moved_volume_of(const Simulation& s, const Summary&, const EventRule& event)
 {
-  const std::vector<std::uint8_t> ground = ground_of(s.model);
-  Real volume = find_moved(s.state.points, s.state.x_initial, event.displacement, ground).volume;
-  for (const LeftPoint& point : s.state.left) volume += point.volume;
+  Real volume = 0.0;
+  for (const WayOfSoil& soil : ways_of_ground(s))
+    if (soil.way > event.displacement) volume += soil.volume;
   return volume;
 }
 
-/// The largest displacement beyond which the volume of the event lies, to 12 digits: it varies with the input even
-/// where nothing slides.
-Real displacement_of_volume(const Simulation& s, const Summary& summary, const EventRule& event)
+/// The largest displacement at which the volume of the event lies or beyond: it varies with the input even where
+/// nothing slides.
+Real displacement_of_volume(const Simulation& s, const Summary&, const EventRule& event)
 {
-  const auto moved = [&](Real displacement) {
-    return moved_volume_of(s, summary, {event.volume, displacement}) >= event.volume;
-  };
-  constexpr Real least = 1e-12, most = 1e6;  // [m]
-  constexpr int n_halvings = 46;
-  if (!moved(least)) return 0.0;
-  Real low = std::log(least), high = std::log(most);
-  for (int k = 0; k < n_halvings; ++k) {
-    const Real middle = 0.5 * (low + high);
-    (moved(std::exp(middle)) ? low : high) = middle;
-  }
-  return std::exp(low);
+  std::vector<WayOfSoil> ways = ways_of_ground(s);
+  std::ranges::sort(ways, std::ranges::greater(), &WayOfSoil::way);
+  constexpr Real most = 1e6;  // [m]
+  Real volume = 0.0;
+  for (const WayOfSoil& soil : ways)
+    if ((volume += soil.volume) >= event.volume) return std::min(soil.way, most);
+  return 0.0;
 }
 
 /// 1 where soil moves so fast at the end that, for as long again, it would go as far as the event asks, or far enough
@@ -161,7 +175,7 @@ void forget_the_end(Realisation& r)
 
 bool both_happened(const Simulation& s, const EventRule& event)
 {
-  if (!s.model.stage.is_last()) return false;  // a later stage may count displacements anew
+  if (!s.model.stage.is_last()) return false;  // a later stage may bring the flood
   const auto is_dug_away = [&](const BodyCase& body) { return body.removed == s.model.stage.number + 1; };
   if (std::ranges::any_of(s.model.description.bodies, is_dug_away)) return false;  // it counts no more at the end
   const Summary summary = summarise(s.model, s.state);

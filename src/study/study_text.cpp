@@ -104,6 +104,12 @@ std::vector<std::string> remarks_on_realisations(const Study& study, const Study
   };
   if (!adaptive || !of_flood) add_moving(e.n_moving_without_slide, "slide", "P(I)");
   if (!adaptive || of_flood) add_moving(e.n_moving_without_flood, "flood", "P(F)");
+  if (const std::int64_t n = e.counts.flooded - e.counts.flooded_after_slide; n > 0)
+    remarks.push_back(
+        fmt::format("{} realisation{} flood{} without a slide: ground sinks below the water, and less than {:g} m^2 of "
+                    "soil moves by more than {:g} m. Take a smaller slide in [events], or read P(F|I) as a share of "
+                    "these slides alone.",
+            n, n == 1 ? "" : "s", n == 1 ? "s" : "", study.settings.event.volume, study.settings.event.displacement));
   if (e.n_ended_early > 0)
     remarks.push_back(
         fmt::format("{} realisations end with their events (`ends_run`): what remains of them at the end of the case "

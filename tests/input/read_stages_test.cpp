@@ -1,6 +1,8 @@
 #include "input/reader.hpp"
+#include "input/case_record.hpp"
 #include "input/render.hpp"
 #include "input/samples.hpp"
+#include "simulation/setup_mesh.hpp"
 
 namespace read_stages_test {
 
@@ -86,6 +88,26 @@ TEST(ReadStages, KnowThatTheCaseAsksAboutAFlood)
                      .values;
   EXPECT_TRUE(c.stages[0].changed->flood.given);
   EXPECT_FALSE(read().stages[0].changed->flood.given);
+}
+
+/// All keys of the table, as the solver takes them.
+TEST(ReadStages, AKeyThatIsLeftOutMeansTheSameWithoutThem)
+{
+  const std::string gravity = "[forces]\ngravity = [0.0, -9.81]\n", water = "[water]\nphreatic_line = [[0.0, 1.0]]\n";
+  for (const std::string& sections :
+      {std::string(), gravity, gravity + water, gravity + "[flood]\nsmallest_width = 1.0\n",
+          gravity + "[initial]\nstress = \"k0\"\n", std::string("[method]\nas = \"paper\"\n")}) {
+    CaseFile file = read_case_text(small_case + sections, "a.toml");
+    CaseFile staged = read_case_text(
+        replaced(small_case, "[time]\nend = 4.0\n", "[[stage]]\nname = \"all\"\nduration = 4.0\n") + sections,
+        "a.toml");
+    const Mesh<2> mesh = build_mesh(file.values);
+    const std::string plain = record_text(make_case_record(file, mesh));
+    EXPECT_EQ(staged.values.initial.stress, file.values.initial.stress) << sections;
+    staged.values = *Case(staged.values).stages[0].changed;
+    for (const ChangedValue& change : changes_since(plain, make_case_record(staged, mesh)))
+      ADD_FAILURE() << change.text() << "\n" << sections;
+  }
 }
 
 TEST(ReadStages, TheirTimesAddUpAsOneWouldWriteTheSum)

@@ -152,6 +152,26 @@ TEST(Engine, ARunThatEndsWithItsEventsLeavesThemAsTheyAreAndTheEndUnknown)
       HasSubstr("`form` looks at how far a run is from the event at its end"));
 }
 
+/// What slid in a stage has slid, whatever is counted anew after it.
+TEST(Engine, ASlideOfAnyStageCounts)
+{
+  const auto staged = [](const std::string& key) {
+    return changed(column_case, "[time]\nend = 0.8\ncourant = 0.5", "[time]\ncourant = 0.5") +
+           "[[stage]]\nname = \"daily\"\nduration = 0.79\n[[stage]]\nname = \"late\"\nduration = 0.01\n" + key;
+  };
+  const StudyWithStores plain(column_study, staged("")), anew(column_study, staged("reset_displacement = true\n"));
+  const Realisations a = plain.run("plain"), b = anew.run("anew");
+  int n_slid = 0;
+  for (const auto& [number, r] : a) {
+    n_slid += r.slid;
+    EXPECT_EQ(r.slid, b.at(number).slid) << number;
+    const Real way = outcome(r, "event_displacement");
+    if (!r.slid) continue;
+    EXPECT_NEAR(outcome(b.at(number), "event_displacement"), way, 0.1 * way) << number;
+  }
+  EXPECT_GT(n_slid, 1);
+}
+
 TEST(Engine, AResultThatDiffersIsNamed)
 {
   std::vector<Real> kept(study_outcomes().size(), 0.1), now = kept;

@@ -30,6 +30,15 @@ Realisations rows_of(Index n)
   return rows;
 }
 
+TEST(Estimates, AFloodWithoutASlideIsExplained)
+{
+  const Study study = study_with("number = 12");
+  Realisations rows = rows_of(12);
+  EXPECT_THAT(study_text(study, rows), Not(HasSubstr("without a slide: ground")));
+  rows.at(1).flooded = true;
+  EXPECT_THAT(study_text(study, rows), HasSubstr("1 realisation floods without a slide: ground sinks below the water"));
+}
+
 TEST(Estimates, ProbabilitiesOfEventsWithTheirBounds)
 {
   const Study study = study_with("number = 60");
