@@ -42,9 +42,9 @@ void warn_of_no_rest(const Summary& s, const Model& model, const std::string& fo
   const bool ends_at_rest = !s.stages.empty() && std::isfinite(s.stages.back().record.fastest);
   if (!ends_at_rest && s.flood && s.flood->still_moves && s.flood->verdict != FloodVerdict::floods)
     fmt::print(stderr,
-        "warning: {}: the soil still moves at the end, its fastest node with {:.2g} m/s, so the verdict may change: "
-        "end the run at rest; see docs/stages.md#at-rest\n",
-        folder, *s.flood->fastest_node);
+        "warning: {}: at the end {}, so nothing is decided: end the run at rest, or later; see "
+        "docs/stages.md#at-rest\n",
+        folder, motion_words(*s.flood));
 }
 
 void warn_of_small_margin(const Summary& s, const std::string& folder)

@@ -6,6 +6,8 @@
 #include "simulation/free_water.hpp"
 #include "simulation/ground_section.hpp"
 #include "simulation/ledger_context.hpp"
+#include "simulation/mesh_frame.hpp"
+#include "simulation/node_passes.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/summary.hpp"
 
@@ -100,6 +102,26 @@ std::optional<FloodTrigger> trigger_of(
   return trigger;
 }
 
+/// Where soil moves fastest at the end, and which soil lies nearest to there.
+void find_fastest(const Model& model, const State& state, FloodSummary& flood)
+{
+  const NodeMotion motion = map_motion(model, state);
+  Real most = -1.0, nearest = std::numeric_limits<Real>::infinity();
+  for (Index i = 0; i < std::ssize(motion.mass); ++i) {
+    const Real speed = std::hypot(motion.velocity[2 * i], motion.velocity[2 * i + 1]);
+    if (!(motion.mass[i] >= part_of_full_mass(model, i, part_that_rests)) || !(speed > most)) continue;
+    most = speed;
+    flood.fastest_x = model.mesh->nodes[i][0], flood.fastest_y = model.mesh->nodes[i][1];
+  }
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const Real away =
+        std::hypot(block.row(Rows::x)[lane] - flood.fastest_x, block.row(Rows::x + 1)[lane] - flood.fastest_y);
+    if (!(away < nearest)) return;
+    nearest = away;
+    flood.fastest_soil = model.materials[block.material].name;
+  });
+}
+
 /// A verdict is one of all stages: it stays where displacement is counted anew.
 class Flood : public Follower {
   ColumnRange range_;          ///< of the ground that counts
@@ -174,9 +196,13 @@ class Flood : public Follower {
     f.stage_below = stage_at(s.stages, f.first_time_below);
     f.stage = s.stages.empty() ? "" : s.stages.back().name;
     f.fastest_node = known(fastest_node_);
-    const bool rests = !state.stages_done.empty() && state.stages_done.back().at_rest;
-    f.still_moves = !rests && f.fastest_node && *f.fastest_node * time_to_look_ahead(model, state) > settles_;
+    const StageRecord* last = state.stages_done.empty() ? nullptr : &state.stages_done.back();
+    const bool was_to_rest = last != nullptr && std::isfinite(last->fastest);
+    f.still_moves = !(last != nullptr && last->at_rest) && f.fastest_node &&
+                    (was_to_rest || *f.fastest_node * time_to_look_ahead(model, state) > settles_);
+    if (f.still_moves) find_fastest(model, state, f);
     f.verdict = f.first_time_below     ? FloodVerdict::floods
+                : f.still_moves        ? FloodVerdict::moving
                 : f.first_time_damaged ? FloodVerdict::damaged
                                        : FloodVerdict::stands;
     const Real margin = f.freeboard - model.description.flood.smallest_freeboard;

@@ -17,8 +17,9 @@ namespace terp {
 
 /// Water on the nodes of the mesh at the time of a step.
 struct PorePressure {
-  std::vector<Real> pressure;  ///< p, at least 0 [Pa], shape [n_nodes]
-  std::vector<Real> suction;   ///< s, at least 0 [Pa], shape [n_nodes]; empty: none anywhere
+  std::vector<Real> pressure;   ///< p, at least 0 [Pa], shape [n_nodes]
+  std::vector<Real> unlimited;  ///< the same, negative above the water [Pa], shape [n_nodes]
+  std::vector<Real> suction;    ///< s, at least 0 [Pa], shape [n_nodes]; empty: none anywhere
 };
 
 /// Values of the nodes at the corners of one cell, or of eight in packs.
@@ -74,6 +75,51 @@ Real first_volume_over_present(const PointBlock<dim>& block, Real density)
     volume += block.row(Rows::volume)[p];
   }
   return mass / (density * volume);
+}
+
+/// grad p at eight points of a cell, 0 where p is not above 0. pressure: at the corners; negative above the water [Pa].
+template <class Element>
+std::array<Pack, Element::dim> pressure_slope(const PerCorner<Element, Pack>& N,
+    const PerCorner<Element, std::array<Pack, Element::dim>>& gradient, const PerCorner<Element>& pressure)
+{
+  Pack p(0.0);
+  auto slope = zero_packs<Element::dim>();
+  for (int i = 0; i < Element::n_corners; ++i) {
+    p += N[i] * Pack(pressure[i]);
+    for (int d = 0; d < Element::dim; ++d) slope[d] += gradient[i][d] * Pack(pressure[i]);
+  }
+  for (Pack& of_direction : slope) of_direction = select(p > Pack(0.0), of_direction, Pack(0.0));
+  return slope;
+}
+
+/// Adds the part of grad p alone, N_i grad p, with the volumes and the places of the points of a block: as its weight
+/// acts. density: as below. Returns the sum over the points [N per m].
+template <class Element>
+Vec<Element::dim> add_pull_of_points(const CellGeometry<Element>& cell, const PointBlock<Element::dim>& block,
+    const PerCorner<Element>& pressure, Real density, CornerVectors<Element>* force)
+{
+  constexpr int dim = Element::dim;
+  using Rows = PointRows<dim>;
+  auto sums = zero_packs<dim, Element::n_corners>();
+  auto all = zero_packs<dim>();
+  for (Index p = 0; p < block.n; p += pack_width) {
+    const auto local = load_rows<dim>(block, Rows::xi, p);
+    const auto N = Element::shape_functions(local);
+    const auto slope = pressure_slope<Element>(N, gradients_at(cell, local), pressure);
+    const Pack pulled = density > 0.0 ? Pack::load(block.row(Rows::mass) + p) * Pack(1.0 / density)
+                                      : Pack::load(block.row(Rows::volume) + p);
+    for (int d = 0; d < dim; ++d) {
+      const Pack pull = pulled * slope[d];
+      all[d] += pull;
+      for (int i = 0; i < Element::n_corners; ++i) sums[d][i] -= N[i] * pull;
+    }
+  }
+  Vec<dim> pull;
+  for (int d = 0; d < dim; ++d) {
+    pull[d] = sum(all[d]);
+    if (force != nullptr) add_lanes(sums[d], (*force)[d]);
+  }
+  return pull;
 }
 
 /// The same with the volumes and the places of the points of a block instead of Gauss weights. density: of drained

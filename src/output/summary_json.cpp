@@ -84,7 +84,8 @@ void each(FloodSummary& flood, F&& f)
   f("width_at_level", flood.width_at_level), f("intact_width", flood.intact_width);
   f("first_time_damaged", flood.first_time_damaged), f("first_time_below", flood.first_time_below);
   f("stage_damaged", flood.stage_damaged), f("stage_below", flood.stage_below), f("stage", flood.stage);
-  f("fastest_node", flood.fastest_node), f("still_moves", flood.still_moves);
+  f("fastest_node", flood.fastest_node), f("fastest_x", flood.fastest_x), f("fastest_y", flood.fastest_y);
+  f("fastest_soil", flood.fastest_soil), f("still_moves", flood.still_moves);
   f("margin", flood.margin);
   f("criterion", flood.criterion), f("trigger", flood.trigger);
 }

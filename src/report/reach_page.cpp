@@ -21,7 +21,8 @@ th, td { padding: 6px 12px; vertical-align: top; white-space: normal; } thead th
 td:last-child, thead th:last-child { text-align: right; white-space: nowrap; }
 th.text, td.words { text-align: left; } td.words { max-width: 26em; }
 td p + p { color: #566270; font-size: 0.87rem; }
-.verdict { font-weight: 650; } .stands .verdict { color: #00694b; } .damaged .verdict { color: #8a5a00; }
+.verdict { font-weight: 650; } .stands .verdict { color: #00694b; }
+.damaged .verdict, .still_moving .verdict { color: #8a5a00; }
 .floods .verdict, .fault .verdict { color: #b3261e; } .fault p { white-space: pre-line; }
 td .mark { color: #8a5a00; }
 a { color: #0b5f9e; } td svg { width: 210px; }
@@ -35,15 +36,16 @@ struct Words {
 
 constexpr Words title{"Sections of a reach", "Doorsneden van een traject"},
     counts{
-        "Solved: {} of {} sections. Stands: {}; damaged, holds the water: {}; floods: {}; no verdict on the water: {}; "
-        "no result: {}.",
-        "Berekend: {} van {} doorsneden. Blijft staan: {}; beschadigd, keert het water: {}; overstroming: {}; geen "
-        "oordeel over het water: {}; zonder resultaat: {}."},
+        "Solved: {} of {} sections. Stands: {}; damaged, holds the water: {}; still moving: {}; floods: {}; no verdict "
+        "on the water: {}; no result: {}.",
+        "Berekend: {} van {} doorsneden. Blijft staan: {}; beschadigd, keert het water: {}; beweegt nog: {}; "
+        "overstroming: {}; geen oordeel over het water: {}; zonder resultaat: {}."},
     section{"Section", "Doorsnede"}, picture{"Ground before and after", "Maaiveld voor en na"},
     verdict{"Verdict", "Oordeel"}, height_left{"Height that remains", "Resthoogte"},
     freeboard{"Freeboard", "Waakhoogte"}, factor{"Factor of safety", "Stabiliteitsfactor"},
     stored{"stored", "opgeslagen"}, time{"Time", "Rekentijd"}, stands{"stands", "blijft staan"},
-    damaged{"damaged, holds the water", "beschadigd, keert het water"}, floods{"floods", "overstroming"},
+    damaged{"damaged, holds the water", "beschadigd, keert het water"},
+    undecided{"still moving, not decided", "beweegt nog, niet beslist"}, floods{"floods", "overstroming"},
     no_flood{"no verdict on the water", "geen oordeel over het water"}, refused{"refused", "geweigerd"},
     failed{"failed", "mislukt"}, open{"not finished", "niet afgerond"},
     divided{"after strengths were divided by {}", "nadat de sterktes door {} zijn gedeeld"},
@@ -61,7 +63,13 @@ constexpr Words title{"Sections of a reach", "Doorsneden van een traject"},
 
 const Words& words_of(FloodVerdict verdict)
 {
-  return verdict == FloodVerdict::stands ? stands : verdict == FloodVerdict::damaged ? damaged : floods;
+  switch (verdict) {
+    case FloodVerdict::stands: return stands;
+    case FloodVerdict::damaged: return damaged;
+    case FloodVerdict::moving: return undecided;
+    case FloodVerdict::floods: break;
+  }
+  return floods;
 }
 
 template <class... Args>
@@ -169,14 +177,16 @@ std::string row_of(const ReachSection& s, bool dutch)
 
 std::string counts_in(const std::vector<ReachSection>& sections, bool dutch)
 {
-  int n[3] = {0, 0, 0}, n_solved = 0, n_moving = 0;
+  std::array<int, flood_verdicts.size()> n{};
+  int n_solved = 0, n_moving = 0;
   for (const ReachSection& s : sections) {
     n_solved += s.is_solved ? 1 : 0, n_moving += is_moving(s) ? 1 : 0;
     if (const auto& flood = s.summary.flood; s.is_solved && flood && flood->verdict)
-      ++n[static_cast<int>(*flood->verdict)];
+      ++n[static_cast<std::size_t>(*flood->verdict)];
   }
   const auto n_all = static_cast<int>(sections.size());
-  return filled(counts, dutch, n_solved, n_all, n[0], n[1], n[2], n_solved - n[0] - n[1] - n[2], n_all - n_solved) +
+  return filled(counts, dutch, n_solved, n_all, n[0], n[1], n[2], n[3], n_solved - n[0] - n[1] - n[2] - n[3],
+             n_all - n_solved) +
          (n_moving > 0 ? filled(moving, dutch, n_moving) : "");
 }
 

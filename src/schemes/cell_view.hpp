@@ -54,6 +54,18 @@ CornerPore<Element> pore_at_corners(
   return at;
 }
 
+/// Of which grad p pulls at points: as far as the water reaches, where the stress is effective; as the nodes have it,
+/// where the stored stress holds p too.
+template <class Element>
+PerCorner<Element> pull_at_corners(
+    const PorePressure& pore, const std::array<Index, Element::n_corners>& corners, bool stores_effective)
+{
+  const std::vector<Real>& of_nodes = stores_effective ? pore.unlimited : pore.pressure;
+  PerCorner<Element> at;
+  for (int i = 0; i < Element::n_corners; ++i) at[i] = of_nodes[corners[i]];
+  return at;
+}
+
 /// What the stress pass adds up for the ledger [J per m].
 struct StressSums {
   Real plastic_work = 0.0;  ///< of the laws

@@ -49,10 +49,13 @@ inline void add_stored_excess_force(const SchemeContext& context, const CellGrou
   add_internal_force(group, geometry, layer, water, context.method.b_bar);
 }
 
-/// Adds the force of the water on the soil of a layer, with weights and operator of its internal force.
+/// Adds the force of the water on the soil of a layer, with weights and operator of its internal force. In cells that
+/// the surface cuts the points are pulled where they lie, as they have their weight there: the middle of a sub-cell
+/// that holds a thin layer lies above the layer, and its water would lift the node above. within: as is_within_soil.
 template <class Element>
 inline void add_water_force(const SchemeContext& context, const CellGroup<Element>& group,
-    const GeometryLanes<Element>& geometry, const BlockLayer& layer, const GaussValues<Element, Pack>& gauss)
+    const GeometryLanes<Element>& geometry, const BlockLayer& layer, const GaussValues<Element, Pack>& gauss,
+    Pack within)
 {
   constexpr int dim = Element::dim;
   std::array<CornerPore<Element>, pack_width> at{};
@@ -68,12 +71,20 @@ inline void add_water_force(const SchemeContext& context, const CellGroup<Elemen
   }
   const bool has_excess = material.excess_row >= 0 && !stores_excess(context, material);
   if (!any && !any_inside && !has_excess) return;
-  if (any && material.is_drained())
-    for (int c = 0; c < group.n(); ++c) {
-      if (layer.block[c] < 0) continue;
-      const Real share = first_volume_over_present(group.points.block(layer.block[c]), material.density);
+  for (int c = 0; any && c < group.n(); ++c) {
+    if (layer.block[c] < 0) continue;
+    const PointBlock<dim>& block = group.points.block(layer.block[c]);
+    if (within[c] == 0.0) {
+      const Index cell = group.cells[c];
+      add_pull_of_points<Element>(group.mesh.geometry(cell), block,
+          pull_at_corners<Element>(*context.pore, group.mesh.cells[cell], material.stores_effective),
+          material.is_drained() ? material.density : 0.0, &group.water_force[c]);
+      at[c].pressure = {};
+    } else if (material.is_drained()) {
+      const Real share = first_volume_over_present(block, material.density);
       for (Real& pressure : at[c].pressure) pressure *= share;
     }
+  }
   CornerPore<Element, Pack> pore;
   pore.pressure = to_lanes([&](int c) { return at[c].pressure.data(); });
   pore.inside = to_lanes([&](int c) { return at[c].inside.data(); });
@@ -129,7 +140,7 @@ void gather_at_gauss_points(
     add_internal_force(group, geometry, layer, gauss, context.method.b_bar);  // Eq. (4)
     if (!group.balance.empty()) add_balance(context, group, geometry, layer, gauss, within);
     if (group.water_force.empty()) return;
-    add_water_force(context, group, geometry, layer, gauss);
+    add_water_force(context, group, geometry, layer, gauss, within);
     const SoilMaterial& material = context.materials[layer.material];
     if (material.excess_row >= 0 && stores_excess(context, material))
       add_stored_excess_force(context, group, geometry, layer, gauss);

@@ -167,7 +167,12 @@ void add_balance(const SchemeContext& context, const CellGroup<Element>& group, 
     Vec<2> pull{0.0, 0.0};  // the part of G that is not rho (a_K - g)
     const Real held = context.held.act() ? mean_held_share(block, context.held_row, context.held) : 0.0;
     for (int d = 0; d < 2; ++d) pull[d] = rho * held * context.gravity[d];
-    if (context.pore != nullptr) {
+    if (context.pore != nullptr && within[c] == 0.0) {
+      const Vec<2> all = add_pull_of_points<Element>(cell, block,
+          pull_at_corners<Element>(*context.pore, group.mesh.cells[group.cells[c]], material.stores_effective),
+          material.is_drained() ? material.density : 0.0, nullptr);
+      for (int d = 0; d < 2; ++d) pull[d] += (1.0 - held) * all[d] / soil.volume;
+    } else if (context.pore != nullptr) {
       const auto at =
           pore_at_corners<Element>(*context.pore, group.mesh.cells[group.cells[c]], material.stores_effective);
       const Real share = (1.0 - held) * (material.is_drained() ? soil.mass / (material.density * soil.volume) : 1.0);

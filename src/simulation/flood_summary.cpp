@@ -43,6 +43,13 @@ std::string trigger_words(const FloodTrigger& trigger)
   return words.empty() ? fmt::format("after the stage `{}`", trigger.stage) : words;
 }
 
+std::string motion_words(const FloodSummary& flood)
+{
+  return fmt::format("{} moves with {:.2g} m/s at x = {:.1f}, y = {:.1f} m",
+      flood.fastest_soil.empty() ? "soil" : fmt::format("`{}`", flood.fastest_soil),
+      flood.fastest_node.value_or(FloodSummary::none), flood.fastest_x, flood.fastest_y);
+}
+
 void withhold_verdict(FloodSummary& flood)
 {
   if (flood.verdict != FloodVerdict::floods) flood.verdict.reset();
@@ -65,9 +72,7 @@ std::string flood_clause(const FloodSummary& flood)
                                 ? fmt::format("; the ground is {:.2f} m wide there, {:.2f} m of it intact",
                                       flood.width_at_level, flood.intact_width)
                                 : "";
-  const std::string motion = flood.still_moves && flood.verdict && !floods
-                                 ? fmt::format("; the soil still moves, {:.2g} m/s", *flood.fastest_node)
-                                 : "";
+  const std::string motion = flood.verdict == FloodVerdict::moving ? "; " + motion_words(flood) : "";
   return fmt::format("{}{}: {} the highest ground stands at {:.2f} m, {:.2f} m {} the water at {:.2f} m{}{}{}", verdict,
       since, flood.verdict ? "at the end" : "so far", flood.residual_height, std::abs(flood.freeboard),
       flood.freeboard < 0.0 ? "below" : "above", flood.water_level, width, motion, stage_phrase(flood));

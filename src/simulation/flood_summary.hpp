@@ -11,15 +11,15 @@
 
 namespace terp {
 
-enum class FloodVerdict { stands, damaged, floods };
+enum class FloodVerdict { stands, damaged, moving, floods };
 
 struct FloodVerdictInfo {
   std::string_view name;   ///< in summary.json
   std::string_view words;  ///< for people
 };
 /// In the order of the enum.
-inline constexpr std::array<FloodVerdictInfo, 3> flood_verdicts{
-    {{"stands", "stands"}, {"damaged", "damaged, holds the water"}, {"floods", "floods"}}};
+inline constexpr std::array<FloodVerdictInfo, 4> flood_verdicts{{{"stands", "stands"},
+    {"damaged", "damaged, holds the water"}, {"still_moving", "still moving, not decided"}, {"floods", "floods"}}};
 
 inline const FloodVerdictInfo& info_of(FloodVerdict verdict)
 {
@@ -54,11 +54,17 @@ struct FloodSummary {
   std::string stage_below = {};            ///< of the second
   std::string stage = {};                  ///< the last one so far, to whose end heights and widths belong
   std::optional<Real> fastest_node;        ///< at the end [m/s]
-  bool still_moves = false;                ///< so fast that, for as long again, the soil would go far enough to matter
+  Real fastest_x = none, fastest_y = none;  ///< where soil moves fastest at the end [m]; NaN: it does not move
+  std::string fastest_soil = {};            ///< which soil that is
+  /// It was to end at rest and did not, or, for as long again, the soil would go far enough to matter.
+  bool still_moves = false;
   std::optional<Real> margin;  ///< of damaged ground over what floods, so small that the verdict is not sure [m]
   std::string criterion = {};  ///< by which it floods, in words
   std::optional<FloodTrigger> trigger;  ///< none: the verdict is that of the section as it is
 };
+
+/// What moves at the end, how fast and where.
+std::string motion_words(const FloodSummary& flood);
 
 /// A run that has not ended has a verdict only where that is for good: it floods.
 void withhold_verdict(FloodSummary& flood);

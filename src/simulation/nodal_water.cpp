@@ -84,6 +84,7 @@ void NodalWater::set(const WaterMoment& moment, std::span<const Real> loads, Rea
   const Field& to = at_to.at_node.empty() ? fields_[moment.way.to] : at_to;
   const std::size_t n = mesh_->nodes.size();
   pore.pressure.resize(n);
+  pore.unlimited.resize(n);
   pore.suction.resize(water_.suction > 0.0 ? n : 0);
   const auto between = [share = moment.way.share](Real a, Real b) { return a + share * (b - a); };
   const auto limit = [&](std::size_t k, std::size_t i) {
@@ -101,6 +102,7 @@ void NodalWater::set(const WaterMoment& moment, std::span<const Real> loads, Rea
       most = std::lerp(before == infinity ? free : before, most == infinity ? free : most, bodies);
     }
     pore.pressure[i] = std::clamp(pressure, 0.0, most);
+    pore.unlimited[i] = std::min(pressure, most);
     if (!pore.suction.empty()) pore.suction[i] = std::clamp(-pressure, 0.0, water_.suction);
   }
 }

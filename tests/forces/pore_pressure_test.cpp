@@ -112,6 +112,31 @@ TEST_P(PoreForce, OnDrainedSoilDoesNotGrowAsTheSoilOpens)
   for (int d = 0; d < 2; ++d) EXPECT_NEAR(opened[d], first[d], 1e-3 * std::abs(first[d])) << d;
 }
 
+/// In cells that the surface cuts still water takes a part of the weight at each node, however high it stands above the
+/// ground: a submerged section is the dry one with submerged weight.
+TEST_P(PoreForce, OfStillWaterIsAPartOfTheWeightWhereTheSurfaceCutsCells)
+{
+  for (const Real above : {0.0, 0.1 * h, 3.0}) {
+    Case c = block_in_water(GetParam(), Drainage::drained);
+    const Real top = 4.2 * h;
+    c.bodies[0] = body("elastic", {0.0, 0.0}, {n_cells * h, top});
+    c.bodies[0].points_per_cell = {4, 4};
+    c.bodies[0].material = c.materials[0].name;
+    c.method.volume_change = VolumeChange::soil;
+    c.water.start.formula = [=](Vec<2> x, Real) { return 9810.0 * (top + above - x[1]); };
+    Simulation s = simulate_on(distorted(6), c);
+    make_steps(s, 1);
+    int n = 0;
+    for (Index i = 0; i < s.model.mesh->n_nodes(); ++i) {
+      if (s.model.mesh->nodes[i][1] < 4.6 * h || !(s.work.node[i].mass > 0.0)) continue;
+      const Real lift = 9810.0 / 1700.0 * s.work.node[i].mass;
+      EXPECT_NEAR(s.work.outer[outer_water].node[i][1], lift, 1e-9 * lift) << above;
+      ++n;
+    }
+    EXPECT_GT(n, 4);
+  }
+}
+
 TEST(PoreForceOfPoints, HaveTheSameSumOnDrainedSoil)
 {
   Simulation s = simulate_on(distorted(5), block_in_water("standard_mpm", Drainage::drained));

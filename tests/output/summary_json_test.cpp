@@ -44,6 +44,9 @@ Summary sample_summary()
       .stage_below = "flood",
       .stage = "after",
       .fastest_node = 0.25,
+      .fastest_x = 2.5,
+      .fastest_y = 1.5,
+      .fastest_soil = "clay",
       .still_moves = true,
       .margin = 0.0625,
       .criterion = "why",
@@ -98,7 +101,8 @@ TEST_F(SummaryJson, HoldsEveryNumberUnderItsName)
     "water_level_origin": "the river", "river": "left", "residual_height": 3.5, "freeboard": -0.5,
     "width_at_level": 0.0, "intact_width": 0.0, "first_time_damaged": 0.75, "first_time_below": 1.25,
     "stage_damaged": "daily", "stage_below": "flood", "stage": "after",
-    "fastest_node": 0.25, "still_moves": true, "margin": 0.0625, "criterion": "why",
+    "fastest_node": 0.25, "fastest_x": 2.5, "fastest_y": 1.5, "fastest_soil": "clay",
+    "still_moves": true, "margin": 0.0625, "criterion": "why",
     "trigger": {"stage": "weaker", "at_strength": 1.25, "river": 3.75, "before": "stands"}},
     "case_name": "model_2", "case": "title = \"column\"\n"})"));
 }

@@ -82,6 +82,45 @@ def sand_between(v):
     return [Measure("rests", rests[0]), Measure("on half the cells", rests[1], at_least=rests[0], at_most=rests[0])]
 
 
+@row(number=18, cycle={"fill": (0.05, 0.1, 0.2, 0.35, 0.5, 0.9), "water": ("dry", "deep"), "friction": (25.0, 35.0)})
+def level_sand(v):
+    """Level sand, dry or under 6 m of water, whose surface fills a part of a cell: at rest from the start."""
+    top = 3.0 + 0.5 * v.fill
+    case = {"mesh": v.mesh(10.0, 5.0, 0.5, slant=0.0), "forces": GRAVITY, "boundary": WALLS,
+            "body": [{"material": "sand", "box": [[0, 0], [10, top]], "points_per_cell": v.points}],
+            "material": {"sand": sand(v.friction, density=2000.0)}, "initial": {"stress": "equilibrium"},
+            "time": {"end": 3.0}}
+    if v.water == "deep":
+        case["water"] = {"phreatic_line": [[0, 9], [10, 9]]}
+    run = v.run(case, "rest")
+    return [Measure("moved in 3 s", run.last("moved_volume"), "m2", at_most=0.0),
+            Measure("v at the end", run.last("v_999"), "m/s")]
+
+
+@row(number=18, cycle={"slope": (2.5, 3.0, 4.0), "cells": (5, 10), "strength": (0.9, 0.75, 1.3)})
+def seepage_face(v):
+    """A face with water seeping along it, psi = phi: slides at 0.9 of the strength of its closed form, rests at 1.3.
+
+    F = (gamma cos^2 beta - gamma_w) / (gamma sin beta cos beta) tan phi, for vertical columns of water.
+    """
+    cell, weight, beta = HEIGHT / v.cells, 20e3, math.atan(1 / v.slope)
+    needed = weight * math.sin(beta) * math.cos(beta) / (weight * math.cos(beta) ** 2 - 9810.0)
+    friction = math.degrees(math.atan(v.strength * needed))
+    foot = 2.0 + v.draw("base", (0.15, 0.4, 0.65, 0.9))
+    toe = CREST + v.slope * HEIGHT
+    width = math.ceil(toe + LAND)
+    ground = [[0, foot + HEIGHT], [CREST, foot + HEIGHT], [toe, foot], [width, foot]]
+    run = v.run({"mesh": v.mesh(width, math.ceil(foot + HEIGHT) + 1, cell, slant=0.2), "forces": GRAVITY,
+                 "boundary": WALLS, "water": {"phreatic_line": ground}, "initial": {"stress": "equilibrium"},
+                 "body": [{"material": "sand", "polygon": [[0, 0], [width, 0], *ground[::-1]],
+                           "points_per_cell": v.points}],
+                 "material": {"sand": sand(friction, friction, density=weight / 9.81)}, "time": {"end": 4.0}},
+                "rest", may_stop=True)
+    rests = float(run.code == 0 and run.last("moved_volume") == 0)
+    must = float(v.strength > 1)
+    return [Measure("rests", rests, at_least=must, at_most=must)]
+
+
 # Bishop's circles through the dike of sand of `dike_factor`, phi 30: least factor of those at least so deep [m].
 CIRCLES = ((0.0, 1.443), (0.3, 1.454), (1.0, 1.498), (2.0, 1.661))
 FACE = {False: 1.323, True: 1.443}  # closed form of the face of 1:2.5, without and with dilatancy

@@ -30,8 +30,9 @@ TEST(ReachPage, HasTheVerdictOfEachSectionAndALink)
 {
   const std::string page = reach_page(sample(), "en", "2026-01-02T03:04:05Z");
   EXPECT_THAT(page, testing::StartsWith("<!doctype html>\n<html lang=\"en\">"));
-  EXPECT_THAT(page, HasSubstr("Solved: 2 of 3 sections. Stands: 1; damaged, holds the water: 0; floods: 1; no verdict "
-                              "on the water: 0; no result: 1."));
+  EXPECT_THAT(
+      page, HasSubstr("Solved: 2 of 3 sections. Stands: 1; damaged, holds the water: 0; still moving: 0; floods: 1; "
+                      "no verdict on the water: 0; no result: 1."));
   EXPECT_THAT(page, HasSubstr("<a href=\"a/run/report.html\" title=\"report page\">a</a>"));
   EXPECT_THAT(page, HasSubstr("<p>High &amp; low</p>"));
   EXPECT_THAT(page, HasSubstr("<p class=\"verdict\">refused</p><p>it is &lt;no&gt; zip file</p>"));
@@ -61,7 +62,9 @@ TEST(ReachPage, CountsSectionsWithoutAVerdictAndSaysThatThereWasNoneBeforeATrigg
   EXPECT_THAT(reach_page(sections, "en", ""), testing::Not(HasSubstr("As it is")));
   sections[1].summary.stages = {{.name = "as_it_is"}, {.name = "weaker_soil"}};
   const std::string page = reach_page(sections, "en", "");
-  EXPECT_THAT(page, HasSubstr("Stands: 0; damaged, holds the water: 0; floods: 1; no verdict on the water: 1; no res"));
+  EXPECT_THAT(page,
+      HasSubstr(
+          "Stands: 0; damaged, holds the water: 0; still moving: 0; floods: 1; no verdict on the water: 1; no res"));
   EXPECT_THAT(page, HasSubstr("<p>As it is: no verdict, as it had not come to rest.</p>"));
   EXPECT_THAT(reach_page(sections, "nl", ""), HasSubstr("<p lang=\"en\">it is &lt;no&gt; zip file</p>"));
 }

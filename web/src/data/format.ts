@@ -84,7 +84,7 @@ export interface Trigger {
 }
 
 export interface Flood {
-  verdict: "stands" | "damaged" | "floods" | null; // null: the run has not ended, and did not flood
+  verdict: "stands" | "damaged" | "still_moving" | "floods" | null; // null: the run has not ended, and did not flood
   water_level?: number | null; // m
   river?: "left" | "right" | null; // end of the section
   residual_height: number | null; // m, of the highest ground at the end
@@ -97,6 +97,9 @@ export interface Flood {
   stage_below?: string;
   stage?: string; // the last one, to whose end the numbers belong
   fastest_node?: number | null; // m/s, at the end
+  fastest_x?: number | null; // m, where soil moves fastest at the end
+  fastest_y?: number | null;
+  fastest_soil?: string;
   still_moves?: boolean; // so fast that the verdict may change
   margin?: number | null; // m, over what floods, where it is so small that the verdict is not sure
   trigger?: Trigger | null; // null: the verdict is that of the section as it is

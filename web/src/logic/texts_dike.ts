@@ -4,6 +4,7 @@ export const DIKE_TEXTS = {
   verdict: ["Verdict", "Oordeel"],
   verdict_stands: ["Stands", "Blijft staan"],
   verdict_damaged: ["Damaged, holds the water", "Beschadigd, keert het water"],
+  verdict_still_moving: ["Still moving, not decided", "Beweegt nog, niet beslist"],
   verdict_floods: ["Floods", "Overstroming"],
   verdict_none: ["No verdict on the water", "Geen oordeel over het water"],
   verdict_running: ["No verdict yet: not at its end", "Nog geen oordeel: niet aan het einde"],
@@ -13,6 +14,10 @@ export const DIKE_TEXTS = {
     "water at {level}: it still holds the water.",
   "Beschadigd vanaf {time}. Aan het einde ligt de resthoogte op {height}, {freeboard} boven het water op {level}: " +
     "het restprofiel keert het water nog."],
+  still_moving_text: ["At the end “{soil}” moves with {speed} at x = {x}, y = {y}. The highest ground stands at " +
+    "{height}, {freeboard} over the water at {level}: whether it stays there is not known.",
+  "Aan het einde beweegt “{soil}” met {speed} bij x = {x}, y = {y}. De resthoogte ligt op {height}, {freeboard} " +
+    "boven het water op {level}: of dat zo blijft is niet bekend."],
   floods_below_text: ["It floods from {time} on. At the end the highest ground stands at {height}, {below} below the " +
     "water at {level}.",
   "Overstroming vanaf {time}. Aan het einde ligt de resthoogte op {height}, {below} onder het water op {level}."],

@@ -6,7 +6,7 @@ import { metres } from "./numbers";
 import { restDoubt, sideDoubts } from "./story";
 import { currentLanguage, say } from "./texts";
 
-export type Kind = "running" | "none" | "stands" | "damaged" | "floods";
+export type Kind = "running" | "none" | "stands" | "damaged" | "still_moving" | "floods";
 
 /** A run that has not ended has a verdict only where that is for good. */
 export function kindOf({ meta: { events, finished } }: Run): Kind {

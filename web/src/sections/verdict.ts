@@ -4,7 +4,7 @@ import type { Report } from "../data/report";
 import type { RunMeta, Slide, Trigger } from "../data/format";
 import type { Run } from "../data/run";
 import { runLabels } from "../logic/labels";
-import { columnPlace, fixed, metres } from "../logic/numbers";
+import { columnPlace, fixed, metres, withUnit } from "../logic/numbers";
 import { slidesBySlope } from "../logic/slides";
 import { byColumns, crestFrom, lastTime, seconds, sideOf, triggerWords, zoneText } from "../logic/story";
 import type { Store } from "../logic/store";
@@ -64,6 +64,9 @@ function sentence(run: Run, kind: Kind): string {
   if (!flood) return say("no_verdict_text");
   if (kind === "stands") return say("stands_text", values);
   if (kind === "damaged") return say("damaged_text", { ...values, time: seconds(flood.first_time_damaged) });
+  if (kind === "still_moving")
+    return say("still_moving_text", { ...values, soil: flood.fastest_soil ?? "", x: metres(flood.fastest_x),
+      y: metres(flood.fastest_y), speed: withUnit(flood.fastest_node ?? NaN, "m/s", 2) });
   const below = flood.freeboard ?? 0;
   return say(below < 0 ? "floods_below_text" : "floods_text",
     { ...values, below: metres(-below), time: seconds(flood.first_time_below) });
