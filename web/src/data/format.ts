@@ -80,7 +80,7 @@ export interface Trigger {
   stage: string; // with which it began
   at_strength: number; // by which strengths were divided
   river: number | null; // m, to which it was brought
-  before: Flood["verdict"] | null; // null: it acts in the whole run
+  before: "stands" | "damaged" | "floods" | null; // null: it acts in the whole run
 }
 
 export interface Flood {

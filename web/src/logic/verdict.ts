@@ -21,7 +21,8 @@ export function doubts(run: Run): string[] {
   const holds = run.meta.events?.flood && kindOf(run) !== "floods";
   const margin = run.meta.events?.flood?.margin;
   const changed = run.meta.changed?.[currentLanguage()]?.length ?? 0;
-  return [...restDoubt(run), ...sideDoubts(run), changed > 0 ? say("note_changed", { n: changed }) : "",
+  const unsaid = kindOf(run) === "still_moving" ? [] : restDoubt(run); // the verdict says so itself
+  return [...unsaid, ...sideDoubts(run), changed > 0 ? say("note_changed", { n: changed }) : "",
     typeof margin === "number" ? say("note_margin", { margin: metres(margin) }) : "",
     depth && holds ? say("note_gap", { depth: metres(depth) }) : ""]
     .filter(Boolean);
