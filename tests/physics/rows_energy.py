@@ -85,6 +85,20 @@ def flowing_clay_undrained(v):
     return energy(v, run) + [Measure("v", run.largest("v_max"), "m/s", at_most=8.0)]
 
 
+@row(number=12)
+def clay_on_its_bed(v):
+    """A column of weak clay that comes down on a bed of the same clay, where its points crowd."""
+    soil = {"model": "tresca_softening", "density": 1800.0, "shear_modulus": 1e6, "poisson_ratio": 0.49,
+            "su_peak": 3e3, "su_residual": 3e3}
+    outline = [[0, 0], [24, 0], [24, 0.5], [13, 0.5], [13, 4.5], [11, 4.5], [11, 0.5], [0, 0.5]]
+    run = v.run({"time": {"end": 3.0}, "mesh": v.mesh(24.0, 6.0, 0.25, slant=0.1), "forces": GRAVITY,
+                 "body": [{"material": "clay", "points_per_cell": v.points, "polygon": outline}],
+                 "material": {"clay": soil}, "initial": {"stress": "k0", "k0": 0.8},
+                 "boundary": {"left": "roller", "right": "roller", "bottom": "fixed"},
+                 "output": {"ledger": {"every": 0.02}}}, may_stop=True)
+    return energy(v, run)
+
+
 @row(number=6, base={"points": (2,)}, cycle={"ratio": (0.45, 0.49)})
 def flowing_clay_front(v):
     """2 x 2 points flow as far as 4 x 4, and gravity does the same work."""
