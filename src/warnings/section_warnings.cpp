@@ -189,8 +189,9 @@ class SectionCheck {
         near_[body][k] = meets_[body][k] = true;
         return;
       }
+      const Real before = k < n_bodies_ ? 0.0 : near;  // a side comes before a body that ends at it, too
       for (const Side& line : obstacles_[k].sides)
-        if (const auto t = meet(plus(x, -near, out), out, line); t && *t < distance)
+        if (const auto t = meet(plus(x, -near, out), out, line); t && *t < distance + before)
           distance = *t, nearest = k, nearest_line = &line;
     }
     if (!(distance < gap_in_cells * cell_)) return;

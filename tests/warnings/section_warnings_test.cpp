@@ -31,6 +31,19 @@ TEST(SectionWarnings, AreSilentOverBodiesThatTouchOrOverlap)
   EXPECT_THAT(warnings_of(two_layers(0.8)), IsEmpty());
 }
 
+/// Each later body lies on top of those before it in the same place, down to the base of the mesh.
+TEST(SectionWarnings, AreSilentOverLayersThatAreDrawnOverEachOther)
+{
+  Case c = column("mpm_gp");
+  c.bodies = {
+      body("clay", {0.0, 0.0}, {8.0, 2.0}), body("clay", {0.0, 0.0}, {8.0, 1.0}), body("clay", {0.0, 0.0}, {8.0, 0.5})};
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+  c.bodies[1].polygon = {{0.0, 0.0}, {8.0, 0.0}, {8.0, 0.7}, {0.0, 1.4}};
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+  c.bodies[2] = body("clay", {3.0, 0.0}, {5.0, 0.5});
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+}
+
 TEST(SectionWarnings, AGapOfACentimetreBetweenLayersIsTold)
 {
   const auto warnings = warnings_of(two_layers(1.01));
