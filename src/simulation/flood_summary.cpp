@@ -45,8 +45,7 @@ std::string trigger_words(const FloodTrigger& trigger)
 
 std::string motion_words(const FloodSummary& flood)
 {
-  return fmt::format("{} moves with {:.2g} m/s at x = {:.1f}, y = {:.1f} m",
-      flood.fastest_soil.empty() ? "soil" : fmt::format("`{}`", flood.fastest_soil),
+  return fmt::format("`{}` moves with {:.2g} m/s at x = {:.1f}, y = {:.1f} m", flood.fastest_soil,
       flood.fastest_node.value_or(FloodSummary::none), flood.fastest_x, flood.fastest_y);
 }
 

@@ -29,8 +29,7 @@ namespace {
 
 constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 
-/// A part of the ground, and how far it came in any stage between two that count displacement anew; what left: without
-/// end.
+/// A part of the ground, and how far it came until displacement was counted anew, or since; infinite for what left.
 struct WayOfSoil {
   Real way, volume;  ///< [m], [m^2]
 };
@@ -56,7 +55,7 @@ Real moved_volume_of(const Simulation& s, const Summary&, const EventRule& event
   return volume;
 }
 
-/// The largest displacement at which the volume of the event lies or beyond: it varies with the input even where
+/// How far soil of the event's volume has come, all of it at least so far: this varies with the input even where
 /// nothing slides.
 Real displacement_of_volume(const Simulation& s, const Summary&, const EventRule& event)
 {
@@ -175,7 +174,7 @@ void forget_the_end(Realisation& r)
 
 bool both_happened(const Simulation& s, const EventRule& event)
 {
-  if (!s.model.stage.is_last()) return false;  // a later stage may bring the flood
+  if (!s.model.stage.is_last()) return false;  // a later stage may dig away what slid
   const auto is_dug_away = [&](const BodyCase& body) { return body.removed == s.model.stage.number + 1; };
   if (std::ranges::any_of(s.model.description.bodies, is_dug_away)) return false;  // it counts no more at the end
   const Summary summary = summarise(s.model, s.state);
