@@ -60,6 +60,7 @@ void declare_stability(CLI::App& app, CommandLine& line)
   add_case(stability, line.options);
   BisectionOptions& search = line.stability.search;
   TrialRules& rules = line.stability.rules;
+  line.stability.cracks = true;
   add_number(
       stability, "--from F", search.from, least_factor, greatest_factor, "least factor to look at (0.01 to 100)");
   add_number(stability, "--to F", search.to, least_factor, greatest_factor, "greatest factor to look at");
@@ -74,10 +75,23 @@ void declare_stability(CLI::App& app, CommandLine& line)
   add_number(stability, "--windows N", rules.most_windows, 3, 100000, "time that a trial has (default 200)");
   add_number(stability, "--stiffening S", rules.stiffening, 1.0, 1e6,
       "displacements are kept so many times smaller\n(1 to 1e6; default 1000)");
+  add_number(stability, "--least-depth D", rules.least_depth, 0.0, 1e4,
+      "leave out soil less deep below the ground than this [m]");
+  stability->add_flag("--with-tension{false}", line.stability.cracks,
+      "soil without a tension_cutoff carries tension\n(default: it cracks; docs/stability.md)");
+  CLI::Option* associated = stability->add_flag_callback(
+      "--associated", [&line] { line.stability.flow = FlowRule::associated; },
+      "dilatancy is that of the friction angle in all soil, as\nlimit equilibrium has it");
+  stability
+      ->add_flag_callback(
+          "--davis", [&line] { line.stability.flow = FlowRule::davis; },
+          "the reduced pair of Davis for cohesion and friction,\nwith associated flow (docs/strength.md)")
+      ->excludes(associated);
   add_number(stability, "--cells A,B", line.stability_cells, 1e-6, 1e6,
       "search on cells of these sizes [m], and extrapolate to\nthe limit of small cells (docs/stability.md)")
       ->delimiter(',');
   add_output(stability, line.options.output, "folder of the results (default: runs/NAME)");
+  stability->add_flag("--force", line.options.force, "replace the results of an earlier search");
   stability->add_flag("--json", line.options.json, "print stability.json");
   add_set(stability, line.options);
   add_threads(stability, line.options.threads);

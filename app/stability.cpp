@@ -10,12 +10,14 @@
 #include "input/printable.hpp"
 #include "output/files.hpp"
 #include "output/mechanism_files.hpp"
+#include "output/run_folder.hpp"
 #include "output/stability_json.hpp"
 #include "progress.hpp"
 #include "system/stop.hpp"
 #include "system/terminal.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace terp {
@@ -73,6 +75,9 @@ CaseFile read_sized(const RunOptions& run, const CaseFile& as_given, double cell
   return read_case(run.path, changes);
 }
 
+/// Width of the brackets of searches that are extrapolated, as a part of the factor.
+constexpr Real narrow = 0.005;
+
 /// Looks on finer cells just below what coarser ones gave.
 void look_nearby(const StabilityResult& coarser, BisectionOptions& search)
 {
@@ -83,9 +88,15 @@ void look_nearby(const StabilityResult& coarser, BisectionOptions& search)
 }
 
 StabilityResult search_and_write(const RunOptions& run, const CaseFile& file, const StabilityOptions& options,
-    const std::string& folder, std::vector<SizedFactor>& sizes)
+    const std::string& folder, std::vector<SizedFactor>& sizes, bool is_last = true)
 {
   make_folder(folder);  // before the trials, which take long
+  const FolderLock lock(folder);
+  if (!run.force && std::filesystem::exists(path_in(folder, "stability.json")))
+    throw FileError(fmt::format(
+        "the folder {} holds the result of an earlier search\n  Use --force to replace it, or -o DIR to write "
+        "to another folder.",
+        folder));
   TrialLine line(run.quiet || run.json);
   int granted = options.threads;
   const auto show = [&](const Trial& trial, const StabilityResult& so_far, int trials_left) {
@@ -94,10 +105,12 @@ StabilityResult search_and_write(const RunOptions& run, const CaseFile& file, co
   };
   StabilityResult result = find_factor_of_safety(file.values, options, stop_requested, show);
   if (result.search.found()) sizes.push_back({result.cell, result.factor(), result.uncertainty()});
+  if (options.cracks && is_last && !result.stopped)
+    result.with_tension = find_factor_with_tension(file.values, result, stop_requested, show);
   result.sizes = sizes;
   const CaseText text{file.values.name, file.text};
   write_stability(folder, result, file.values.scheme, text);
-  write_mechanism(folder, quiet_case(file.values), result, digits_of(file.text));
+  write_mechanism(folder, quiet_case(judged_case(file.values, options)), result, digits_of(file.text));
   copy_inputs(file.inputs, folder);
   return result;
 }
@@ -108,10 +121,13 @@ StabilityResult search_stability(const RunOptions& run, StabilityOptions options
 {
   const CaseFile file = read_case(run.path, run.changes);
   options.threads = threads_of(run);
+  options.cracks = true;
   listen_for_stop();
   std::vector<SizedFactor> sizes;
   try {
-    return search_and_write(run, file, options, run.output, sizes);
+    RunOptions own = run;
+    own.force = true;  // the folder is that of the command that asks
+    return search_and_write(own, file, options, run.output, sizes);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   }
@@ -132,6 +148,7 @@ int find_stability(const RunOptions& run, StabilityOptions options, const std::v
   for (const double cell : todo) files.push_back(read_sized(run, given, cell));
   std::vector<SizedFactor> sizes;
   StabilityResult result;
+  if (todo.size() > 1) options.search.relative_tolerance = narrow;  // differences of the factors are extrapolated
   for (std::size_t k = 0; k < todo.size(); ++k) {
     const CaseFile& file = files[k];
     const bool last = k + 1 == todo.size();
@@ -139,7 +156,7 @@ int find_stability(const RunOptions& run, StabilityOptions options, const std::v
       if (k > 0) look_nearby(result, options.search);
       if (todo.size() > 1 && !run.quiet && !run.json) fmt::print(stderr, "cells of {:g} m\n", todo[k]);
       result = search_and_write(
-          run, file, options, last ? folder : path_in(folder, fmt::format("cells_{:g}", todo[k])), sizes);
+          run, file, options, last ? folder : path_in(folder, fmt::format("cells_{:g}", todo[k])), sizes, last);
     } catch (const InputError& error) {
       throw CaseError(render(error.problems(), file));
     } catch (const RunError& error) {

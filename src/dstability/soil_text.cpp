@@ -18,6 +18,9 @@ namespace {
 constexpr Real degrees = 180.0 / std::numbers::pi;
 constexpr Real largest_friction = 60.0;  // [degrees] that the law takes
 
+/// A slip circle carries no tension either.
+CaseLine no_tension() { return {"tension_cutoff", "0.0", "the soil cracks; not in the file"}; }
+
 /// A number of a soil: what it is called, its unit, and what a case takes.
 struct SoilNumber {
   const char *name, *unit;
@@ -134,6 +137,7 @@ void add_common(const SoilUse& use, const SoilKind& kind, bool drained, SoilText
   lines.push_back(
       {"poisson_ratio", fmt::format("{:g}", drained ? kind.poisson_drained : kind.poisson_undrained), origin});
   lines.push_back({"k0", fmt::format("{:g}", kind.k0), origin});
+  lines.push_back(no_tension());
 }
 
 /// The straight line nearest to a table up to a stress: cohesion [Pa] and tan of its slope.
@@ -326,6 +330,7 @@ CaseMaterialText default_soil_text(const std::string& name, const std::string& l
   text.lines.push_back(
       {"poisson_ratio", fmt::format("{:g}", drained ? kind.poisson_drained : kind.poisson_undrained), origin});
   text.lines.push_back({"k0", fmt::format("{:g}", kind.k0), origin});
+  text.lines.push_back(no_tension());
   return text;
 }
 

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace terp {
 namespace {
@@ -129,6 +131,28 @@ void check_parameters(const Case& values, Problems& problems)
     for (const ParameterProblem& problem : law->check(material.parameters))
       problems.push_back(
           {join_path(path, problem.parameter), problem.what, problem.detail, std::string(law->name), false, {path}});
+  }
+}
+
+/// A limit of tension beyond the apex of the law never acts.
+void check_cutoff(const Case& values, Problems& warnings)
+{
+  for (const MaterialCase& material : values.materials) {
+    const MaterialType* law = complete_law(material);
+    if (law == nullptr || !material.fields.empty()) continue;
+    const auto value_of = [&](std::string_view name) {
+      const auto found = std::ranges::find(law->parameters, name, &ParameterInfo::name);
+      return found == law->parameters.end()
+                 ? std::numeric_limits<Real>::quiet_NaN()
+                 : material.parameters[static_cast<std::size_t>(found - law->parameters.begin())];
+    };
+    const Real cutoff = value_of(tension_cutoff), phi = value_of("friction_angle");
+    const Real apex = value_of("cohesion") / std::tan(phi * std::numbers::pi / 180.0);
+    if (!std::isfinite(cutoff) || !(cutoff > apex)) continue;
+    warnings.push_back({join_path(material_path(material), std::string(tension_cutoff)),
+        "`tension_cutoff` has no effect: it lies above c cot(phi)",
+        fmt::format("It is {:g} Pa, and the strength ends at {:g} Pa. Give less; 0 is soil that cracks.", cutoff, apex),
+        std::string(law->name), false, {material_path(material)}});
   }
 }
 
@@ -386,6 +410,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_water(root, values, findings);
   check_fields(values, findings.problems);
   check_at_strength(values, findings.problems);
+  check_cutoff(values, findings.warnings);
   check_unused_materials(values, findings.warnings);
   check_output_fields(values, findings);
 }

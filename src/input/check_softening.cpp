@@ -32,6 +32,8 @@ void check_lone_parameters(const MaterialCase& material, const MaterialType& law
     const ParameterInfo& other = law.parameters[number_of(info.acts_with)];
     if (!is_default(other)) continue;
     if (!info.fallback && std::isnan(value_of(info.fallback_of))) continue;  // missing, which is reported
+    if (const std::size_t k = number_of(info.name); k < material.ratios.size() && material.ratios[k].value == 1.0)
+      continue;  // the whole of the other, said by a ratio
     const std::string path = material_path(material);
     const std::string is = other.fallback ? fmt::format("{:g}", *other.fallback) : std::string(other.fallback_of);
     const std::string detail =

@@ -296,13 +296,14 @@ constexpr MaterialType describe_law(std::string_view name, std::string_view summ
 
 template <template <class> class Law>
 constexpr MaterialType define_law(std::string_view name, std::string_view summary,
-    const MaterialType* nonlocal = nullptr, const MaterialType* scaled = nullptr)
+    const MaterialType* nonlocal = nullptr, const MaterialType* scaled = nullptr, const MaterialType* torn = nullptr)
 {
   MaterialType type = describe_law<Law<Real>>(name, summary);
   type.check = &check_law<Law>;
   type.maker = &make_law<Law>;
   type.nonlocal = nonlocal;
   type.scaled = scaled;
+  type.torn = torn;
   return type;
 }
 
@@ -317,9 +318,19 @@ constexpr MaterialType define_form(std::string_view name, std::string_view summa
 }  // namespace terp
 
 /// Defines `material_NAME`, which materials.def lists.
-#define TERP_MATERIAL_DEFINITION(name, Law, summary)                                       \
-  extern const MaterialType material_##name;                                               \
-  constexpr MaterialType nonlocal_##name = define_form<Law, NonlocalForm>(#name, summary); \
-  constexpr MaterialType scaled_##name = define_form<Law, ScaledForm>(#name, summary);     \
-  constexpr MaterialType material_##name = define_law<Law>(                                \
-      #name, summary, Softens<Law> ? &nonlocal_##name : nullptr, Softens<Law> ? &scaled_##name : nullptr);
+#define TERP_MATERIAL_FORMS(name, Law, of, summary)                                      \
+  constexpr MaterialType nonlocal_##of = define_form<Law, NonlocalForm>(#name, summary); \
+  constexpr MaterialType scaled_##of = define_form<Law, ScaledForm>(#name, summary);     \
+  constexpr MaterialType law_##of =                                                      \
+      define_law<Law>(#name, summary, Softens<Law> ? &nonlocal_##of : nullptr, Softens<Law> ? &scaled_##of : nullptr);
+#define TERP_MATERIAL_DEFINITION(name, Law, summary) \
+  TERP_MATERIAL_FORMS(name, Law, name, summary)      \
+  extern const MaterialType material_##name;         \
+  constexpr MaterialType material_##name = law_##name;
+/// Of a law with a limit of tension: Torn is the same law where that acts.
+#define TERP_MATERIAL_THAT_TEARS(name, Law, Torn, summary) \
+  TERP_MATERIAL_FORMS(name, Law, name, summary)            \
+  TERP_MATERIAL_FORMS(name, Torn, torn_##name, summary)    \
+  extern const MaterialType material_##name;               \
+  constexpr MaterialType material_##name =                 \
+      define_law<Law>(#name, summary, law_##name.nonlocal, law_##name.scaled, &law_torn_##name);

@@ -75,7 +75,8 @@ constexpr bool is_shape_factor(const ParameterInfo& info) { return info.unit == 
 /// softening: the strain that drives the strength, where that is not the plastic strain itself (nonlocal.hpp).
 /// carried_pressure: the largest pressure that the soil was loaded to [Pa]; of a state variable, ln of it over that at
 /// the start. It stays where a stage changes the soil.
-enum class Role { none, plastic_strain, strength, softening, carried_pressure };
+/// opening: volume strain of soil that has come apart, which no strength follows.
+enum class Role { none, plastic_strain, strength, softening, carried_pressure, opening };
 
 /// One history variable of a law, kept at the material points and in checkpoints.
 struct StateInfo {
@@ -241,6 +242,9 @@ struct MaterialType {
   const MaterialType* nonlocal;
   /// The same law with a strength that follows a plastic strain scaled by the cell (scaled_softening.hpp), or nullptr.
   const MaterialType* scaled;
+  /// The same law with a limit of tension that acts, and the opening that it takes (tension.hpp); nullptr: the law has
+  /// no such limit, or remembers an opening in any case.
+  const MaterialType* torn;
 
   /// varying: ascending numbers of the parameters that the points bring with them.
   std::unique_ptr<Material> make_varying(std::span<const Real> values, std::span<const int> varying) const
@@ -252,11 +256,16 @@ struct MaterialType {
   std::vector<Real> complete(std::span<const Real> given) const;
 };
 
+/// The parameter that limits tension, in all laws that have one (tension.hpp).
+inline constexpr std::string_view tension_cutoff = "tension_cutoff";
+
 /// Every law in this build, in the order of materials.def, compiled for this processor (material_list.hpp).
 std::span<const MaterialType* const> all_materials();
 /// nullptr if there is no such law.
 const MaterialType* find_material(std::string_view name);
-/// With these options of softening: the law itself or, if it softens, the form of it that they ask for.
-const MaterialType* find_material(std::string_view name, const SofteningOptions& softening);
+/// With these options of softening and these parameters, in the order of the table: the law itself, or the form of it
+/// that they ask for.
+const MaterialType* find_material(
+    std::string_view name, const SofteningOptions& softening, std::span<const Real> parameters = {});
 
 }  // namespace terp

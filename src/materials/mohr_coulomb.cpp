@@ -10,7 +10,9 @@
 #include "materials/elastic_constants.hpp"
 #include "materials/law.hpp"
 #include "materials/mohr_coulomb_return.hpp"
+#include "materials/softening_return.hpp"
 #include "materials/softening_shape.hpp"
+#include "materials/tension.hpp"
 
 #include <fmt/format.h>
 
@@ -100,9 +102,7 @@ struct MohrCoulomb {
           with_default(
               angle_info("dilatancy_angle", 8.0, "dilatancy angle psi, at its peak; at most friction_angle"), 0.0),
           usual_dilatancy),
-      with_default(stress_info("tension_cutoff", 5e3,
-                       "largest principal stress; never above the apex c cot(phi), which is the limit without it"),
-          std::numeric_limits<Real>::infinity()),
+      tension_cutoff_info,
       residual_of("cohesion", stress_info("cohesion_residual", 2e3, "cohesion that softening leaves")),
       with_usual(residual_of("friction_angle",
                      angle_info("friction_angle_residual", 25.0, "friction angle that softening leaves")),
@@ -115,7 +115,7 @@ struct MohrCoulomb {
   static constexpr std::array state{
       StateInfo{
           "eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)", Role::plastic_strain},
-      StateInfo{"opening", "-", Averaging::cell, "volume strain by which the soil has come apart"},
+      opening_info,
   };
   static constexpr std::array derived{
       DerivedInfo{"cohesion", "Pa", "current cohesion"},
@@ -154,55 +154,23 @@ struct MohrCoulomb {
     const auto strength = strength_at(state[0]);
     const R before = mean_of_direct(sigma);
     add_elastic_stress(sigma, d_eps, bulk, shear);
-    const R work =
-        any_of(state[1] > R(0.0)) ? close_opening(sigma, state[1], before, trace(d_eps), strength.tension) : R(0.0);
+    const R work = any_of(state[1] > R(0.0))
+                       ? close_opening(sigma, state[1], before, trace(d_eps), strength.tension, bulk)
+                       : R(0.0);
     auto principal = principal_values(sigma);
     const Sorted<R> trial = sort_principal_values(principal);
     const auto yields = is_outside(trial, strength);
     if (!any_of(yields)) return work;
 
     R d_e(0.0);
-    Sorted<R> returned = softens() ? return_softening(trial, state[0], strength, d_e) : return_to(trial, strength, d_e);
+    Sorted<R> returned = softens() ? return_softening_soil(trial, state[0], d_e) : return_to(trial, strength, d_e);
     state[0] = select(yields, state[0] + d_e, state[0]);
-    state[1] = select(yields, come_apart(trial, softens() ? strength_at(state[0]) : strength, returned), state[1]);
+    const auto now = softens() ? strength_at(state[0]) : strength;
+    state[1] = select(yields, come_apart(trial, now.tension, slack(trial, now), bulk, returned), state[1]);
     assign_by_rank(returned, principal);
     const SymTensor<R, Dim> on_surface = from_principal_values(principal);
     for (int k = 0; k < n_sym<Dim>; ++k) sigma[k] = select(yields, on_surface[k], sigma[k]);
-    return select(yields, plastic_work(trial, returned), work);
-  }
-
-  /// The opening of soil whose principal stresses all meet their limit, which they are given to the bit; 0 elsewhere.
-  template <class R>
-  R come_apart(const Sorted<R>& trial, const MohrCoulombStrength<R>& at, Sorted<R>& s) const
-  {
-    const auto apart = s.minor >= at.tension - slack(trial, at);
-    s = {select(apart, at.tension, s.major), select(apart, at.tension, s.middle), select(apart, at.tension, s.minor)};
-    const R beyond = (trial.major + trial.middle + trial.minor) * R(1.0 / 3.0) - at.tension;
-    return select(apart, max(R(0.0), beyond * R(1.0 / bulk)), R(0.0));
-  }
-
-  /// Exact where all three are equal.
-  template <class R, int Dim>
-  static R mean_of_direct(const SymTensor<R, Dim>& sigma)
-  {
-    return sigma[0] + ((sigma[1] - sigma[0]) + (sigma[2] - sigma[0])) * R(1.0 / 3.0);
-  }
-
-  /// Soil that has come apart carries no more tension than before, none as soon as it closes, and no pressure before it
-  /// has closed. sigma: with the elastic stress of the step. before: mean stress at its start. Returns the plastic work
-  /// per volume.
-  template <class R, int Dim>
-  R close_opening(SymTensor<R, Dim>& sigma, R& opening, R before, R volumetric, R tension) const
-  {
-    const R held = select(volumetric < R(0.0), R(0.0), min(max(before, R(0.0)), tension));
-    const R closed = before + R(bulk) * (opening + volumetric);  // mean stress if the opening were closed by stress
-    const auto was_open = opening > R(0.0);
-    const auto stays_open = was_open & (closed > held);
-    for (int k = 0; k < 3; ++k)
-      sigma[k] = select(stays_open, held, select(was_open, sigma[k] + R(bulk) * opening, sigma[k]));
-    for (int k = 3; k < n_sym<Dim>; ++k) sigma[k] = select(stays_open, R(0.0), sigma[k]);
-    opening = select(stays_open, opening + volumetric + (before - held) * R(1.0 / bulk), R(0.0));
-    return select(stays_open, held * volumetric, R(0.0));
+    return select(yields, work_of_return(trial, returned, bulk, shear), work);
   }
 
   bool softens() const { return any_of(softening > P(0.0)); }
@@ -242,64 +210,19 @@ struct MohrCoulomb {
   Sorted<R> return_to(const Sorted<R>& trial, const MohrCoulombStrength<R>& strength, R& d_e) const
   {
     const Sorted<R> returned = MohrCoulombReturn<R, P>(strength, bulk, shear)(trial);
-    const R a = trial.major - returned.major, b = trial.middle - returned.middle, c = trial.minor - returned.minor;
-    d_e = shear_norm(a, b, c) * R(0.5 / shear);
+    d_e = strain_of_return(trial, returned, shear);
     return returned;
   }
 
-  /// sqrt(1/2 dev:dev) of a tensor with these principal values.
+  /// The strength follows the strain of the step. The bound is twice the shear strain of the trial stress: no return
+  /// moves the deviator further.
   template <class R>
-  static R shear_norm(R a, R b, R c)
-  {
-    const R ab = a - b, bc = b - c, ca = c - a;
-    return sqrt((ab * ab + bc * bc + ca * ca) * R(1.0 / 6.0));
-  }
-
-  /// Solves d = d_e(strength at eps_eq_p + d) by regula falsi (Illinois) between 0, where the left side is below, and
-  /// the shear strain of the trial stress, twice, where it is above: no return moves the deviator further. Any answer
-  /// is on the surface of the strength that belongs to it. Lanes that have settled keep their answer, so that it does
-  /// not depend on the other lanes.
-  template <class R>
-  Sorted<R> return_softening(const Sorted<R>& trial, R eps_eq_p, const MohrCoulombStrength<R>& strength, R& d) const
+  Sorted<R> return_softening_soil(const Sorted<R>& trial, R eps_eq_p, R& d) const
   {
     const R settled = R(round_off) * ((abs(trial.major) + abs(trial.minor)) * R(1.0 / shear) + R(1.0 / eta));
-    R low(0.0), high = shear_norm(trial.major, trial.middle, trial.minor) * R(1.0 / shear), at_high;
-    Sorted<R> best = return_to(trial, strength, at_high);
-    R at_low = at_high;  // d_e less d; above 0 at `low`, below at `high`
-    return_to(trial, strength_at(eps_eq_p + high), at_high);
-    at_high = at_high - high;
-    const auto softens_here = R(softening) > R(0.0);
-    d = select(softens_here, R(0.0), at_low);
-    auto open = softens_here & (at_low > settled);
-    auto was_below = R(0.0) > R(0.0), was_above = was_below;
-    for (int k = 0; k < most_trials && any_of(open); ++k) {
-      const R next = low + (high - low) * (at_low / (at_low - min(at_high, R(-tiny))));
-      R d_e;
-      const Sorted<R> returned = return_to(trial, strength_at(eps_eq_p + next), d_e);
-      best = {select(open, returned.major, best.major), select(open, returned.middle, best.middle),
-          select(open, returned.minor, best.minor)};
-      d = select(open, next, d);
-      const R rest = d_e - next;
-      const auto below = rest > R(0.0);  // the root lies above
-      const auto above = rest <= R(0.0);
-      at_high = select(below, select(was_below, at_high * R(0.5), at_high), rest);
-      at_low = select(below, rest, select(was_above, at_low * R(0.5), at_low));
-      was_below = below, was_above = above;
-      low = select(below, next, low);
-      high = select(below, high, next);
-      open = open & (abs(rest) > settled);
-    }
-    return best;
-  }
-
-  /// sigma : d_eps_p [J/m^3]; never negative, but for round-off.
-  template <class R>
-  R plastic_work(const Sorted<R>& trial, const Sorted<R>& s) const
-  {
-    const R p = (s.major + s.middle + s.minor) * R(1.0 / 3.0);
-    const R a = trial.major - s.major, b = trial.middle - s.middle, c = trial.minor - s.minor;
-    const R by_shear = (s.major - p) * a + (s.middle - p) * b + (s.minor - p) * c;
-    return max(R(0.0), by_shear * R(0.5 / shear) + p * (a + b + c) * R(1.0 / (3.0 * bulk)));
+    const R high = shear_norm(trial.major, trial.middle, trial.minor) * R(1.0 / shear);
+    return return_softening([&](R at, R& d_e) { return return_to(trial, strength_at(eps_eq_p + at), d_e); },
+        R(softening) > R(0.0), high, settled, d);
   }
 
   P bulk_modulus() const { return bulk; }
@@ -325,8 +248,7 @@ struct MohrCoulomb {
 
   static constexpr Real tiny = 1e-30;  // keeps 0/0 from soil without friction and from brackets that have closed
   static constexpr Real round_off =
-      1e-15;  // of the plastic strain, as a part of the elastic strain of the trial stress and of 1/eta
-  static constexpr int most_trials = 60;
+      1e-15;              // of the plastic strain, as a part of the elastic strain of the trial stress and of 1/eta
   P shear;                // G [Pa]
   P bulk;                 // K [Pa]
   P tension_cutoff;       // [Pa]

@@ -45,16 +45,10 @@ class MohrCoulombReturn {
     if (!any_of(torn)) return sheared;
     const Sorted<R> opened = return_by_tension(trial);
     const auto slips = mohr_coulomb_excess(opened.major, opened.minor, at_) > R(0.0);
-    return choose(torn, choose(slips, return_by_both(trial), opened), sheared);
+    return select(torn, select(slips, return_by_both(trial), opened), sheared);
   }
 
  private:
-  template <class Truth>
-  static Sorted<R> choose(Truth m, const Sorted<R>& a, const Sorted<R>& b)
-  {
-    return {select(m, a.major, b.major), select(m, a.middle, b.middle), select(m, a.minor, b.minor)};
-  }
-
   /// n : D : r of two shear planes: the flow of the one raises the excess of the other by it. major, minor: elastic
   /// stress of the flow in the two directions that the other plane looks at.
   R stiffness(R major, R minor) const { return (major - minor) + at_.sin_phi * (major + minor); }
@@ -78,7 +72,8 @@ class MohrCoulombReturn {
     const R with_major = mohr_coulomb_excess(trial.major, trial.middle, at_);  // of the plane of s1 and s2
     const R major = trial.major - of_major_ * ((excess + with_major) / (own + stiffness(of_major_, of_middle_)));
     const R minors = ((R(1.0) + at_.sin_phi) * major - twice_c) / (R(1.0) - at_.sin_phi);
-    return choose(past_major, {majors, majors, minor}, choose(past_minor, {major, minors, minors}, plane));
+    return select(
+        past_major, Sorted<R>{majors, majors, minor}, select(past_minor, Sorted<R>{major, minors, minors}, plane));
   }
 
   /// To one, two or three planes s = T.

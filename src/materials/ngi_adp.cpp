@@ -4,8 +4,9 @@
 //   ((x - c)/a)^2 + (y/b)^2 <= 1      x = (sigma_xx - sigma_yy)/2,  y = sigma_xy in the soil's axes
 //   a = (S_A + S_P)/2,  c = (S_A - S_P)/2,  b = S_D;  all times share + (1 - share) exp(-eta e)
 //
-// In the plane of the section: sigma_zz and the mean stress in the plane stay elastic. Equal strengths are Tresca's law
-// where sigma_zz is the middle principal stress, as it is in undrained plane strain.
+// In the plane of the section: sigma_zz and the mean stress in the plane stay elastic, unless a limit of tension acts
+// on the principal stresses (tension.hpp). Equal strengths are Tresca's law where sigma_zz is the middle principal
+// stress, as it is in undrained plane strain.
 //
 // The elastic stiffness is the same in x and y, so that the return is to the nearest point of the ellipse: one equation
 // for a given strength, one around it for softening. Not for: the way to the peak, which is elastic.
@@ -13,7 +14,10 @@
 #include "materials/elastic_constants.hpp"
 #include "materials/law.hpp"
 #include "materials/material_axes.hpp"
+#include "materials/mohr_coulomb_return.hpp"
+#include "materials/softening_return.hpp"
 #include "materials/softening_shape.hpp"
+#include "materials/tension.hpp"
 
 #include <fmt/format.h>
 
@@ -37,13 +41,15 @@ constexpr RatioInfo part_of_active(std::string_view name, std::string_view meani
   return {.name = name, .of = "su_active", .range = positive, .usual = between(0.2, 1.2), .meaning = meaning};
 }
 
-template <class P>
-struct NgiAdp {
+/// tears: with a limit of tension that acts.
+template <class P, bool tears>
+struct AdpLaw {
   static constexpr std::string_view equations =
       "((x - c)/a)^2 + (y/b)^2 <= 1    x = (sigma_xx - sigma_yy)/2, y = sigma_xy in the soil's axes\n"
       "a = (su_active + su_passive)/2,  c = (su_active - su_passive)/2,  b = su_direct\n"
       "all three strengths times residual_share + (1 - residual_share) exp(-eta eps_eq_p)\n"
       "eps_eq_p = sum sqrt(1/2 de_p : de_p)                                  Eq. (6)\n"
+      "a limit of tension, off by default: sigma_1 <= tension_cutoff, of all three principal stresses; flow (1, 0, 0)\n"
       "Exact implicit return. In the plane of the section: equal strengths are Tresca's law while sigma_zz is the\n"
       "middle principal stress. Needs eta (1 - residual_share) (|c| + max(a, b)) <= 1.5 G. docs/strength.md.\n";
   static constexpr std::array parameters{
@@ -69,11 +75,11 @@ struct NgiAdp {
           .may_vary = true},
       eta_info,
       axis_angle_info,
+      tension_cutoff_info,
   };
-  static constexpr std::array state{
-      StateInfo{
-          "eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)", Role::plastic_strain},
-  };
+  static constexpr auto state = with_opening<tears>(std::array{StateInfo{
+      "eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)", Role::plastic_strain}});
+  using State = std::array<Real, state.size()>;
   static constexpr std::array derived{
       DerivedInfo{"su_active", "Pa", "current strength where the vertical stress is the largest pressure"},
       DerivedInfo{"su_direct", "Pa", "current strength in direct simple shear"},
@@ -81,18 +87,19 @@ struct NgiAdp {
   };
   static constexpr bool total_stress = true;
 
-  explicit NgiAdp(std::span<const P> v)
+  explicit AdpLaw(std::span<const P> v)
       : shear(v[0]),
         bulk(bulk_from_poisson(v[0], v[1])),
         strength{v[2], v[3], v[4]},
         residual(v[5]),
         eta(v[6]),
-        axes(v[7])
+        axes(v[7]),
+        tension_cutoff(v[8])
   {
   }
   /// With strengths that stay as they are.
-  NgiAdp(P shear_, P bulk_, const std::array<P, 3>& strength_, const MaterialAxes<P>& axes_)
-      : shear(shear_), bulk(bulk_), strength(strength_), residual(1.0), eta(0.0), axes(axes_)
+  AdpLaw(P shear_, P bulk_, const std::array<P, 3>& strength_, const MaterialAxes<P>& axes_, P cutoff)
+      : shear(shear_), bulk(bulk_), strength(strength_), residual(1.0), eta(0.0), axes(axes_), tension_cutoff(cutoff)
   {
   }
 
@@ -100,35 +107,157 @@ struct NgiAdp {
   template <class R>
   struct Shear {
     R x, y;
+    R size() const { return sqrt(x * x + y * y); }
   };
+  /// All of a stress: its shear, the mean of the direct stresses in the plane, and sigma_zz [Pa].
+  template <class R>
+  struct Whole {
+    Shear<R> shear;
+    R mean, zz;
+  };
+  template <class Truth, class R>
+  friend Whole<R> select(Truth m, const Whole<R>& a, const Whole<R>& b)
+  {
+    return {{select(m, a.shear.x, b.shear.x), select(m, a.shear.y, b.shear.y)}, select(m, a.mean, b.mean),
+        select(m, a.zz, b.zz)};
+  }
   template <class R>
   struct Ellipse {
     R a, b, c;
+    /// Above 1 outside.
+    R square(const Shear<R>& s) const
+    {
+      const R u = (s.x - c) / a, v = s.y / b;
+      return u * u + v * v;
+    }
   };
 
   template <class R, int Dim>
-  R update(SymTensor<R, Dim>& sigma, std::array<R, 1>& state, const SymTensor<R, Dim>& d_eps, Real) const
+  R update(SymTensor<R, Dim>& sigma, std::array<R, state.size()>& at, const SymTensor<R, Dim>& d_eps, Real) const
   {
     static_assert(Dim == 2, "the strength is one of the plane of the section");
+    const R before = mean_of_direct(sigma), tension(tension_cutoff);
+    R work(0.0);
     add_elastic_stress(sigma, d_eps, bulk, shear);
-    Shear<R> trial{(sigma[0] - sigma[1]) * R(0.5), sigma[3]};
-    axes.enter(trial.x, trial.y);
-    const Ellipse<R> peak = ellipse_at(state[0]);
-    const R u = (trial.x - peak.c) / peak.a, v = trial.y / peak.b;
-    const auto yields = u * u + v * v > R(1.0 + yield_round_off);
-    if (!any_of(yields)) return R(0.0);
-
+    if constexpr (tears)
+      if (any_of(at[1] > R(0.0))) work = close_opening(sigma, at[1], before, trace(d_eps), tension, bulk);
+    Whole<R> trial{{(sigma[0] - sigma[1]) * R(0.5), sigma[3]}, (sigma[0] + sigma[1]) * R(0.5), sigma[2]};
+    axes.enter(trial.shear.x, trial.shear.y);
+    const Ellipse<R> peak = ellipse_at(at[0]);
+    auto yields = peak.square(trial.shear) > R(1.0 + yield_round_off);
     R d_e(0.0);
-    const Shear<R> to = softens() ? return_softening(trial, state[0], peak, d_e) : return_to(trial, peak, d_e);
-    const R middle = (sigma[0] + sigma[1]) * R(0.5);
-    Shear<R> back = to;
+    Whole<R> to = trial;
+    if (any_of(yields)) {
+      to = select(
+          yields, follow(trial, at[0], d_e, [&](const auto& ellipse) { return return_to(trial, ellipse); }), trial);
+      work = select(yields, work_of(trial, to), work);
+    }
+    if constexpr (tears) {
+      const R slack = R(1e-12) * (abs(trial.mean) + abs(trial.zz) + trial.shear.size() + peak.a);
+      const auto opens = max(to.mean + to.shear.size(), to.zz) - tension > slack;
+      if (any_of(opens)) {
+        R torn;
+        const auto both = [&](const auto& ellipse) { return return_to_both(trial, ellipse); };
+        to = select(opens, follow(trial, at[0], torn, both), to);
+        d_e = select(opens, torn, d_e);
+        at[1] = select(opens, open(trial, tension, slack, to), at[1]);
+        sigma[2] = select(opens, to.zz, sigma[2]);
+        work = select(opens, work_of(trial, to), work);
+        yields = yields | opens;
+      }
+    }
+    if (!any_of(yields)) return work;
+
+    Shear<R> back = to.shear;
     axes.leave(back.x, back.y);
-    sigma[0] = select(yields, middle + back.x, sigma[0]);
-    sigma[1] = select(yields, middle - back.x, sigma[1]);
+    sigma[0] = select(yields, to.mean + back.x, sigma[0]);
+    sigma[1] = select(yields, to.mean - back.x, sigma[1]);
     sigma[3] = select(yields, back.y, sigma[3]);
-    state[0] = select(yields, state[0] + d_e, state[0]);
-    const R work = (to.x * (trial.x - to.x) + to.y * (trial.y - to.y)) * R(1.0 / shear);  // 2 (x e_x + y e_y)
-    return select(yields, max(R(0.0), work), R(0.0));
+    at[0] = select(yields, at[0] + d_e, at[0]);
+    return work;
+  }
+
+  /// sigma : d_eps_p of a return [J/m^3]; never negative, but for round-off.
+  template <class R>
+  R work_of(const Whole<R>& trial, const Whole<R>& to) const
+  {
+    const R x = trial.shear.x - to.shear.x, y = trial.shear.y - to.shear.y;
+    const R mean = trial.mean - to.mean, zz = trial.zz - to.zz, third(1.0 / 3.0);
+    const R p = (R(2.0) * to.mean + to.zz) * third, gone_p = (R(2.0) * mean + zz) * third;
+    const R direct = R(2.0) * (to.mean - p) * (mean - gone_p) + (to.zz - p) * (zz - gone_p);
+    const R by_shear = (to.shear.x * x + to.shear.y * y) * R(1.0 / shear);  // 2 (x e_x + y e_y)
+    return max(R(0.0), by_shear + direct * R(0.5 / shear) + p * gone_p * R(1.0 / bulk));
+  }
+
+  /// The part of a return in Eq. (6): sqrt(1/2 dev:dev) over 2 G.
+  template <class R>
+  R strain_of(const Whole<R>& trial, const Whole<R>& to) const
+  {
+    const R x = trial.shear.x - to.shear.x, y = trial.shear.y - to.shear.y;
+    const R direct = (trial.mean - to.mean) - (trial.zz - to.zz);
+    return sqrt(x * x + y * y + direct * direct * R(1.0 / 3.0)) * R(0.5 / shear);
+  }
+
+  /// The principal stresses of the plane and of zz, from large to small.
+  template <class R>
+  static Sorted<R> principal(const Whole<R>& s)
+  {
+    const R r = s.shear.size();
+    return sort_principal_values(PlanePrincipal<R>{s.mean + r, s.mean - r, s.zz, R(1.0), R(0.0)});
+  }
+  /// The stress with these principal values, in the directions of `s`.
+  template <class R>
+  static Whole<R> with_principal(const Whole<R>& s, const Sorted<R>& values)
+  {
+    const R r = s.shear.size();
+    PlanePrincipal<R> p{s.mean + r, s.mean - r, s.zz, R(1.0), R(0.0)};
+    assign_by_rank(values, p);
+    const R part = (p.a - p.b) * R(0.5) / max(r, R(tiny));
+    return {{s.shear.x * part, s.shear.y * part}, (p.a + p.b) * R(0.5), p.zz};
+  }
+
+  template <class R>
+  R open(const Whole<R>& trial, R tension, R slack, Whole<R>& to) const
+  {
+    Sorted<R> s = principal(to);
+    const R opening = come_apart(principal(trial), tension, slack, bulk, s);
+    const auto apart = s.minor >= tension;
+    to = select(apart, Whole<R>{{R(0.0), R(0.0)}, tension, tension}, to);
+    return opening;
+  }
+
+  /// The return to both surfaces, each of which is convex: the nearest point of both in elastic energy, by returns to
+  /// the one and the other in turn, each from where it was with what its last return took away (Dykstra 1983).
+  template <class R>
+  Whole<R> return_to_both(const Whole<R>& trial, const Ellipse<R>& to) const
+  {
+    const MohrCoulombReturn<R, P> cut(
+        {R(0.0), R(1.0), R(0.0), R(far_off), R(tension_cutoff)}, bulk, shear);  // tension alone
+    const R fine = R(settled) * (abs(trial.mean) + abs(trial.zz) + trial.shear.size() + to.a);
+    Whole<R> at = trial, from;
+    Shear<R> by_ellipse{R(0.0), R(0.0)};
+    Whole<R> by_tension{{R(0.0), R(0.0)}, R(0.0), R(0.0)};
+    auto open = to.a > R(0.0);
+    for (int k = 0; k < most_trials && any_of(open); ++k) {
+      from = at;
+      from.shear = {at.shear.x + by_ellipse.x, at.shear.y + by_ellipse.y};
+      Whole<R> in = return_to(from, to);
+      const Shear<R> taken{from.shear.x - in.shear.x, from.shear.y - in.shear.y};
+      from = {{in.shear.x + by_tension.shear.x, in.shear.y + by_tension.shear.y}, in.mean + by_tension.mean,
+          in.zz + by_tension.zz};
+      const Whole<R> next = with_principal(from, cut(principal(from)));
+      const Whole<R> torn{
+          {from.shear.x - next.shear.x, from.shear.y - next.shear.y}, from.mean - next.mean, from.zz - next.zz};
+      const auto moves = max(max(abs(next.shear.x - at.shear.x), abs(next.shear.y - at.shear.y)),
+                             max(abs(next.mean - at.mean), abs(next.zz - at.zz))) > fine;
+      at = select(open, next, at);
+      by_tension = select(open, torn, by_tension);
+      by_ellipse = {select(open, taken.x, by_ellipse.x), select(open, taken.y, by_ellipse.y)};
+      open = open & moves;
+    }
+    at = return_to(at, to);  // what is left is round-off: on the ellipse, and no more than the limit in tension
+    at.mean = min(at.mean, R(tension_cutoff) - at.shear.size());
+    return at;
   }
 
   bool softens() const { return any_of(eta * (P(1.0) - residual) > P(0.0)); }
@@ -147,15 +276,30 @@ struct NgiAdp {
         share * R((strength[0] - strength[2]) * 0.5)};
   }
 
+  /// The return for the strength that belongs to the strain of the step. d_e: out, its part of Eq. (6).
+  template <class R, class Return>
+  Whole<R> follow(const Whole<R>& trial, R eps_eq_p, R& d_e, const Return& return_at) const
+  {
+    const Whole<R> none{{R(0.0), R(0.0)}, R(0.0), R(0.0)};
+    const R size = strain_of(trial, none);  // the surface holds the stress zero: no return is longer, but in its mean
+    return return_softening(
+        [&](R d, R& made) {
+          const Whole<R> to = return_at(ellipse_at(eps_eq_p + d));
+          made = strain_of(trial, to);
+          return to;
+        },
+        R(eta * (P(1.0) - residual)) > R(0.0), R(2.0) * size, R(settled) * (size + R(1.0) / max(R(eta), R(tiny))), d_e);
+  }
+
   /// The nearest point of an ellipse to one outside: q(m) = ((X - c) a/(a^2 + m), Y b/(b^2 + m)) has the length 1.
   /// 1/|q| is concave in m and nearly straight, so that Newton's steps from m = 0 grow towards the root; of a circle
-  /// the first is exact. d_e: out, half the distance over G, the step's part of Eq. (6). Inside: of no use.
+  /// the first is exact. A stress inside stays where it is.
   template <class R>
-  Shear<R> return_to(const Shear<R>& trial, const Ellipse<R>& to, R& d_e) const
+  Whole<R> return_to(const Whole<R>& trial, const Ellipse<R>& to) const
   {
-    const R aa = to.a * to.a, bb = to.b * to.b, X = trial.x - to.c, Y = trial.y;
+    const R aa = to.a * to.a, bb = to.b * to.b, X = trial.shear.x - to.c, Y = trial.shear.y;
     R m(0.0);
-    auto open = aa > R(0.0);
+    auto open = to.square(trial.shear) > R(1.0);
     for (int k = 0; k < most_steps && any_of(open); ++k) {
       const R u = X * to.a / (aa + m), v = Y * to.b / (bb + m), square = max(u * u + v * v, R(tiny));
       const R fall = max(u * u / (aa + m) + v * v / (bb + m), R(tiny));
@@ -163,59 +307,23 @@ struct NgiAdp {
       m = select(open, max(R(0.0), m + step), m);
       open = open & (step > R(settled) * (min(aa, bb) + m));
     }
-    const R x = X * (aa / (aa + m)), y = Y * (bb / (bb + m));
-    const R away_x = X * (m / (aa + m)), away_y = Y * (m / (bb + m));
-    d_e = sqrt(away_x * away_x + away_y * away_y) * R(0.5 / shear);
-    return {to.c + x, y};
-  }
-
-  /// Solves d = d_e(strength at eps_eq_p + d) by regula falsi (Illinois) between 0, where the left side is below, and
-  /// the shear strain of the trial stress, where it is not: the ellipse holds the stress zero, which is that far.
-  /// Lanes that have settled keep their answer, so that it does not depend on the other lanes.
-  template <class R>
-  Shear<R> return_softening(const Shear<R>& trial, R eps_eq_p, const Ellipse<R>& peak, R& d) const
-  {
-    const R size = sqrt(trial.x * trial.x + trial.y * trial.y) * R(0.5 / shear);
-    const R round_off = R(settled) * (size + R(1.0) / max(R(eta), R(tiny)));
-    R at_low, at_high, low(0.0), high = size;
-    Shear<R> best = return_to(trial, peak, at_low);
-    return_to(trial, ellipse_at(eps_eq_p + high), at_high);
-    at_high = at_high - high;
-    const auto softens_here = R(eta * (P(1.0) - residual)) > R(0.0);
-    d = select(softens_here, R(0.0), at_low);
-    auto open = softens_here & (at_low > round_off);
-    auto was_below = R(0.0) > R(0.0), was_above = was_below;
-    for (int k = 0; k < most_trials && any_of(open); ++k) {
-      const R next = low + (high - low) * (at_low / (at_low - min(at_high, R(-tiny))));
-      R d_e;
-      const Shear<R> to = return_to(trial, ellipse_at(eps_eq_p + next), d_e);
-      best = {select(open, to.x, best.x), select(open, to.y, best.y)};
-      d = select(open, next, d);
-      const R rest = d_e - next;
-      const auto below = rest > R(0.0), above = rest <= R(0.0);
-      at_high = select(below, select(was_below, at_high * R(0.5), at_high), rest);
-      at_low = select(below, rest, select(was_above, at_low * R(0.5), at_low));
-      was_below = below, was_above = above;
-      low = select(below, next, low);
-      high = select(below, high, next);
-      open = open & (abs(rest) > round_off);
-    }
-    return best;
+    const auto moves = m > R(0.0);
+    return {{select(moves, to.c + X * (aa / (aa + m)), trial.shear.x), Y * (bb / (bb + m))}, trial.mean, trial.zz};
   }
 
   P bulk_modulus() const { return bulk; }
   P shear_modulus() const { return shear; }
-  Real derived_value(int k, const std::array<Real, 1>& state) const { return strength[k] * share_at(state[0]); }
+  Real derived_value(int k, const State& at) const { return strength[k] * share_at(at[0]); }
   P softened_strain() const
   {
     return select(eta * (P(1.0) - residual) > P(0.0), P(3.0) / eta, P(std::numeric_limits<Real>::infinity()));
   }
   template <class R>
-  NgiAdp<R> softened_at(R k) const
+  AdpLaw<R, tears> softened_at(R k) const
   {
     const R share = share_at(k);
     return {R(shear), R(bulk), {R(strength[0]) * share, R(strength[1]) * share, R(strength[2]) * share},
-        {R(axes.cos_2), R(axes.sin_2)}};
+        {R(axes.cos_2), R(axes.sin_2)}, R(tension_cutoff)};
   }
 
   std::vector<ParameterProblem> check() const { return {}; }
@@ -224,6 +332,7 @@ struct NgiAdp {
   static constexpr Real tiny = 1e-30;             // keeps 0/0 from stresses and brackets of no size
   static constexpr Real yield_round_off = 2e-11;  // of a returned stress, as in tresca_softening.cpp
   static constexpr Real settled = 1e-15;          // of m and of the strain: round-off
+  static constexpr Real far_off = 1e30;           // a cohesion that no stress reaches [Pa]
   static constexpr int most_steps = 40, most_trials = 60;
   P shear;                    // G [Pa]
   P bulk;                     // K [Pa]
@@ -231,10 +340,11 @@ struct NgiAdp {
   P residual;                 // [-]
   P eta;                      // [-]
   MaterialAxes<P> axes;
+  P tension_cutoff;  // [Pa]
 };
 
-template <class P>
-std::vector<ParameterProblem> NgiAdp<P>::check_within_point() const
+template <class P, bool tears>
+std::vector<ParameterProblem> AdpLaw<P, tears>::check_within_point() const
 {
   // The distance to the ellipse grows with the share by at most its size in any direction, |c| + max(a, b).
   const Real size =
@@ -247,9 +357,14 @@ std::vector<ParameterProblem> NgiAdp<P>::check_within_point() const
           eta * per_eta, limit, limit / per_eta)}};
 }
 
+template <class P>
+using NgiAdp = AdpLaw<P, false>;
+template <class P>
+using TornAdp = AdpLaw<P, true>;
+
 }  // namespace
 
-TERP_MATERIAL_DEFINITION(
-    ngi_adp, NgiAdp, "undrained strength by direction of shearing: active, direct, passive; exponential softening")
+TERP_MATERIAL_THAT_TEARS(ngi_adp, NgiAdp, TornAdp,
+    "undrained strength by direction of shearing: active, direct, passive; exponential softening")
 
 }  // namespace terp

@@ -56,15 +56,17 @@ struct NonlocalLaw : WrappedLaw<Law, P> {
   R update(SymTensor<R, Dim>& sigma, std::array<R, n_own + 3>& at, const SymTensor<R, Dim>& d_eps, Real dt) const
   {
     const auto may_soften = R(whole) < R(std::numeric_limits<Real>::infinity());
-    if constexpr (requires { law.stays_elastic(sigma, at[softening_row], d_eps); }) {
+    std::array<R, n_own> own = Wrapped::own_state(at);
+    if constexpr (requires { law.stays_elastic(sigma, own, d_eps); }) {
       SymTensor<R, Dim> trial = sigma;
-      if (law.stays_elastic(trial, at[softening_row], d_eps)) {
+      std::array<R, n_own> driven = own;
+      driven[strain_row] = at[softening_row];
+      if (law.stays_elastic(trial, driven, d_eps)) {
         sigma = trial;
         at[increment_row] = select(may_soften, R(0.0), R(-1.0));
         return R(0.0);
       }
     }
-    std::array<R, n_own> own = Wrapped::own_state(at);
     const R work = law.softened_at(at[softening_row]).update(sigma, own, d_eps, dt);
     const R part = (own[strain_row] - at[strain_row]) / R(whole);
     const auto softens_on = at[softening_row] < R(softened_out) * R(whole);

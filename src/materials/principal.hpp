@@ -38,6 +38,12 @@ struct Sorted {
   R major, middle, minor;
 };
 
+template <class Truth, class R>
+Sorted<R> select(Truth m, const Sorted<R>& a, const Sorted<R>& b)
+{
+  return {select(m, a.major, b.major), select(m, a.middle, b.middle), select(m, a.minor, b.minor)};
+}
+
 template <class R>
 Sorted<R> sort_principal_values(const PlanePrincipal<R>& p)
 {

@@ -24,6 +24,14 @@ struct RateFactor {
 
   bool acts() const { return any_of(per_tenfold > P(0.0)); }
 
+  /// Of a step of length dt [s] with the strain d.
+  template <class R>
+  R factor(R d, Real dt) const
+  {
+    if (!acts()) return R(1.0);
+    return R(1.0) + R(per_tenfold * (1.0 / ln_10)) * logarithm(max(d / R(rate_ref * dt), R(1.0)));
+  }
+
   /// Solves excess(d, factor(d/dt)) = 0 for the strain d of a step of length dt [s], and returns the factor.
   /// d: in the answer for a factor of 1, which is not less; out the answer.
   /// The unknown is u = ln(d/(rate_ref dt)): the factor is linear in it, and 2 G d curves one way, so that Newton's

@@ -5,6 +5,8 @@
 #include "materials/material.hpp"
 #include "points/point_blocks.hpp"
 
+#include <algorithm>
+
 namespace terp {
 
 struct SoilMaterial {
@@ -84,7 +86,9 @@ inline bool has_strength(const SoilMaterial& material)
 /// True if the strength is a function of the plastic strain alone: it need not be remembered beside it.
 inline bool strain_gives_strength(const SoilMaterial& material)
 {
-  return material.n_state() == 1 && find_role(material.type->state, Role::plastic_strain) == 0;
+  const auto& state = material.type->state;
+  return find_role(state, Role::plastic_strain) == 0 &&
+         std::ranges::all_of(state.subspan(1), [](const StateInfo& s) { return s.role == Role::opening; });
 }
 
 /// Strength of a point of a law that has_strength() [Pa].

@@ -4,16 +4,19 @@
 //   e   = sum sqrt(1/2 de_p : de_p)               Eq. (6), norm by decision 0002
 //
 // Beside the paper: a second fall from S_u,r to the remoulded strength, and a strength that the rate of shearing raises
-// (rate_factor.hpp, decision 0044). Both are off by default.
+// (rate_factor.hpp, decision 0044), and a limit of tension (tension.hpp). All are off by default.
 //
 // Exact implicit return in sorted 3-D principal space: to the main plane, or to one of the two edges where the middle
-// stress equals the major (triaxial extension) or the minor one (triaxial compression). The pressure never changes.
+// stress equals the major (triaxial extension) or the minor one (triaxial compression). The pressure changes only where
+// the limit of tension acts: there the return is that of Mohr-Coulomb soil without friction (mohr_coulomb_return.hpp).
 
 #include "materials/elastic_constants.hpp"
 #include "materials/law.hpp"
-#include "materials/principal.hpp"
+#include "materials/mohr_coulomb_return.hpp"
 #include "materials/rate_factor.hpp"
+#include "materials/softening_return.hpp"
 #include "materials/softening_shape.hpp"
+#include "materials/tension.hpp"
 
 #include <fmt/format.h>
 
@@ -38,14 +41,16 @@ constexpr Real settled_strength = 1e-16;
 /// The return is shown to be unique for rates up to 10^9 rate_ref: 1000 1/s for a laboratory's 1e-6 1/s.
 constexpr Real most_decades = 9.0;
 
-template <class P>
-struct TrescaSoftening {
+/// tears: with a limit of tension that acts.
+template <class P, bool tears>
+struct TrescaLaw {
   static constexpr std::string_view equations =
       "sigma_1 - sigma_3 <= 2 S_u, principal stresses sorted in three dimensions; the pressure never changes\n"
       "S_u      = su_residual + (su_peak - su_residual) exp(-eta eps_eq_p)   Eq. (5)\n"
       "eps_eq_p = sum sqrt(1/2 de_p : de_p)                                  Eq. (6)\n"
       "Exact implicit return to the plane or an edge of the yield surface. Off by default:\n"
       "a second fall of S_u, by (su_residual - su_remoulded) (1 - exp(-eta_remoulding eps_eq_p))\n"
+      "a limit of tension: sigma_1 <= tension_cutoff, flow (1, 0, 0): the one return that changes the pressure\n"
       "a rate: S_u times 1 + rate_mu log10(max(rate, rate_ref)/rate_ref), rate = increment of eps_eq_p / dt\n"
       "Needs (1 + 9 rate_mu) (eta (su_peak - su_residual) + eta_remoulding (su_residual - su_remoulded)) <= 1.5 G.\n"
       "docs/softening_laws.md converts published laws.\n";
@@ -118,18 +123,18 @@ struct TrescaSoftening {
           .acts_with = "rate_mu",
           .usual = between(1e-9, 1.0),
           .strain_exponent = -0.5},
+      tension_cutoff_info,
   };
-  static constexpr std::array state{
-      StateInfo{
-          "eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)", Role::plastic_strain},
-  };
+  static constexpr auto state = with_opening<tears>(std::array{StateInfo{
+      "eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)", Role::plastic_strain}});
+  using State = std::array<Real, state.size()>;
   static constexpr std::array derived{
       DerivedInfo{"su", "Pa", "current undrained shear strength, Eq. (5), at slow rates", Role::strength},
   };
   static constexpr bool total_stress = true;
   static constexpr bool depends_on_rate = true;
 
-  explicit TrescaSoftening(std::span<const P> v)
+  explicit TrescaLaw(std::span<const P> v)
       : shear(v[0]),
         bulk(bulk_from_poisson(v[0], v[1])),
         su_peak(v[2]),
@@ -138,11 +143,12 @@ struct TrescaSoftening {
         su_remoulded(v[5]),
         eta_remoulding(v[6]),
         rate{v[7], v[8]},
+        tension_cutoff(v[9]),
         steepest(select(su_residual > su_remoulded, max(eta, eta_remoulding), eta))
   {
   }
   /// With a strength that stays as it is.
-  TrescaSoftening(P shear_, P bulk_, P su, const RateFactor<P>& rate_)
+  TrescaLaw(P shear_, P bulk_, P su, const RateFactor<P>& rate_, P cutoff)
       : shear(shear_),
         bulk(bulk_),
         su_peak(su),
@@ -151,27 +157,48 @@ struct TrescaSoftening {
         su_remoulded(su),
         eta_remoulding(0.0),
         rate(rate_),
+        tension_cutoff(cutoff),
         steepest(0.0)
   {
   }
 
   template <class R, int Dim>
-  R update(SymTensor<R, Dim>& sigma, std::array<R, 1>& state, const SymTensor<R, Dim>& d_eps, Real dt) const
+  R update(SymTensor<R, Dim>& sigma, std::array<R, state.size()>& at, const SymTensor<R, Dim>& d_eps, Real dt) const
   {
-    if (stays_elastic(sigma, state[0], d_eps)) return R(0.0);
+    const R before = mean_of_direct(sigma);
+    if (stays_elastic(sigma, at, d_eps)) return R(0.0);
+    R work(0.0);
+    if constexpr (tears)
+      if (any_of(at[1] > R(0.0))) work = close_opening(sigma, at[1], before, trace(d_eps), R(tension_cutoff), bulk);
     auto principal = principal_values(sigma);
     const Sorted<R> trial = sort_principal_values(principal);
-    Strength<R> strength = strength_at(state[0]);
-    const auto yields = trial.major - trial.minor > R(2.0) * strength.su * R(1.0 + yield_round_off);
-    if (!any_of(yields)) return R(0.0);
-
+    Strength<R> strength = strength_at(at[0]);
+    auto yields = trial.major - trial.minor > R(2.0) * strength.su * R(1.0 + yield_round_off);
     R d_e(0.0);  // the step's part of Eq. (6)
-    const Sorted<R> returned = return_to_yield_surface(trial, state[0], strength, dt, d_e);
+    Sorted<R> returned = trial;
+    if (any_of(yields)) {
+      returned = select(yields, return_to_yield_surface(trial, at[0], strength, dt, d_e), trial);
+      work = select(yields, plastic_work(trial, returned), work);
+    }
+    if constexpr (tears) {
+      const R slack = R(1e-12) * (abs(trial.major) + abs(trial.minor) + strength.su);
+      const auto opens = returned.major - R(tension_cutoff) > slack;
+      if (any_of(opens)) {
+        R torn_d_e;
+        returned = select(opens, tear(trial, at[0], dt, torn_d_e), returned);
+        d_e = select(opens, torn_d_e, d_e);
+        at[1] = select(opens, come_apart(trial, R(tension_cutoff), slack, bulk, returned), at[1]);
+        work = select(opens, work_of_return(trial, returned, bulk, shear), work);
+        yields = yields | opens;
+      }
+    }
+    if (!any_of(yields)) return work;
+
+    at[0] = select(yields, at[0] + d_e, at[0]);
     assign_by_rank(returned, principal);
     const SymTensor<R, Dim> on_surface = from_principal_values(principal);
     for (int k = 0; k < n_sym<Dim>; ++k) sigma[k] = select(yields, on_surface[k], sigma[k]);
-    state[0] = select(yields, state[0] + d_e, state[0]);
-    return select(yields, plastic_work(trial, returned), R(0.0));
+    return work;
   }
 
   /// Strength at slow rates and how steeply it falls with eps_eq_p [Pa].
@@ -201,19 +228,39 @@ struct TrescaSoftening {
   /// Adds the elastic stress. True if it surely lies within the yield surface in all lanes, by a thousandth of S_u, far
   /// more than round-off: that spares the root, the quotient and the exponential of the answer, which is the same. With
   /// radius r in the plane sigma_1 - sigma_3 is the larger of 2 r and r + |mean - zz|, and exp(x) >= (1 + x/8)^8 for
-  /// -8 <= x <= 0.
+  /// -8 <= x <= 0. at: state, of which the plastic strain is the one that drives the strength.
   template <class R>
-  bool stays_elastic(SymTensor<R, 2>& sigma, R eps_eq_p, const SymTensor<R, 2>& d_eps) const
+  bool stays_elastic(SymTensor<R, 2>& sigma, const std::array<R, state.size()>& at, const SymTensor<R, 2>& d_eps) const
   {
     add_elastic_stress(sigma, d_eps, bulk, shear);
     const auto bound = [](R x) {
       const R root = max(fma(x, R(0.125), R(1.0)), R(0.0)), square = root * root, fourth = square * square;
       return fourth * fourth;
     };
-    const R su = R(0.999) * strength_at(eps_eq_p, bound).su;
+    const R su = R(0.999) * strength_at(at[0], bound).su;
     const R half = (sigma[0] - sigma[1]) * R(0.5), mean = (sigma[0] + sigma[1]) * R(0.5);
-    const R least = max(min(su, R(2.0) * su - abs(mean - sigma[2])), R(0.0));
+    R least = max(min(su, R(2.0) * su - abs(mean - sigma[2])), R(0.0));
+    if constexpr (tears) {
+      const R limit = R(tension_cutoff) - R(1e-3) * su;
+      least = select((sigma[2] < limit) & (at[1] <= R(0.0)), max(min(least, limit - mean), R(0.0)), R(0.0));
+    }
     return !any_of(!(fma(half, half, sigma[3] * sigma[3]) < least * least));
+  }
+
+  /// The return where the limit of tension acts: to it, or to its corner with the yield surface.
+  template <class R>
+  Sorted<R> tear(const Sorted<R>& trial, R eps_eq_p, Real dt, R& d_e) const
+  {
+    const auto return_at = [&](R d, R& made) {
+      const R su = strength_at(eps_eq_p + d).su * rate.factor(d, dt);
+      const Sorted<R> s = MohrCoulombReturn<R, P>({R(0.0), R(1.0), R(0.0), su, R(tension_cutoff)}, bulk, shear)(trial);
+      made = strain_of_return(trial, s, shear);
+      return s;
+    };
+    const R high = shear_norm(trial.major, trial.middle, trial.minor) * R(1.0 / shear);  // twice what it can be
+    const auto follows = (R(su_peak) > R(su_remoulded)) | (R(rate.per_tenfold) > R(0.0));
+    const R settled = R(1e-15) * ((abs(trial.major) + abs(trial.minor)) * R(1.0 / shear) + R(1e-3));
+    return return_softening(return_at, follows, high, settled, d_e);
   }
 
   /// strength: in at eps_eq_p. dt: length of the step [s]. d_e: in 0, out the step's part of Eq. (6).
@@ -339,7 +386,7 @@ struct TrescaSoftening {
 
   P bulk_modulus() const { return bulk; }
   P shear_modulus() const { return shear; }
-  Real derived_value(int, const std::array<Real, 1>& state) const { return strength_at(state[0]).su; }
+  Real derived_value(int, const State& at) const { return strength_at(at[0]).su; }
   /// Of the slower fall.
   P softened_strain() const
   {
@@ -349,9 +396,9 @@ struct TrescaSoftening {
     return select(second < none, select(first < none, max(first, second), second), first);
   }
   template <class R>
-  TrescaSoftening<R> softened_at(R k) const
+  TrescaLaw<R, tears> softened_at(R k) const
   {
-    return {R(shear), R(bulk), strength_at(k).su, {R(rate.per_tenfold), R(rate.rate_ref)}};
+    return {R(shear), R(bulk), strength_at(k).su, {R(rate.per_tenfold), R(rate.rate_ref)}, R(tension_cutoff)};
   }
 
   std::vector<ParameterProblem> check() const;
@@ -366,11 +413,12 @@ struct TrescaSoftening {
   P su_remoulded;                      // [Pa]
   P eta_remoulding;                    // [-]
   RateFactor<P> rate;
-  P steepest;  // the larger of the shape factors that act [-]
+  P tension_cutoff;  // [Pa]
+  P steepest;        // the larger of the shape factors that act [-]
 };
 
-template <class P>
-std::vector<ParameterProblem> TrescaSoftening<P>::check() const
+template <class P, bool tears>
+std::vector<ParameterProblem> TrescaLaw<P, tears>::check() const
 {
   std::vector<ParameterProblem> problems;
   if (su_residual > su_peak)
@@ -388,8 +436,8 @@ std::vector<ParameterProblem> TrescaSoftening<P>::check() const
   return problems;
 }
 
-template <class P>
-std::vector<ParameterProblem> TrescaSoftening<P>::check_within_point() const
+template <class P, bool tears>
+std::vector<ParameterProblem> TrescaLaw<P, tears>::check_within_point() const
 {
   std::vector<ParameterProblem> problems;
   const Real first = eta * (su_peak - su_residual), second = eta_remoulding * (su_residual - su_remoulded);
@@ -411,9 +459,14 @@ std::vector<ParameterProblem> TrescaSoftening<P>::check_within_point() const
   return problems;
 }
 
+template <class P>
+using TrescaSoftening = TrescaLaw<P, false>;
+template <class P>
+using TornTresca = TrescaLaw<P, true>;
+
 }  // namespace
 
-TERP_MATERIAL_DEFINITION(
-    tresca_softening, TrescaSoftening, "Tresca with exponential softening of the undrained shear strength")
+TERP_MATERIAL_THAT_TEARS(
+    tresca_softening, TrescaSoftening, TornTresca, "Tresca with exponential softening of the undrained shear strength")
 
 }  // namespace terp

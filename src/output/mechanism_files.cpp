@@ -86,7 +86,7 @@ std::vector<SectionOverlay::Arrow> arrows_of(const Frame& frame)
 
 std::string draw_mechanism(const Case& quiet, const StabilityResult& result)
 {
-  const Mechanism& mechanism = *result.mechanism;
+  const Mechanism& mechanism = *result.what_moves();
   Model model = build_model(quiet, result.mesh, 1);
   const State state = build_state(model);
   SectionOverlay overlay{.subtitle = fmt::format("{}, {} cells, mechanism with all strengths divided by {:.3f}",
@@ -105,7 +105,7 @@ void write_mechanism(
     const std::string& folder, const Case& quiet, const StabilityResult& result, const std::string& run)
 {
   const std::string own = path_in(folder, mechanism_folder);
-  if (!result.mechanism) {  // one of an earlier search would pass for that of this one
+  if (!result.what_moves()) {  // one of an earlier search would pass for that of this one
     std::error_code ignored;
     std::filesystem::remove(path_in(folder, mechanism_picture), ignored);
     remove_run(own);
@@ -113,7 +113,7 @@ void write_mechanism(
     return;
   }
   make_folder(own);
-  PointFrameWriter({own, point_frames, run}).append(result.mechanism->frame);
+  PointFrameWriter({own, point_frames, run}).append(result.what_moves()->frame);
   write_mesh(path_in(own, mesh_file), *result.mesh, run);
   write_file_atomically(path_in(folder, mechanism_picture), draw_mechanism(quiet, result));
 }

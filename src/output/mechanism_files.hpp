@@ -13,7 +13,8 @@ namespace terp {
 
 inline constexpr std::string_view mechanism_folder = "mechanism", mechanism_picture = "mechanism.svg";
 
-/// SVG of the section with the shear strain, the motion and the slip surface. quiet: the case that the trials solved.
+/// SVG of the section with the shear strain, the motion and the slip surface of what failed, else of what crept. quiet:
+/// the case that the trials solved.
 std::string draw_mechanism(const Case& quiet, const StabilityResult& result);
 
 /// Writes the picture into a folder, and frame and mesh into a folder in it. run: 16 digits that depend on the case.

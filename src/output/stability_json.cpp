@@ -9,6 +9,7 @@
 #include "schemes/scheme.hpp"
 #include "simulation/slip_planes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -46,9 +47,14 @@ std::string bracket_text(const StabilityResult& r)
 {
   const Bisection& s = r.search;
   if (s.found()) {
+    if (const auto limit = r.limit())
+      return fmt::format("{:.3f}   ({:.3f} to {:.3f}), on cells of no size", limit->factor, limit->low, limit->high);
     const Real end = *s.highest();
     const std::string fails = s.failed ? fmt::format("fails at {:.3f}", end) : fmt::format("up to {:.3f}", end);
     const bool creeps = !s.failed || *s.not_stable < *s.failed;
+    if (r.cells_over_depth() < fewest_cells)
+      return fmt::format("at most {:.3f}   (stands at {:.3f}, {}{})", end, *s.stable,
+          creeps ? fmt::format("creeps at {:.3f}, ", *s.not_stable) : "", fails);
     return fmt::format("{:.3f} +- {:.3f}   (stands at {:.3f}, {}{})", r.factor(), r.uncertainty(), *s.stable,
         creeps ? fmt::format("creeps at {:.3f}, ", *s.not_stable) : "", fails);
   }
@@ -62,21 +68,44 @@ const char* word(Facing side) { return side == Facing::right ? "right" : "left";
 
 std::string place_words(Vec<2> x) { return fmt::format("({:.2f}, {:.2f}) m", x[0], x[1]); }
 
-std::string mechanism_text(const StabilityResult& r)
+/// verb: what the slope does in this trial.
+std::string mechanism_text(const Mechanism& mechanism, std::string_view head, std::string_view verb)
 {
-  if (!r.mechanism) return "";
-  const std::string head = fmt::format("  mechanism at {:.4f}: ", r.mechanism->factor);
-  if (!r.mechanism->moving) return head + "nothing moved in the last window\n";
-  const MovingSoil& m = *r.mechanism->moving;
-  std::string text =
-      head + fmt::format(
-                 "the slope on the {} of the highest ground (x = {:.2f} m) fails, its soil moves to the {}\n"
-                 "    enters at {}, comes out at {}, {:.2f} m deep, {:.4g} m^2\n",
-                 word(m.slope), m.highest_x, word(m.way), place_words(m.entry), place_words(m.exit), m.depth, m.area);
+  std::string text = fmt::format("  {} at {:.4f}: ", head, mechanism.factor);
+  if (!mechanism.moving) return text + "nothing moved in the last window\n";
+  const MovingSoil& m = *mechanism.moving;
+  text += fmt::format(
+      "the slope on the {} of the highest ground (x = {:.2f} m) {}, its soil moves to the {}\n"
+      "    enters at {}, comes out at {}, {:.2f} m deep, {:.4g} m^2\n",
+      word(m.slope), m.highest_x, verb, word(m.way), place_words(m.entry), place_words(m.exit), m.depth, m.area);
   constexpr Real much = 0.05;
   if (m.other_way > much)
     text += fmt::format("    {:.0f} % of the motion goes to the other side\n", 100.0 * m.other_way);
-  return text + "    pictures and fields: mechanism.svg, mechanism/\n";
+  return text;
+}
+
+/// What failed, and what crept below it.
+std::string mechanisms_text(const StabilityResult& r)
+{
+  std::string text;
+  if (r.mechanism) text += mechanism_text(*r.mechanism, "mechanism", "fails");
+  if (r.creep) text += mechanism_text(*r.creep, "creep", "creeps");
+  return text.empty() ? text : text + "    pictures and fields: mechanism.svg, mechanism/\n";
+}
+
+std::string soil_text(const StabilityResult& r)
+{
+  std::string text;
+  if (r.options.flow == FlowRule::associated) text += "  flow is associated: psi = phi in all soil\n";
+  if (r.options.flow == FlowRule::davis)
+    text += "  friction and cohesion are the reduced pair of Davis, with associated flow\n";
+  if (r.options.rules.least_depth > 0.0)
+    text += fmt::format("  soil less than {:g} m below the ground is not looked at\n", r.options.rules.least_depth);
+  if (r.with_tension)
+    text += fmt::format(
+        "  soil cracks: no tension where its law sets no limit. With tension (--with-tension) {:.3f} +- {:.3f}\n",
+        r.with_tension->factor, r.with_tension->uncertainty);
+  return text;
 }
 
 std::string numbers(const std::vector<SizedFactor>& sizes)
@@ -89,20 +118,25 @@ std::string numbers(const std::vector<SizedFactor>& sizes)
 
 std::string mesh_text(const StabilityResult& r)
 {
-  if (r.sizes.size() > 1) {
-    const FactorLimit limit = extrapolate_factor(r.sizes);
+  if (const auto limit = r.limit())
+    return fmt::format("  The mesh: {}.\n  By the order {:.2f}, {}, the limit of small cells is as above.\n",
+        numbers(r.sizes), limit->order,
+        limit->order_is_observed
+            ? "observed on three sizes"
+            : fmt::format("usual on slopes; the range is that of {:g} to {:g}", lowest_order, highest_order));
+  const Real n = r.cells_over_depth();
+  const std::string measure = fmt::format("--cells {:.3g},{:.3g} measures it", r.cell, 0.5 * r.cell);
+  if (n < fewest_cells)
     return fmt::format(
-        "  The mesh: {}.\n  In the limit of small cells {:.3f} ({:.3f} to {:.3f}), by the order {:.2f}, {}.\n",
-        numbers(r.sizes), limit.factor, limit.low, limit.high, limit.order,
-        limit.order_is_observed ? "observed on three sizes"
-                                : fmt::format("that of known slopes ({:g} to {:g})", lowest_order, highest_order));
-  }
-  const Real n = r.relief / r.cell;
+        "  What moves is {:.1f} cells of {:.3g} m deep. So few carry far more than the soil: take the factor for an "
+        "upper "
+        "bound.\n  Finer cells give less; {}.\n",
+        n, r.cell, measure);
   return fmt::format(
-      "  The +- is that of the search alone. The mesh makes the factor too large: with {:.1f} cells of {:.3g} m over "
-      "the\n  height of the slope, {:.3g} m, by 0 to {:.0f} % on slopes with a known factor. --cells {:.3g},{:.3g} "
-      "measures it.\n",
-      n, r.cell, r.relief, 100.0 * largest_mesh_error(n), r.cell, 0.5 * r.cell);
+      "  The +- is that of the search alone. The mesh makes the factor too large: what moves is {:.1f} cells of {:.3g} "
+      "m "
+      "deep,\n  and with so many it was by 0 to {:.0f} % on slopes of other authors. {}.\n",
+      n, r.cell, 100.0 * largest_mesh_error(n), measure);
 }
 
 std::string others_text(const StabilityResult& r)
@@ -151,27 +185,37 @@ std::string notes_text(const StabilityResult& r, const std::string& scheme)
 
 Json place_json(Vec<2> x) { return {x[0], x[1]}; }
 
-Json mechanism_json(const StabilityResult& r)
+Json mechanism_json(const std::shared_ptr<const Mechanism>& mechanism)
 {
-  if (!r.mechanism || !r.mechanism->moving) return nullptr;
-  const MovingSoil& m = *r.mechanism->moving;
+  if (!mechanism || !mechanism->moving) return nullptr;
+  const MovingSoil& m = *mechanism->moving;
   Json line = Json::array();
   for (const Vec<2>& x : m.line) line.push_back(place_json(x));
-  return {{"factor", r.mechanism->factor}, {"slope", word(m.slope)}, {"moves_to", word(m.way)},
+  return {{"factor", mechanism->factor}, {"slope", word(m.slope)}, {"moves_to", word(m.way)},
       {"highest_x", m.highest_x}, {"entry", place_json(m.entry)}, {"exit", place_json(m.exit)}, {"depth", m.depth},
       {"area", m.area}, {"other_way", m.other_way}, {"slip_surface", line}};
 }
 
+Json soil_json(const StabilityResult& r)
+{
+  constexpr const char* flows[] = {"as_given", "associated", "davis"};
+  Json json = {{"cracks", r.options.cracks}, {"flow", flows[static_cast<int>(r.options.flow)]},
+      {"least_depth", r.options.rules.least_depth}, {"with_tension", nullptr}};
+  if (r.with_tension)
+    json["with_tension"] = {{"factor", r.with_tension->factor}, {"uncertainty", r.with_tension->uncertainty}};
+  return json;
+}
+
 Json mesh_json(const StabilityResult& r)
 {
-  Json json = {{"cell", r.cell}, {"slope_height", r.relief}, {"largest_error", largest_mesh_error(r.relief / r.cell)},
-      {"sizes", Json::array()}, {"extrapolated", nullptr}};
+  Json json = {{"cell", r.cell}, {"slope_height", r.relief}, {"cells_over_depth", r.cells_over_depth()},
+      {"largest_error", nullptr}, {"sizes", Json::array()}, {"extrapolated", nullptr}};
   for (const SizedFactor& size : r.sizes)
     json["sizes"].push_back({{"cell", size.cell}, {"factor", size.factor}, {"uncertainty", size.uncertainty}});
-  if (r.sizes.size() < 2) return json;
-  const FactorLimit limit = extrapolate_factor(r.sizes);
-  json["extrapolated"] = {{"factor", limit.factor}, {"low", limit.low}, {"high", limit.high}, {"order", limit.order},
-      {"order_is_observed", limit.order_is_observed}};
+  if (r.cells_over_depth() >= fewest_cells) json["largest_error"] = largest_mesh_error(r.cells_over_depth());
+  if (const auto limit = r.limit())
+    json["extrapolated"] = {{"factor", limit->factor}, {"low", limit->low}, {"high", limit->high},
+        {"order", limit->order}, {"order_is_observed", limit->order_is_observed}};
   return json;
 }
 
@@ -186,8 +230,10 @@ std::string stability_json(const StabilityResult& r, const std::string& scheme, 
       {"terp_version", TERP_VERSION},
       {"scheme", scheme},
       {"points", r.n_points},
-      {"factor_of_safety", r.factor()},
-      {"uncertainty", r.uncertainty()},
+      {"factor_of_safety", r.limit() ? r.limit()->factor : r.factor()},
+      {"uncertainty", r.limit() ? std::max(r.limit()->high - r.limit()->factor, r.limit()->factor - r.limit()->low)
+                                : r.uncertainty()},
+      {"is_upper_bound", r.search.found() && !r.limit() && r.cells_over_depth() < fewest_cells},
       {"stable_at", or_null(r.search.stable)},
       {"not_stable_at", or_null(r.search.not_stable)},
       {"failed_at", or_null(r.search.failed)},
@@ -199,7 +245,9 @@ std::string stability_json(const StabilityResult& r, const std::string& scheme, 
                         {"stiffening", r.options.rules.stiffening}, {"height", r.height},
                         {"displacement_scale", r.displacement}}},
       {"mesh", mesh_json(r)},
-      {"mechanism", mechanism_json(r)},
+      {"mechanism", mechanism_json(r.mechanism)},
+      {"creep", mechanism_json(r.creep)},
+      {"soil", soil_json(r)},
       {"other_methods", others_json(r)},
       {"strengths", strengths},
       {"rest_steps", r.rest_steps},
@@ -225,7 +273,7 @@ std::string stability_text(const StabilityResult& r, const std::string& scheme)
         r.later_water ? "; situations with a `time` are not looked at: give them as stages" : "");
   for (const Trial& trial : r.search.trials)
     text += fmt::format("  {:8.4f}  {:<9}  {}\n", trial.factor, word(trial.verdict), trial.reason);
-  return text + mechanism_text(r) + others_text(r) + notes_text(r, scheme);
+  return text + soil_text(r) + mechanisms_text(r) + others_text(r) + notes_text(r, scheme);
 }
 
 void write_stability(

@@ -117,7 +117,7 @@ struct MaterialCase {
   /// Its law in the form that the options of softening ask for; nullptr if there is none of that name.
   const MaterialType* type() const
   {
-    const MaterialType* law = find_material(model, softening);
+    const MaterialType* law = find_material(model, softening, parameters);
     return law != nullptr && law->by_library ? from_library.get() : law;
   }
 };

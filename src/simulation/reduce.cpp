@@ -4,12 +4,15 @@
 
 #include "simulation/reduce.hpp"
 
+#include "base/errors.hpp"
 #include "materials/material.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <optional>
 
 namespace terp {
 namespace {
@@ -88,6 +91,80 @@ Case leave_out_rate(Case c)
     if (const MaterialType* law = find_material(material.model))
       change_parameters(material,
           [law](std::size_t k, Real value) { return law->parameters[k].reduction == Reduction::zero ? 0.0 : value; });
+  return c;
+}
+
+namespace {
+
+/// The number of a parameter of a law; none: the law does not have it.
+std::optional<std::size_t> number_of(const MaterialType& law, std::string_view name)
+{
+  const auto found = std::ranges::find(law.parameters, name, &ParameterInfo::name);
+  if (found == law.parameters.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - law.parameters.begin());
+}
+
+bool is_field(const MaterialCase& material, std::size_t k)
+{
+  return std::ranges::find(material.fields, k, &ParameterField::parameter) != material.fields.end();
+}
+
+/// The second parameter becomes the first one, as a number or as a field.
+void copy_parameter(MaterialCase& material, std::size_t from, std::size_t to)
+{
+  material.parameters[to] = material.parameters[from];
+  std::erase_if(material.fields, [to](const ParameterField& f) { return f.parameter == to; });
+  const auto found = std::ranges::find(material.fields, from, &ParameterField::parameter);
+  if (found == material.fields.end()) return;
+  ParameterField copy = *found;
+  copy.parameter = to;
+  material.fields.insert(std::ranges::lower_bound(material.fields, to, {}, &ParameterField::parameter), copy);
+}
+
+void reduce_as_davis(MaterialCase& material, std::array<std::size_t, 3> numbers)
+{
+  for (const std::size_t k : numbers)
+    if (is_field(material, k))
+      throw InputError(Problem{fmt::format("material.{}", material.name),
+          "the reduced pair of Davis needs numbers for cohesion and angles",
+          "One of them varies from place to place. Give the reduced strength in the case itself (docs/strength.md).",
+          "material", true});
+  Real &c = material.parameters[numbers[0]], &phi = material.parameters[numbers[1]],
+       &psi = material.parameters[numbers[2]];
+  const Real sin_phi = std::sin(phi * degree), sin_psi = std::sin(psi * degree), cos_psi = std::cos(psi * degree);
+  const Real d = 1.0 - sin_psi * sin_phi;
+  c *= cos_psi * std::cos(phi * degree) / d;
+  phi = psi = std::atan(cos_psi * sin_phi / d) / degree;
+}
+
+}  // namespace
+
+Case leave_out_tension(Case c)
+{
+  for (MaterialCase& material : c.materials)
+    if (const MaterialType* law = find_material(material.model))
+      if (const auto k = number_of(*law, tension_cutoff); k && law->parameters[*k].reduction == Reduction::divide &&
+                                                          !is_field(material, *k) &&
+                                                          std::isinf(material.parameters[*k]))
+        material.parameters[*k] = 0.0;
+  return c;
+}
+
+Case with_flow(Case c, FlowRule rule)
+{
+  if (rule == FlowRule::as_given) return c;
+  for (MaterialCase& material : c.materials)
+    if (const MaterialType* law = find_material(material.model))
+      for (const char* ending : {"", "_residual"}) {
+        const auto cohesion = number_of(*law, std::string("cohesion") + ending),
+                   phi = number_of(*law, std::string("friction_angle") + ending),
+                   psi = number_of(*law, std::string("dilatancy_angle") + ending);
+        if (!cohesion || !phi || !psi) continue;
+        if (rule == FlowRule::davis)
+          reduce_as_davis(material, {*cohesion, *phi, *psi});
+        else
+          copy_parameter(material, *phi, *psi);
+      }
   return c;
 }
 

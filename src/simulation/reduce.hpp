@@ -26,6 +26,17 @@ Case reduce_strength(Case c, Real factor);
 /// The case without what only fast shearing gives (Reduction::zero).
 Case leave_out_rate(Case c);
 
+/// The case whose soil cracks: no tension where the law could limit it and no limit was given.
+Case leave_out_tension(Case c);
+
+/// How soil with friction flows: as it is given; by its friction angle; or by the reduced pair of Davis (1968), whose
+/// flow is associated, too: tan phi* = cos psi sin phi/d, c* = c cos psi cos phi/d, d = 1 - sin psi sin phi.
+enum class FlowRule { as_given, associated, davis };
+
+/// The case with another rule of flow in all soil that has one. Throws InputError where Davis' pair would need an angle
+/// or a cohesion that varies from place to place.
+Case with_flow(Case c, FlowRule rule);
+
 /// A material that a body is of, whose law has no strength that a factor could divide; nullptr: none. The law says why:
 /// MaterialType::not_judged.
 const MaterialCase* find_not_judged(const Case& c);

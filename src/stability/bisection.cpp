@@ -32,7 +32,7 @@ std::optional<Real> next_above_creep(const Bisection& so_far, const BisectionOpt
 {
   const Real crept = largest_undecided(so_far);
   if (so_far.failed)
-    return *so_far.failed - crept > options.tolerance * (1.0 + round_off)
+    return *so_far.failed - crept > options.width_at(crept) * (1.0 + round_off)
                ? std::optional(0.5 * (crept + *so_far.failed))
                : std::nullopt;
   const Real next = stride_of_creep * crept;
@@ -54,8 +54,8 @@ std::optional<Real> next_factor(const Bisection& so_far, const BisectionOptions&
 {
   if (so_far.found()) {
     const Real low = *so_far.stable, high = *so_far.not_stable;
-    return high - low > options.tolerance * (1.0 + round_off) ? std::optional(0.5 * (low + high))
-                                                              : next_above_creep(so_far, options);
+    return high - low > options.width_at(low) * (1.0 + round_off) ? std::optional(0.5 * (low + high))
+                                                                  : next_above_creep(so_far, options);
   }
   if (so_far.stable) {
     if (options.to && *options.to > *so_far.stable) return options.to;
@@ -75,7 +75,7 @@ int trials_left(const Bisection& so_far, const BisectionOptions& options)
   const Real low = so_far.stable.value_or(options.from.value_or(so_far.not_stable.value_or(1.5) / stride));
   const Real high = so_far.not_stable.value_or(options.to.value_or(low * stride));
   const auto halvings = [&](Real a, Real b) {
-    return static_cast<int>(std::ceil(std::log2(std::max(1.0, (b - a) / options.tolerance))));
+    return static_cast<int>(std::ceil(std::log2(std::max(1.0, (b - a) / options.width_at(a)))));
   };
   return halvings(low, high) + (so_far.failed ? halvings(largest_undecided(so_far), *so_far.failed) : 0) +
          (so_far.stable ? 0 : 1) + (so_far.not_stable ? 0 : 1);

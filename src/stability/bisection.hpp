@@ -3,6 +3,8 @@
 
 #include "stability/trial.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace terp {
@@ -12,7 +14,10 @@ inline constexpr Real least_factor = 0.01, greatest_factor = 100.0, least_tolera
 
 struct BisectionOptions {
   std::optional<Real> from, to;  ///< where to look first: a factor believed to stand, one believed to fail
-  Real tolerance = 0.02;         ///< width of the bracket at which the search ends
+  Real tolerance = 0.02;         ///< width of the bracket at which the search ends, and as a part of its lower end:
+  Real relative_tolerance = std::numeric_limits<Real>::infinity();
+
+  Real width_at(Real factor) const { return std::min(tolerance, relative_tolerance * factor); }
 };
 
 struct Bisection {

@@ -1,5 +1,5 @@
-// The mechanism that is kept is that of the smallest factor that did not stand. It goes when a later trial moves that
-// end of the bracket.
+// Mechanisms are kept of the least factor that failed and of those below it that crept: which of them is the least that
+// did not stand may still change.
 
 #include "stability/factor_of_safety.hpp"
 
@@ -24,7 +24,33 @@ void check_strengths(const Case& reduced, Real factor)
         faults.front()));
 }
 
+/// Mechanisms of trials that did not stand, the frames of which are large: of those that a result may still need.
+class Mechanisms {
+ public:
+  void enter(std::shared_ptr<const Mechanism> mechanism, const Bisection& search)
+  {
+    if (mechanism) kept_.push_back(std::move(mechanism));
+    std::erase_if(kept_, [&](const auto& m) {
+      return m->factor < search.stable.value_or(0.0) || (search.failed && m->factor > *search.failed);
+    });
+  }
+  std::shared_ptr<const Mechanism> at(const std::optional<Real>& factor) const
+  {
+    const auto found = std::ranges::find_if(kept_, [&](const auto& m) { return factor == m->factor; });
+    return found == kept_.end() ? nullptr : *found;
+  }
+
+ private:
+  std::vector<std::shared_ptr<const Mechanism>> kept_;
+};
+
 }  // namespace
+
+Case judged_case(Case c, const StabilityOptions& options)
+{
+  c = with_flow(std::move(c), options.flow);
+  return options.cracks ? leave_out_tension(std::move(c)) : c;
+}
 
 Real StabilityResult::factor() const
 {
@@ -55,16 +81,27 @@ void check_may_be_judged(const Case& c)
 Trial try_factor(const Case& c, Real factor, const StabilityOptions& options, const std::atomic<bool>& stop)
 {
   check_may_be_judged(c);
-  const Trials trials(c, options.rules, options.threads, stop);
+  const Trials trials(judged_case(c, options), options.rules, options.threads, stop);
   check_strengths(reduce_strength(trials.quiet, factor), factor);
   return trials.run(factor);
+}
+
+std::optional<FactorLimit> StabilityResult::limit() const
+{
+  return sizes.size() < 2 ? std::nullopt : std::optional(extrapolate_factor(sizes));
+}
+
+Real StabilityResult::cells_over_depth() const
+{
+  const auto moves = what_moves();
+  return (moves && moves->moving ? moves->moving->depth : relief) / cell;
 }
 
 StabilityResult find_factor_of_safety(
     const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialCallback& report)
 {
   check_may_be_judged(c);
-  const Trials trials(c, options.rules, options.threads, stop);
+  const Trials trials(judged_case(c, options), options.rules, options.threads, stop);
   const Case& quiet = trials.quiet;
   const ElasticStart& start = trials.start;
   StabilityResult result;
@@ -83,6 +120,7 @@ StabilityResult find_factor_of_safety(
   result.displacement = start.displacement;
   result.rest_steps = start.steps;
   result.n_points = count_points(start.rest);
+  Mechanisms mechanisms;
   while (const auto factor = next_factor(result.search, options.search)) {
     check_strengths(reduce_strength(quiet, *factor), *factor);
     const int left = trials_left(result.search, options.search) - 1;
@@ -92,12 +130,29 @@ StabilityResult find_factor_of_safety(
     Trial trial = trials.run(*factor, show);
     result.stopped = stop.load();
     if (result.stopped) break;  // what the trial would have shown is not known
-    const auto mechanism = std::exchange(trial.mechanism, nullptr);
+    auto mechanism = std::exchange(trial.mechanism, nullptr);
     enter(std::move(trial), result.search);
-    if (result.search.not_stable == *factor) result.mechanism = mechanism;
-    if (result.mechanism && result.mechanism->factor != result.search.not_stable) result.mechanism = nullptr;
+    mechanisms.enter(std::move(mechanism), result.search);
+    result.mechanism = mechanisms.at(result.search.failed);
+    result.creep = result.search.not_stable != result.search.failed ? mechanisms.at(result.search.not_stable) : nullptr;
   }
   return result;
+}
+
+std::optional<FoundFactor> find_factor_with_tension(
+    const Case& c, const StabilityResult& cracked, const std::atomic<bool>& stop, const TrialCallback& report)
+{
+  const auto same = [](const MaterialCase& a, const MaterialCase& b) { return a.parameters == b.parameters; };
+  if (!cracked.search.found() || std::ranges::equal(c.materials, leave_out_tension(c).materials, same)) return {};
+  StabilityOptions options = cracked.options;
+  options.cracks = false;
+  const Real next = (1.0 + much_tension) * *cracked.search.highest();
+  if (try_factor(c, next, options, stop).verdict != TrialVerdict::stable) return {};
+  options.search.from = next;
+  options.search.to.reset();
+  const StabilityResult whole = find_factor_of_safety(c, options, stop, report);
+  if (whole.stopped || !whole.search.found()) return {};
+  return FoundFactor{whole.factor(), whole.uncertainty()};
 }
 
 }  // namespace terp

@@ -14,6 +14,13 @@ struct StabilityOptions {
   BisectionOptions search;
   TrialRules rules;
   int threads = 1;
+  bool cracks = false;  ///< no tension in soil whose law could limit it and has no limit (leave_out_tension)
+  FlowRule flow = FlowRule::as_given;
+};
+
+/// A factor and how far the search may be off.
+struct FoundFactor {
+  Real factor = 0.0, uncertainty = 0.0;  ///< [-]
 };
 
 /// What a search leaves behind.
@@ -33,13 +40,25 @@ struct StabilityResult {
   std::vector<SlipPlaneCase> slip_planes;  ///< that the case has from other methods
   bool stopped = false;                    ///< from outside, before the bracket was as narrow as asked for
 
-  std::shared_ptr<const Mechanism> mechanism = {};  ///< at search.not_stable; null: none, or not known
+  std::shared_ptr<const Mechanism> mechanism = {};  ///< at search.failed; null: nothing failed, or not known
+  std::shared_ptr<const Mechanism> creep = {};      ///< at search.not_stable where that one only crept; else null
+  std::optional<FoundFactor> with_tension = {};     ///< of soil that does not crack, where it is well above
+
+  /// Of the least factor that failed or, where none did, of the least that crept; null: none.
+  std::shared_ptr<const Mechanism> what_moves() const { return mechanism ? mechanism : creep; }
 
   /// Middle between the largest factor that stood and the smallest that did not. Not a number without both ends.
   Real factor() const;
   /// From there to the farther of the largest that stood and the smallest that failed: what creeps may do either.
   Real uncertainty() const;
+  /// On cells of no size, of searches on several; none: of fewer than two.
+  std::optional<FactorLimit> limit() const;
+  /// Cells over the depth of what moves or, where that is not known, over the height of the slope [-].
+  Real cells_over_depth() const;
 };
+
+/// The case that the trials of a search solve, before it is made quiet.
+Case judged_case(Case c, const StabilityOptions& options);
 
 /// Told after each window of a trial, and with the trials still to come after this one, at a guess.
 using TrialCallback = std::function<void(const Trial&, const StabilityResult& so_far, int trials_left)>;
@@ -48,6 +67,14 @@ using TrialCallback = std::function<void(const Trial&, const StabilityResult& so
 /// before that. Stopped later, the search ends with the trials that it has.
 StabilityResult find_factor_of_safety(
     const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialCallback& report = {});
+
+/// By how much the factor may be larger with tension before that is told [-].
+inline constexpr Real much_tension = 0.05;
+
+/// The factor of the same case, of which `cracked` is that of soil that cracks, without that. None: the case has no
+/// soil that could crack, or the factor is not larger by `much_tension`, which takes one trial to find out.
+std::optional<FoundFactor> find_factor_with_tension(
+    const Case& c, const StabilityResult& cracked, const std::atomic<bool>& stop, const TrialCallback& report = {});
 
 /// Throws InputError for a case without strength, or with soil that is not judged.
 void check_may_be_judged(const Case& c);

@@ -23,6 +23,7 @@ struct MovingPoint {
   Vec<2> dx{0.0, 0.0};  // in the last window [m]
   Real size = 0.0;      // of dx, at most the largest [m]
   Real volume = 0.0;    // [m^2]
+  bool counts = true;
 };
 
 struct Column {
@@ -35,21 +36,23 @@ struct Column {
 Real largest_motion(const std::vector<MovingPoint>& points)
 {
   std::vector<Real> sizes;
-  for (const MovingPoint& p : points) sizes.push_back(p.size);
+  for (const MovingPoint& p : points)
+    if (p.counts) sizes.push_back(p.size);
+  if (sizes.empty()) return 0.0;
   const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(fast * static_cast<Real>(sizes.size() - 1));
   std::nth_element(sizes.begin(), at, sizes.end());
   return *at;
 }
 
 std::vector<MovingPoint> ground_points(
-    const Model& model, const State& state, const PointMotion& before, const PointMotion& now)
+    const Model& model, const State& state, const PointMotion& before, const PointMotion& now, const Judged& judged)
 {
   const auto ground = ground_of(model);
   std::vector<MovingPoint> points;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     if (!is_ground(ground, block)) return;
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
-    MovingPoint p{.volume = block.row(Rows::volume)[lane]};
+    MovingPoint p{.volume = block.row(Rows::volume)[lane], .counts = judged.empty() || judged[id] != 0};
     for (std::size_t d = 0; d < 2; ++d) {
       p.x[d] = state.x_initial[2 * id + d];
       p.dx[d] = now.x[2 * id + d] - before.x[2 * id + d];
@@ -68,7 +71,8 @@ std::vector<Column> sort_into_columns(const std::vector<MovingPoint>& points, co
       sorted[static_cast<std::size_t>(k)].points.push_back(p);
   for (Column& column : sorted) {
     std::ranges::sort(column.points, std::ranges::greater{}, [](const MovingPoint& p) { return p.x[1]; });
-    for (const MovingPoint& p : column.points) column.largest = std::max(column.largest, p.size);
+    for (const MovingPoint& p : column.points)
+      if (p.counts) column.largest = std::max(column.largest, p.size);
   }
   return sorted;
 }
@@ -174,9 +178,9 @@ MovingSoil describe(const Section& section, const std::vector<Column>& columns, 
 }
 
 std::optional<MovingSoil> find_moving(
-    const Model& model, const State& state, const PointMotion& before, const PointMotion& now)
+    const Model& model, const State& state, const PointMotion& before, const PointMotion& now, const Judged& judged)
 {
-  std::vector<MovingPoint> points = ground_points(model, state, before, now);
+  std::vector<MovingPoint> points = ground_points(model, state, before, now, judged);
   if (points.empty()) return std::nullopt;
   const Real largest = largest_motion(points), least = share_of_all * largest;
   if (!(largest > 0.0)) return std::nullopt;
@@ -235,12 +239,12 @@ PointMotion look_at_points(const State& state)
   return motion;
 }
 
-Mechanism find_mechanism(
-    const Model& model, const State& state, const PointMotion& before, const PointMotion& now, Real stiffening)
+Mechanism find_mechanism(const Model& model, const State& state, const PointMotion& before, const PointMotion& now,
+    const Judged& judged, Real stiffening)
 {
   return {.factor = 0.0,
       .stiffening = stiffening,
-      .moving = find_moving(model, state, before, now),
+      .moving = find_moving(model, state, before, now, judged),
       .frame = make_mechanism_frame(model, state, before, now, stiffening)};
 }
 

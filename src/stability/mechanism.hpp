@@ -7,6 +7,7 @@
 #include "simulation/model.hpp"
 #include "simulation/observer.hpp"
 #include "simulation/state.hpp"
+#include "stability/soil_motion.hpp"
 
 #include <optional>
 
@@ -44,8 +45,8 @@ struct Mechanism {
   Frame frame;
 };
 
-/// before, now: the ends of the last two windows. Without the factor of the trial.
-Mechanism find_mechanism(
-    const Model& model, const State& state, const PointMotion& before, const PointMotion& now, Real stiffening);
+/// before, now: the ends of the last two windows. judged: points whose motion counts. Without the factor of the trial.
+Mechanism find_mechanism(const Model& model, const State& state, const PointMotion& before, const PointMotion& now,
+    const Judged& judged, Real stiffening);
 
 }  // namespace terp

@@ -35,7 +35,7 @@ FactorLimit extrapolate_factor(std::vector<SizedFactor> sizes)
   return limit;
 }
 
-/// Vertical cut with 8, 16, 32 cells: 11.4, 6.6, 3.8 %; slope of 60 degrees with 5, 10: 13.7, 6.8 %.
-Real largest_mesh_error(Real cells_over_height) { return 0.57 * std::pow(cells_over_height, -0.77); }
+/// Slopes of other authors and known limits: docs/stability.md. Above all of them, steep cuts with friction.
+Real largest_mesh_error(Real cells_over_depth) { return 1.35 / cells_over_depth; }
 
 }  // namespace terp

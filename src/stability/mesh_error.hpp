@@ -21,13 +21,17 @@ struct FactorLimit {
 };
 
 /// Orders that known slopes have: the usual one, and their range.
-inline constexpr Real usual_order = 0.8, lowest_order = 0.6, highest_order = 1.2;
+inline constexpr Real usual_order = 1.0, lowest_order = 0.6, highest_order = 1.4;
 
 /// From the two finest sizes, by the order of known slopes or, with three, by their own where it is between 1/2 and 2.
 /// The range has that of the order and the uncertainties of the factors. sizes: two or more, different, any order.
 FactorLimit extrapolate_factor(std::vector<SizedFactor> sizes);
 
-/// Largest relative error of known slopes with so many cells over their height: the least is about 0 [-].
-Real largest_mesh_error(Real cells_over_height);
+/// Fewer cells over the depth of what moves give a bound, no factor.
+inline constexpr Real fewest_cells = 5.0;
+
+/// Largest relative error on slopes of other authors with so many cells over the depth of what moves: the least is
+/// about 0 [-].
+Real largest_mesh_error(Real cells_over_depth);
 
 }  // namespace terp

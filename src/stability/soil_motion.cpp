@@ -1,16 +1,41 @@
 #include "stability/soil_motion.hpp"
 
+#include "base/errors.hpp"
+#include "simulation/ground_section.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <utility>
 
 namespace terp {
 
-Real displacement_of_the_fastest(const State& state)
+Judged points_below(const Model& model, const State& state, Real depth)
+{
+  if (!(depth > 0.0)) return {};
+  const Section section = first_section(model, state.points, ground_of(model));
+  Judged judged(static_cast<std::size_t>(state.n_ids()), 0);
+  Real deepest = 0.0;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    const Real k = (state.x_initial[2 * id] - section.columns.left) / section.columns.width;
+    if (!(k >= 0.0 && k < section.columns.n)) return;
+    const Real below = section.heights[static_cast<Index>(k)] - state.x_initial[2 * id + 1];
+    deepest = std::max(deepest, below);
+    judged[id] = below >= depth;
+  });
+  if (std::ranges::count(judged, 1) == 0)
+    throw InputError(Problem{"", fmt::format("no soil lies {:g} m below the ground, as --least-depth asks", depth),
+        fmt::format("The deepest lies {:.3g} m below it. Give a smaller depth.", deepest), "", false});
+  return judged;
+}
+
+Real displacement_of_the_fastest(const State& state, const Judged& judged)
 {
   std::vector<Real> way;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    if (!judged.empty() && judged[id] == 0) return;
     way.push_back(std::hypot(block.row(Rows::x)[lane] - state.x_initial[2 * id],
         block.row(Rows::x + 1)[lane] - state.x_initial[2 * id + 1]));
   });

@@ -2,14 +2,21 @@
 // Not for: the verdict (trial).
 #pragma once
 
+#include "base/types.hpp"
 #include "simulation/model.hpp"
 #include "simulation/state.hpp"
 #include "simulation/workspace.hpp"
 
 namespace terp {
 
-/// Mean displacement of the one per cent of the points that moved furthest [m].
-Real displacement_of_the_fastest(const State& state);
+/// Whether a point counts, by id; empty: all do.
+using Judged = std::vector<char>;
+
+/// Points that at rest lie at least so deep below the ground [m]. Throws InputError if there is none.
+Judged points_below(const Model& model, const State& state, Real depth);
+
+/// Mean displacement of the one per cent of the judged points that moved furthest [m].
+Real displacement_of_the_fastest(const State& state, const Judged& judged);
 
 /// Forces at the nodes as a mean over steps: vibration cancels, motion does not.
 class OutOfBalance {

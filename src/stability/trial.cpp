@@ -56,10 +56,11 @@ class LastWindows {
   }
 
   /// Null with fewer than two windows.
-  std::shared_ptr<const Mechanism> mechanism(const Model& model, const State& state, Real stiffening, Real factor) const
+  std::shared_ptr<const Mechanism> mechanism(
+      const Model& model, const State& state, const Trials& of, Real factor) const
   {
     if (n_ < 2) return nullptr;
-    Mechanism found = find_mechanism(model, state, before_, now_, stiffening);
+    Mechanism found = find_mechanism(model, state, before_, now_, of.judged, of.start.stiffening);
     found.factor = factor;
     return std::make_shared<const Mechanism>(std::move(found));
   }
@@ -96,6 +97,9 @@ Trials::Trials(const Case& c, const TrialRules& of_all, int n_threads, const std
       threads(n_threads),
       stop(may_stop)
 {
+  if (!(rules.least_depth > 0.0)) return;
+  const Model model = build_trial(*this, 1.0);
+  judged = points_below(model, restore(model, start.rest), rules.least_depth);
 }
 
 Trial Trials::run(Real factor, const std::function<void(const Trial&)>& report) const
@@ -113,7 +117,7 @@ Trial Trials::run(Real factor, const std::function<void(const Trial&)>& report) 
   const std::int64_t per_window = std::max<std::int64_t>(1, model.n_steps / rules.most_windows);
   const auto judge_window = [&] {
     trial.windows.push_back({state.time * std::sqrt(start.stiffening),
-        displacement_of_the_fastest(state) * start.stiffening, balance.take_share()});
+        displacement_of_the_fastest(state, judged) * start.stiffening, balance.take_share()});
     last.enter(state);
     trial.steps = state.step;
     trial.verdict = judge(trial.windows, rules, start);
@@ -134,7 +138,7 @@ Trial Trials::run(Real factor, const std::function<void(const Trial&)>& report) 
     trial.reason = "runs away until the run stops itself: " + made.fault.substr(0, made.fault.find('\n'));
     report(trial);
   }
-  if (trial.verdict != TrialVerdict::stable) trial.mechanism = last.mechanism(model, state, start.stiffening, factor);
+  if (trial.verdict != TrialVerdict::stable) trial.mechanism = last.mechanism(model, state, *this, factor);
   return trial;
 }
 

@@ -3,6 +3,7 @@
 
 #include "stability/elastic_start.hpp"
 #include "stability/mechanism.hpp"
+#include "stability/soil_motion.hpp"
 
 #include <atomic>
 #include <functional>
@@ -22,6 +23,7 @@ struct TrialRules {
                              ///< (ElasticStart::free_motion)
   Real failure = 4.0;        ///< failed: displacement beyond this many rho g H^2 / E, and it does not slow down
   Index most_windows = 200;  ///< undecided after so many windows
+  Real least_depth = 0.0;    ///< of soil whose motion counts below the ground [m]
   Real stiffening =
       1000.0;  ///< displacements are kept this many times smaller than they were (stiffen()); 1: as they are
 };
@@ -61,6 +63,7 @@ struct Trials {
   SharedMesh mesh;
   ElasticStart start;
   TrialRules rules;
+  Judged judged;
   int threads;
   const std::atomic<bool>& stop;
 };

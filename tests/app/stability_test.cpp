@@ -10,20 +10,47 @@ TEST(Stability, LeavesItsResultsTheMechanismAndAPicture)
   const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/cut";
   EXPECT_THAT(succeeded(test::terp({"stability", cut, "--cells", "0.5,1", "--from", "1.05", "--to", "1.25",
-                            "--tolerance", "0.1", "-o", folder, "-j", "1"}))
+                            "--tolerance", "0.1", "--with-tension", "-o", folder, "-j", "1"}))
                   .out,
-      AllOf(HasSubstr("factor of safety 1."), HasSubstr("the slope on the right of the highest ground"),
+      AllOf(HasSubstr(", on cells of no size"), HasSubstr("the slope on the right of the highest ground"),
           HasSubstr("its soil moves to the right"), HasSubstr(" on cells of 1 m, "),
-          HasSubstr(" on cells of 0.5 m.\n  In the limit of small cells ")));
+          HasSubstr(" on cells of 0.5 m.\n  By the order 1.00, usual on slopes; the range is that of 0.6 to 1.4")));
   const auto json = nlohmann::json::parse(text_of(folder + "/stability.json"));
   EXPECT_EQ(json.at("mechanism").at("slope"), "right");
   EXPECT_NEAR(json.at("mechanism").at("exit").at(0), 5.0, 1.0) << "the toe of the cut";
   EXPECT_LT(json.at("mechanism").at("entry").at(0), 4.0);
   EXPECT_EQ(json.at("mesh").at("sizes").size(), 2u);
-  EXPECT_LT(json.at("mesh").at("extrapolated").at("factor"), json.at("factor_of_safety"));
+  EXPECT_EQ(json.at("mesh").at("extrapolated").at("factor"), json.at("factor_of_safety"));
+  EXPECT_LT(json.at("factor_of_safety"), json.at("mesh").at("sizes").at(1).at("factor"));
   for (const char* file : {"/stability.txt", "/mechanism.svg", "/mechanism/results.vtkhdf.series",
            "/mechanism/mesh.vtkhdf", "/mechanism/frames/points_00000.vtkhdf", "/cells_1/stability.json"})
     EXPECT_TRUE(std::filesystem::exists(folder + file)) << file;
+}
+
+TEST(Stability, OfSoilThatCracksIsLessAndNamesTheFactorWithTension)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/cut";
+  const std::vector<std::string> search = {"stability", cut, "--set", "mesh.cell=1", "--from", "0.7", "--to", "0.9",
+      "--tolerance", "0.1", "-o", folder, "-j", "1"};
+  EXPECT_THAT(succeeded(test::terp(search)).out,
+      HasSubstr("soil cracks: no tension where its law sets no limit. With tension (--with-tension) 1.1"));
+  const auto json = nlohmann::json::parse(text_of(folder + "/stability.json"));
+  EXPECT_LT(json.at("failed_at"), 1.0);
+  EXPECT_GT(json.at("soil").at("with_tension").at("factor"), 1.05);
+  EXPECT_TRUE(json.at("soil").at("cracks"));
+
+  EXPECT_EQ(error_with(1, test::terp(search)), "error: the folder " + folder +
+                                                   " holds the result of an earlier search\n  Use --force to replace "
+                                                   "it, or -o DIR to write to another folder.\n");
+}
+
+TEST(Stability, LooksOnlyAtSoilAsDeepAsAsked)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/cut";
+  EXPECT_THAT(error_with(2, test::terp({"stability", cut, "--least-depth", "50", "-o", folder, "-j", "1"})),
+      AllOf(HasSubstr("no soil lies 50 m below the ground, as --least-depth asks"), HasSubstr("The deepest lies ")));
 }
 
 TEST(Stability, NamesTheRunInItsWarnings)

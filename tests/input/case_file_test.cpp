@@ -18,7 +18,8 @@ TEST(CaseFile, ModelTwoIsThePaperColumnWithSoftening)
   EXPECT_EQ(c.name, "model_2");
   EXPECT_EQ(c.mesh.size, (Vec<2>{16.0, 3.0}));
   EXPECT_EQ(c.mesh.cell, (Vec<2>{0.1, 0.1}));
-  EXPECT_THAT(c.materials.at(0).parameters, ElementsAre(2.0e6, 0.48, 8.0e3, 2.0e3, 50.0, 2.0e3, 0.0, 0.0, INFINITY));
+  EXPECT_THAT(
+      c.materials.at(0).parameters, ElementsAre(2.0e6, 0.48, 8.0e3, 2.0e3, 50.0, 2.0e3, 0.0, 0.0, INFINITY, INFINITY));
   ASSERT_EQ(c.sides.size(), 3u);
   EXPECT_EQ(c.sides[2].kind, SideKind::contact_bilateral);
   EXPECT_EQ(c.sides[2].adhesion, 8.0e3);

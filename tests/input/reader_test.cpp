@@ -260,7 +260,8 @@ TEST(Reader, FillsBodiesAndMaterials)
   EXPECT_TRUE(softening.halo);
   EXPECT_FALSE(c.materials[1].softening.is_nonlocal());
   EXPECT_EQ(c.materials[0].model, "tresca_softening");
-  EXPECT_THAT(c.materials[0].parameters, ElementsAre(2.0e6, 0.48, 8.0e3, 2.0e3, 50.0, 2.0e3, 0.0, 0.0, INFINITY));
+  EXPECT_THAT(
+      c.materials[0].parameters, ElementsAre(2.0e6, 0.48, 8.0e3, 2.0e3, 50.0, 2.0e3, 0.0, 0.0, INFINITY, INFINITY));
   EXPECT_EQ(c.materials[1].density, 2600.0);
   EXPECT_THAT(c.materials[1].parameters, ElementsAre(1.0e9, 0.25));
 }

@@ -163,29 +163,39 @@ TEST(MohrCoulomb, WithCohesionComesApartAtTheApexAndClosesWithoutTension)
   EXPECT_NEAR(trace(point.sigma) / 3.0, -point.law().bulk_modulus() * 1e-3, 1e-6);
 }
 
-TEST(MohrCoulomb, WithoutFrictionItIsTresca)  // to the round-off of both, softening included
+TEST(MohrCoulomb, WithoutFrictionItIsTresca)  // to the round-off of both, softening and a limit of tension included
 {
-  const Soil soil{.G = 2e6,
-      .nu = 0.48,
-      .c = 8e3,
-      .phi = 0.0,
-      .psi = 0.0,
-      .c_residual = 2e3,
-      .phi_residual = 0.0,
-      .psi_residual = 0.0,
-      .eta = 50.0};
-  Random random(91);
-  for (int walk = 0; walk < 50; ++walk) {
-    Probe mohr = soil.probe(), tresca(*find_material("tresca_softening"), {2e6, 0.48, 8e3, 2e3, 50.0});
-    for (int step = 0; step < 40; ++step) {
-      const Stress d_eps = random_tensor(0.004, random);
-      mohr.strain(d_eps);
-      tresca.strain(d_eps);
-      for (int c = 0; c < 4; ++c)
-        ASSERT_NEAR(mohr.sigma[c], tresca.sigma[c], 1e-6) << "walk " << walk << ", step " << step;
-      ASSERT_NEAR(mohr.state[0], tresca.state[0], 1e-12);
-      ASSERT_NEAR(mohr.plastic_work, tresca.plastic_work, 1e-8);
+  constexpr Real left_out = std::numeric_limits<Real>::quiet_NaN();
+  for (const Real cutoff : {infinity, 3e3, 0.0}) {
+    const Soil soil{.G = 2e6,
+        .nu = 0.48,
+        .c = 8e3,
+        .phi = 0.0,
+        .psi = 0.0,
+        .cutoff = cutoff,
+        .c_residual = 2e3,
+        .phi_residual = 0.0,
+        .psi_residual = 0.0,
+        .eta = 50.0};
+    Random random(91);
+    Real largest_opening = 0.0;
+    for (int walk = 0; walk < 50; ++walk) {
+      const std::vector<Real> clay{2e6, 0.48, 8e3, 2e3, 50.0, left_out, left_out, left_out, left_out, cutoff};
+      Probe mohr = soil.probe(), tresca(*find_material("tresca_softening", {}, clay), clay);
+      for (int step = 0; step < 40; ++step) {
+        const Stress d_eps = random_tensor(0.004, random);
+        mohr.strain(d_eps);
+        tresca.strain(d_eps);
+        for (int c = 0; c < 4; ++c)
+          ASSERT_NEAR(mohr.sigma[c], tresca.sigma[c], 1e-6) << cutoff << ", walk " << walk << ", step " << step;
+        ASSERT_NEAR(mohr.state[0], tresca.state[0], 1e-12);
+        ASSERT_NEAR(mohr.plastic_work, tresca.plastic_work, 1e-8);
+        if (tresca.state.size() < 2) continue;
+        ASSERT_NEAR(mohr.state[1], tresca.state[1], 1e-12);
+        largest_opening = std::max(largest_opening, tresca.state[1]);
+      }
     }
+    EXPECT_EQ(largest_opening > 1e-3, cutoff < infinity) << "it was torn";
   }
 }
 

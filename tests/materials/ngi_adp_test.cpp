@@ -54,6 +54,65 @@ TEST(NgiAdp, IsTrescasLawWhereAllStrengthsAreEqual)
   }
 }
 
+Real elastic_product(const Stress& u, const Stress& v)  // of stress differences: u : C : v [J/m^3]
+{
+  const Real K = 2.0 * G * (1.0 + nu) / (3.0 * (1.0 - 2.0 * nu)), mean = trace(u) / 3.0;
+  Real sum = trace(u) * trace(v) / (9.0 * K);
+  for (int k = 0; k < 3; ++k) sum += (u[k] - mean) * v[k] / (2.0 * G);
+  return sum + u[3] * v[3] / G;
+}
+
+TEST(NgiAdp, WithALimitOfTensionGoesToTheNearestStressThatBothSurfacesAdmit)
+{
+  Random random(12);
+  int on_both = 0;
+  for (const Real cutoff : {0.0, 4e3}) {
+    for (int trial = 0; trial < 200; ++trial) {
+      Probe point(*type().torn, {G, nu, active, direct, passive, 1.0, 0.0, 20.0, cutoff});
+      const Stress d = random_tensor(0.004, random);
+      point.strain(d);
+      const auto s = sorted_principal(point.sigma);
+      ASSERT_LE(s[0], cutoff + 1e-6);
+      Probe elastic(*find_material("linear_elastic"), {G, nu});
+      elastic.strain(d);
+      Stress away;
+      for (int k = 0; k < 4; ++k) away[k] = elastic.sigma[k] - point.sigma[k];
+      on_both += s[0] > cutoff - 1e-6 && s[0] - s[2] > 1e3;
+      for (int other = 0; other < 200; ++other) {  // no admissible stress lies on the side to which it was pulled back
+        Probe admitted(*type().torn, {G, nu, active, direct, passive, 1.0, 0.0, 20.0, cutoff});
+        admitted.strain(random_tensor(other % 2 ? 0.004 : 0.0005, random));
+        Stress to;
+        for (int k = 0; k < 4; ++k) to[k] = admitted.sigma[k] - point.sigma[k];
+        ASSERT_LE(elastic_product(away, to), 1e-9 * (1.0 + elastic_product(elastic.sigma, elastic.sigma))) << trial;
+      }
+    }
+  }
+  EXPECT_GT(on_both, 20);
+}
+
+TEST(NgiAdp, TornIsTrescasLawWhereAllStrengthsAreEqual)
+{
+  constexpr Real left_out = std::numeric_limits<Real>::quiet_NaN();
+  for (const Real eta : {0.0, 40.0}) {
+    Random random(4);
+    for (int walk = 0; walk < 50; ++walk) {
+      Probe adp(*type().torn, {G, nu, 8e3, 8e3, 8e3, 0.25, eta, 0.0, 1e3});
+      Probe tresca(*find_material("tresca_softening")->torn,
+          {G, nu, 8e3, 2e3, eta, left_out, left_out, left_out, left_out, 1e3});
+      const Real way = random.between(-1e-3, 1e-3), turn = random.between(-1e-3, 1e-3);
+      for (int step = 0; step < 30; ++step) {
+        const Real swell = step < 20 ? 2e-5 : -4e-5;  // sigma_zz stays the middle one
+        const Stress d{{way + swell, swell - way, swell, turn}};
+        adp.strain(d);
+        tresca.strain(d);
+        for (int k = 0; k < 4; ++k) ASSERT_NEAR(adp.sigma[k], tresca.sigma[k], 1e-8 * 8e3) << "step " << step;
+        for (int k = 0; k < 2; ++k) ASSERT_NEAR(adp.state[k], tresca.state[k], 1e-10 * (1.0 + tresca.state[k]));
+        ASSERT_NEAR(adp.plastic_work, tresca.plastic_work, 1e-8 * (1.0 + tresca.plastic_work));
+      }
+    }
+  }
+}
+
 TEST(NgiAdp, EndsEveryStepOnOrInsideTheEllipseOfItsStrainAndDissipates)
 {
   for (const bool softens : {false, true}) {

@@ -80,14 +80,14 @@ TEST(PublishedSoftening, AlongAStraightLineHasTheSameEnergyWithFourAndTheSameFir
   EXPECT_NEAR(energy, 0.5 * (peak - residual) * gamma_r, 2e-3 * energy);  // [J/m^3]
 
   Probe slope = clay(2.0 / gamma_r);
-  slope.state = {1e-6};
+  slope.state[0] = 1e-6;
   EXPECT_NEAR((peak - slope.derived(0)) / 2e-6, (peak - residual) / gamma_r, 1e-4 * (peak - residual) / gamma_r);
 }
 
 TEST(PublishedSoftening, ThroughOneMeasuredPointHasTheLogarithmOfWhatIsLeft)
 {
   Probe point = clay(-std::log(1.0 - 0.7) / 0.02);
-  point.state = {0.02};  // 70 % of the fall at eps_eq_p = 2 %
+  point.state[0] = 0.02;  // 70 % of the fall at eps_eq_p = 2 %
   EXPECT_NEAR(point.derived(0), falling(0.3), 1e-9);
 }
 

@@ -85,12 +85,12 @@ TEST(TrescaSoftening, Eq5_DropsBy95PercentAtSixPercentStrain)  // decision 0001
 {
   const Soil soil;
   auto point = soil.probe();
-  point.state = {0.06};
+  point.state[0] = 0.06;
   const Real su = point.derived(0);
   EXPECT_NEAR((soil.su_peak - su) / (soil.su_peak - soil.su_residual), 0.95, 0.001);
   EXPECT_NEAR(su, 2e3 + 6e3 * std::exp(-3.0), 1e-9);
   EXPECT_EQ(point.law().softened_strain(), 0.06);
-  point.state = {1.0};
+  point.state[0] = 1.0;
   EXPECT_NEAR(point.derived(0), 2e3, 1e-9);
 }
 
@@ -136,9 +136,9 @@ TEST(TrescaSoftening, FallsASecondTimeToTheRemouldedStrength)
   const Soil quick{.su_remoulded = 100.0, .eta_remoulding = 1.5};
   auto point = quick.probe();
   EXPECT_EQ(point.derived(0), 8e3);
-  point.state = {0.4};  // the first fall is done, the second has e^-0.6 left
+  point.state[0] = 0.4;  // the first fall is done, the second has e^-0.6 left
   EXPECT_NEAR(point.derived(0), 100.0 + 1900.0 * std::exp(-0.6), 1e-4);
-  point.state = {0.0};
+  point.state[0] = 0.0;
   for (int k = 0; k < 3000; ++k) {
     point.strain({{0.0, 0.0, 0.0, 1e-3}});
     ASSERT_NEAR(point.sigma[3], std::min(quick.su(point.state[0]), 4e3 * (k + 1)), 1e-8);

@@ -13,7 +13,7 @@ StabilityResult with_mechanism(const Case& c)
   for (std::size_t k = 0; k < now.x.size(); k += 2)
     if (now.x[k] > 2.0) now.x[k] += 1e-3, now.strain[2 * k + 3] += 1e-3;
   StabilityResult r;
-  Mechanism m = find_mechanism(s.model, s.state, before, now, 10.0);
+  Mechanism m = find_mechanism(s.model, s.state, before, now, {}, 10.0);
   m.factor = 1.25;
   r.mechanism = std::make_shared<const Mechanism>(std::move(m));
   r.mesh = s.model.mesh;

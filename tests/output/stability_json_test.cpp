@@ -53,8 +53,8 @@ TEST(StabilityText, SaysFactorCriterionAndTrials)
   EXPECT_THAT(text, HasSubstr("At 1.1000 the soil still crept after 200 windows: it may stand or fail, and the +- has "
                               "room for both. Larger\n  --windows decide it.\n"));
   EXPECT_THAT(
-      text, HasSubstr("with 8.0 cells of 0.5 m over the\n  height of the slope, 4 m, by 0 to 11 % on slopes with "
-                      "a known factor. --cells 0.5,0.25 measures it.\n"));
+      text, HasSubstr("what moves is 8.0 cells of 0.5 m deep,\n  and with so many it was by 0 to 17 % on slopes of "
+                      "other authors. --cells 0.5,0.25 measures it.\n"));
 }
 
 TEST(StabilityText, AnUndecidedEndWidensTheUncertainty)
@@ -75,12 +75,14 @@ TEST(StabilityText, SearchesOnSeveralSizesGiveTheFactorOnCellsOfNoSize)
 {
   StabilityResult r = result();
   r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}};
-  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("  The mesh: 1.150 on cells of 1 m, 1.100 on cells of 0.5 m.\n"
-                                                     "  In the limit of small cells 1.033 (1.003 to 1.061), by the "
-                                                     "order 0.80, that of known slopes (0.6 to 1.2).\n"));
+  EXPECT_THAT(stability_text(r, "mpm_gp"),
+      AllOf(StartsWith("factor of safety 1.050   (1.003 to 1.069), on cells of no size\n"),
+          HasSubstr(
+              "  The mesh: 1.150 on cells of 1 m, 1.100 on cells of 0.5 m.\n  By the order 1.00, usual on slopes; "
+              "the range is that of 0.6 to 1.4")));
   const auto mesh = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["mesh"];
   EXPECT_EQ(mesh["sizes"][1]["factor"], 1.1);
-  EXPECT_NEAR(mesh["extrapolated"]["factor"], 1.0325, 1e-3);
+  EXPECT_NEAR(mesh["extrapolated"]["factor"], 1.05, 1e-12);
   EXPECT_FALSE(mesh["extrapolated"]["order_is_observed"]);
 }
 
@@ -99,15 +101,30 @@ TEST(StabilityText, SaysWhichSlopeFailsAndWhere)
       .area = 7.25,
       .other_way = 0.1};
   r.mechanism = std::make_shared<const Mechanism>(m);
+  m.factor = 1.05, m.moving->depth = 0.4, m.moving->area = 0.97;
+  r.creep = std::make_shared<const Mechanism>(m);
   EXPECT_THAT(stability_text(r, "mpm_gp"),
       HasSubstr(
           "  mechanism at 1.1000: the slope on the left of the highest ground (x = 5.00 m) fails, its soil moves to "
           "the left\n    enters at (3.00, 4.00) m, comes out at (1.00, 0.50) m, 2.50 m deep, 7.25 m^2\n"
-          "    10 % of the motion goes to the other side\n"));
+          "    10 % of the motion goes to the other side\n  creep at 1.0500: the slope on the left of the highest "
+          "ground "
+          "(x = 5.00 m) creeps"));
+  EXPECT_EQ(nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["creep"]["depth"], 0.4);
   const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["mechanism"];
   EXPECT_EQ(json["slope"], "left");
   EXPECT_EQ(json["slip_surface"][2][1], 4.0);
   EXPECT_EQ(json["area"], 7.25);
+}
+
+TEST(StabilityText, IsAnUpperBoundWhereFewCellsMove)
+{
+  StabilityResult r = result();
+  r.relief = 2.0;  // four cells
+  EXPECT_THAT(stability_text(r, "mpm_gp"),
+      AllOf(StartsWith("factor of safety at most 1.100   (stands at 1.000, creeps at 1.100, up to 1.100)\n"),
+          HasSubstr("What moves is 4.0 cells of 0.5 m deep. So few carry far more than the soil")));
+  EXPECT_TRUE(nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["is_upper_bound"]);
 }
 
 TEST(StabilityText, PutsTheFactorsOfOtherMethodsBesideItsOwn)

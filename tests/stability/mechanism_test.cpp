@@ -28,7 +28,10 @@ struct Moved {
       now.strain[2 * k + 3] += d[0];  // xy
     }
   }
-  Mechanism mechanism(Real stiffening = 1.0) const { return find_mechanism(s.model, s.state, before, now, stiffening); }
+  Mechanism mechanism(Real stiffening = 1.0) const
+  {
+    return find_mechanism(s.model, s.state, before, now, {}, stiffening);
+  }
 };
 
 /// A block above the line from (2, 4) to (5, 1), which comes out at x = 6, moves down and out.

@@ -7,13 +7,13 @@ Real factor_at(Real cell, Real order) { return 1.3 + 0.1 * std::pow(cell, order)
 
 TEST(MeshError, TwoSizesAreExtrapolatedByTheUsualOrderWithTheRangeOfOrders)
 {
-  const FactorLimit limit = extrapolate_factor({{0.5, factor_at(0.5, 0.8), 0.0}, {1.0, factor_at(1.0, 0.8), 0.0}});
+  const FactorLimit limit = extrapolate_factor({{0.5, factor_at(0.5, 1.0), 0.0}, {1.0, factor_at(1.0, 1.0), 0.0}});
   EXPECT_NEAR(limit.factor, 1.3, 1e-12);
-  EXPECT_EQ(limit.order, 0.8);
+  EXPECT_EQ(limit.order, 1.0);
   EXPECT_FALSE(limit.order_is_observed);
-  const Real fine = factor_at(0.5, 0.8), step = factor_at(1.0, 0.8) - fine;
+  const Real fine = factor_at(0.5, 1.0), step = factor_at(1.0, 1.0) - fine;
   EXPECT_NEAR(limit.low, fine - step / (std::pow(2.0, 0.6) - 1.0), 1e-12);
-  EXPECT_NEAR(limit.high, fine - step / (std::pow(2.0, 1.2) - 1.0), 1e-12);
+  EXPECT_NEAR(limit.high, fine - step / (std::pow(2.0, 1.4) - 1.0), 1e-12);
 }
 
 TEST(MeshError, TheBracketsOfTheFactorsWidenTheRange)
@@ -40,11 +40,12 @@ TEST(MeshError, ThreeSizesShowTheirOwnOrder)
 
 TEST(MeshError, TheBoundHoldsForTheSlopesItWasMeasuredOn)
 {
-  for (const auto& [n, error] : {std::pair{8.0, 0.114}, {16.0, 0.066}, {32.0, 0.038}, {5.0, 0.136}, {10.0, 0.066}}) {
+  // Cells over the depth, and what the factor was above: a vertical cut (limit analysis), one with phi = 20, then P5,
+  // P10, P9, P1, P15 and P12 of docs/stability.md above the middle of what their authors found.
+  for (const auto& [n, error] : {std::pair{8.0, 0.114}, {16.0, 0.066}, {32.0, 0.038}, {10.0, 0.132}, {5.0, 0.025},
+           {5.2, 0.037}, {4.7, 0.052}, {7.0, 0.075}, {14.0, 0.033}, {8.7, 0.036}, {12.2, 0.048}, {24.9, 0.027}})
     EXPECT_GE(largest_mesh_error(n), error) << n;
-    EXPECT_LE(largest_mesh_error(n), 0.17) << n;
-  }
-  EXPECT_LT(largest_mesh_error(32.0), 0.04);
+  EXPECT_LT(largest_mesh_error(32.0), 0.05);
 }
 
 }  // namespace mesh_error_test

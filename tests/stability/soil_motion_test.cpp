@@ -31,7 +31,7 @@ TEST(SoilMotion, IsThatOfTheFastestHundredthAlsoInCellsThatAreNotFilled)
   for_each_point(ragged.state.points, [&](const PointBlock<2>& block, Index lane) {
     if (block.row(Rows::x + 1)[lane] > 1.25 && moved++ < n) block.row(Rows::x)[lane] += 0.01;
   });
-  EXPECT_NEAR(displacement_of_the_fastest(ragged.state), 0.01, 1e-12);
+  EXPECT_NEAR(displacement_of_the_fastest(ragged.state, {}), 0.01, 1e-12);
 }
 
 TEST(SoilMotion, IsOutOfBalanceByItsWholeWeightInFreeFall)
