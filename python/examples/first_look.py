@@ -23,19 +23,21 @@ print(f"{len(run)} frames to t = {run.times[-1]:g} s, {len(run.frame(0).x)} mate
 for name in run.fields:
     print(f"  {name:<16} {run.unit(name):<6} {' '.join(run.components[name])}")
 
-# 2. One frame. Arrays are read when they are asked for; a row is the same material point in every frame.
+# 2. One frame. Arrays are read when they are asked for; a row is the same material point in every frame. `soil` leaves
+# out points of bodies that a stage has not placed yet or has removed, and those that left the mesh.
 last = run.frame(-1)
-travel = np.linalg.norm(last["displacement"], axis=1)  # [m]
+travel = np.linalg.norm(last["displacement"][last.soil], axis=1)  # [m]
 print(f"{np.mean(travel > 0.1):.0%} of the points moved farther than 0.1 m, the farthest {travel.max():.2f} m")
 
 # 3. Over all frames: the share of the points that have lost more than half their strength.
 if "su" in run.fields:
     peak = run.frame(0)["su"]
     for frame in run:
-        print(f"  t = {frame.time:5.2f} s: {np.mean(frame['su'] < 0.5 * peak):6.1%} have lost more than half of S_u")
+        share = np.mean((frame["su"] < 0.5 * peak)[frame.soil])
+        print(f"  t = {frame.time:5.2f} s: {share:6.1%} have lost more than half of S_u")
 
 # 4. One point: the one nearest to a place, followed through all frames.
-x_middle, y_middle = np.median(run.frame(0).x, axis=0)
+x_middle, y_middle = np.median(run.frame(0).x[run.frame(0).soil], axis=0)
 row = run.nearest(x_middle, y_middle, time=0.0)
 path = run.series("x", row)  # [n_frames, 2]
 print(f"the point nearest to ({x_middle:.2f}, {y_middle:.2f}) m is row {row}; "

@@ -90,17 +90,19 @@ def section_page(window):
 
 
 def squares(panel, frame, name, norm):
-    """Every material point as a square of about the lattice spacing, coloured by a field; grey where it has none."""
-    spacing = lattice_spacing(frame.run.field("x", 0))
+    """The soil: every material point as a square of about the lattice spacing, coloured by a field; grey where it has
+    none."""
+    first = frame.run.frame(0)
+    spacing = lattice_spacing(first.x[first.soil])
     x_begin, x_end = panel.get_xlim()
     width = panel.get_position().width * panel.figure.get_size_inches()[0] * 72.0  # [pt]
-    values = frame.scalar(name)
+    values, x = frame.scalar(name)[frame.soil], frame.x[frame.soil]
     here = np.isfinite(values)
     look = {"marker": "s", "linewidths": 0, "antialiased": False, "rasterized": True, "zorder": 2}
     for side in np.array(SIDES) * spacing * width / (x_end - x_begin):
         if not here.all():
-            panel.scatter(*frame.x[~here].T[:2], s=side**2, color=style.NO_VALUE, **look)
-        panel.scatter(*frame.x[here].T[:2], s=side**2, c=values[here], cmap=style.COLOUR_MAP, norm=norm, **look)
+            panel.scatter(*x[~here].T, s=side**2, color=style.NO_VALUE, **look)
+        panel.scatter(*x[here].T, s=side**2, c=values[here], cmap=style.COLOUR_MAP, norm=norm, **look)
 
 
 def outlines(panel, case):
@@ -134,8 +136,8 @@ def dots(panel, run, time, names, named):
 def colour_bar(figure, norm, frames, name, label=None, **place):
     """A horizontal colour bar with a pointed end where values lie beyond it."""
     factor, _ = style.in_print(frames[0].run.unit(name))
-    values = [frame.scalar(name) for frame in frames]
-    below, above = (any(np.nanmin(v) < norm.vmin for v in values), any(np.nanmax(v) > norm.vmax for v in values))
+    values = [frame.scalar(name)[frame.soil] for frame in frames]
+    below, above = any((v < norm.vmin).any() for v in values), any((v > norm.vmax).any() for v in values)
     extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[below, above]
     ticks = style.scale_ticks(norm.vmax) if norm.vmin == 0 else None
     bar = figure.colorbar(ScalarMappable(norm, style.COLOUR_MAP), orientation="horizontal", extend=extend, ticks=ticks,
@@ -149,9 +151,12 @@ def colour_bar(figure, norm, frames, name, label=None, **place):
 
 
 def body_outlines(case):
-    """Polygons of the bodies of a case, shape [n, 2] each [m]; boxes too."""
+    """Polygons of the bodies of a case that are there from the start, shape [n, 2] each [m]; boxes too."""
+    placed_later = {name for stage in case.get("stage", []) for name in stage.get("place", [])}
     polygons = []
     for body in case.get("body", []):
+        if body.get("name") in placed_later:
+            continue
         if "polygon" in body:
             polygons.append(np.asarray(body["polygon"], dtype=float))
         elif "box" in body:
@@ -161,10 +166,10 @@ def body_outlines(case):
 
 
 def window_of(frames):
-    """Limits around every point of every frame [m]: x0, y0, x1, y1; outward to half metres in x, tenths in y."""
+    """Limits around the soil of every frame [m]: x0, y0, x1, y1; outward to half metres in x, tenths in y."""
     steps = np.array([0.5, 0.1])
-    low = np.min([frame.x.min(axis=0) for frame in frames], axis=0)
-    high = np.max([frame.x.max(axis=0) for frame in frames], axis=0)
+    x = np.concatenate([frame.x[frame.soil] for frame in frames])
+    low, high = x.min(axis=0), x.max(axis=0)
     return (*np.floor(low / steps) * steps, *np.ceil(high / steps + (0.2, 0.5)) * steps)
 
 
@@ -181,11 +186,11 @@ def without_value(frames, name):
     """
     lacking = set()
     for frame in frames:
-        here = np.isfinite(frame.scalar(name))
+        lacks = frame.soil & ~np.isfinite(frame.scalar(name))
         if "material" in frame.run.units:
             names = list(frame.run.case["material"])
-            lacking.update(names[int(k)] for k in np.unique(frame.scalar("material")[~here]) if k >= 0)
-        elif not here.all():
+            lacking.update(names[int(k)] for k in np.unique(frame.scalar("material")[lacks]))
+        elif lacks.any():
             lacking.add("some points")
     return sorted(lacking)
 
@@ -195,7 +200,7 @@ def colour_norm(frames, name):
 
     A strain goes from 0 to the upper quartile of the points that have sheared; any other field leaves out its outliers.
     """
-    values = np.concatenate([frame.scalar(name) for frame in frames])
+    values = np.concatenate([frame.scalar(name)[frame.soil] for frame in frames])
     values = values[np.isfinite(values)]
     if not len(values):
         return Normalize(0.0, 1.0)

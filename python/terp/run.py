@@ -20,10 +20,14 @@ from terp.written import check_end, check_unaltered
 
 MESH = "mesh.vtkhdf"
 SAME_PLACE = 1e-9  # distances that differ by less are those of one lattice [m]
+SOIL_SIGNS = {"material": np.greater_equal, "cell": np.greater_equal, "volume": np.greater}  # than 0: it is soil
 
 
 class Frame:
-    """All material points at one time. `frame["su"]` is read from the file at the first use, then kept."""
+    """All material points at one time. `frame["su"]` is read from the file at the first use, then kept.
+
+    Rows of points of which there is no soil hold no result: `frame["su"][frame.soil]` leaves them out.
+    """
 
     def __init__(self, run, k):
         self.run = run
@@ -40,6 +44,16 @@ class Frame:
     def x(self):
         """Places of the points [m], shape [n_points, 2]."""
         return self["x"]
+
+    @property
+    def soil(self):
+        """Which rows are soil, shape [n_points]. False: the body of the point is not placed yet or was removed, or the
+        point left through an open side. A run whose frames have none of the fields `material`, `cell` and `volume` does
+        not tell: all rows count as soil."""
+        for name, is_soil in SOIL_SIGNS.items():
+            if name in self.run.units:
+                return is_soil(self[name], 0)
+        return np.ones(len(self.x), dtype=bool)
 
     def scalar(self, name):
         """One number per point, shape [n_points]: a scalar field, the component "stress.xx" of a field, or the size of
@@ -186,7 +200,7 @@ class Run:
     def field(self, name, k):
         """Field `name` of frame k, shape [n_points] or [n_points, n_components]; "x" is the place, [n_points, 2].
 
-        Row r is the same material point in every frame.
+        Row r is the same material point in every frame; `frame(k).soil` says where there is soil of it.
         """
         k = self._checked_index(k)
         self._check_field(name)
@@ -204,12 +218,15 @@ class Run:
         return np.array([frame.file.values("PointData", name, row) for frame in self._frames])
 
     def nearest(self, x, y, time=0.0):
-        """Row of the material point nearest to (x, y) [m] in the frame nearest to `time` [s]; ties: lower x, then
-        lower y."""
+        """Row of the material point nearest to (x, y) [m] in the frame nearest to `time` [s], of those of which there
+        is soil; ties: lower x, then lower y."""
         if not np.isfinite([x, y]).all():
             raise ValueError(f"({x}, {y}) is no place")
-        places = self.field("x", self.at(time))
-        distance = np.hypot(places[:, 0] - x, places[:, 1] - y)
+        frame = self.frame(self.at(time))
+        if not frame.soil.any():
+            raise RunError(f"{self.folder} has no soil at t = {frame.time:g} s")
+        places = frame.x
+        distance = np.where(frame.soil, np.hypot(places[:, 0] - x, places[:, 1] - y), np.inf)
         near = np.flatnonzero(distance <= distance.min() + SAME_PLACE)
         return int(near[np.lexsort((places[near, 1], places[near, 0]))[0]])
 

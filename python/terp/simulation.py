@@ -133,8 +133,15 @@ class Simulation:
 
     def field(self, name: str) -> numpy.ndarray:
         """A field of all points: "position", "velocity", "stress", "eps_eq_p", ...; shape [n_points] or
-        [n_points, n_components], sorted by number of the point, SI units. NaN where a material has no such variable."""
+        [n_points, n_components], sorted by number of the point, SI units. NaN where a material has no such variable.
+        `field(name)[soil]` leaves out the points of which there is no soil."""
         return self._run.field(name)
+
+    @property
+    def soil(self) -> numpy.ndarray:
+        """Which points are soil now, shape [n_points]. False: the body of the point is not placed yet or was removed,
+        or the point left through an open side."""
+        return self.field("material") >= 0
 
     def set_field(self, name: str, values: numpy.typing.ArrayLike) -> None:
         """Sets velocity, stress, strain, volume or a variable of the laws; shape and order as field() gives them.

@@ -125,12 +125,11 @@ std::vector<float> phreatic_line(
   return out;
 }
 
-std::vector<float> surface_line(
-    const std::vector<Real>& places, const std::vector<Real>& material, const SurfaceColumns& columns)
+std::vector<float> surface_line(const std::vector<Real>& places, const SurfaceColumns& columns)
 {
   std::map<long, std::size_t> highest;  // point by column
-  for (std::size_t p = 0; p < material.size(); ++p) {
-    if (material[p] < 0.0) continue;  // left the mesh
+  for (std::size_t p = 0; p < places.size() / 2; ++p) {
+    if (!is_soil(places, p)) continue;
     const auto [entry, fresh] = highest.try_emplace(std::lround(std::floor(places[2 * p] / columns.width)), p);
     if (!fresh && places[2 * p + 1] > places[2 * entry->second + 1]) entry->second = p;
   }

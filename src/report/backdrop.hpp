@@ -29,9 +29,8 @@ struct SurfaceColumns {
 };
 
 /// The top of the highest point in each column, from left to right: x, y [m], shape [n, 2]. Columns without a point are
-/// left out.
-std::vector<float> surface_line(
-    const std::vector<Real>& places, const std::vector<Real>& material, const SurfaceColumns& columns);
+/// left out. places: of all points of a frame.
+std::vector<float> surface_line(const std::vector<Real>& places, const SurfaceColumns& columns);
 
 /// x, y, x, y, ... as places.
 std::vector<Vec<2>> places_of(std::span<const float> line);

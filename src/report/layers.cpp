@@ -23,14 +23,18 @@ constexpr Real margin = 0.04;         // of the width of a layer that its name k
 
 using Column = std::pair<long, long>;
 
+bool is_of(const PointsAtStart& points, std::size_t p, const std::set<Index>& materials)
+{
+  return is_soil(points.places, p) && materials.contains(static_cast<Index>(points.materials[p]));
+}
+
 /// Points of some materials in squares of `reach` spacings.
 class Nearby {
  public:
   Nearby(const PointsAtStart& points, const std::set<Index>& materials) : points_(points), size_(reach * points.spacing)
   {
     for (std::size_t p = 0; p < points.materials.size(); ++p)
-      if (points.materials[p] >= 0.0 && materials.contains(static_cast<Index>(points.materials[p])))
-        squares_[square_of(place(p))].push_back(static_cast<std::uint32_t>(p));
+      if (is_of(points, p, materials)) squares_[square_of(place(p))].push_back(static_cast<std::uint32_t>(p));
   }
 
   std::optional<std::uint32_t> nearest(Vec<2> x) const
@@ -135,16 +139,14 @@ void attach_body(const BodyCase& body, const Mesh<2>& mesh, const Nearby& nearby
 
 AttachedLines middle_of(const PointsAtStart& points, const std::set<Index>& materials, const Nearby& nearby)
 {
-  const auto belongs = [&](std::size_t p) {
-    return points.materials[p] >= 0.0 && materials.contains(static_cast<Index>(points.materials[p]));
-  };
   Real left = INFINITY, right = -INFINITY;
   for (std::size_t p = 0; p < points.materials.size(); ++p)
-    if (belongs(p)) left = std::min(left, points.places[2 * p]), right = std::max(right, points.places[2 * p]);
+    if (is_of(points, p, materials))
+      left = std::min(left, points.places[2 * p]), right = std::max(right, points.places[2 * p]);
   if (!(right > left)) return {};
   std::array<std::vector<Real>, n_columns> heights;
   for (std::size_t p = 0; p < points.materials.size(); ++p)
-    if (belongs(p)) {
+    if (is_of(points, p, materials)) {
       const auto k = static_cast<std::size_t>((points.places[2 * p] - left) / (right - left) * (n_columns - 1));
       heights[k].push_back(points.places[2 * p + 1]);
     }
@@ -192,7 +194,7 @@ AttachedLines attach_surface(const PointsAtStart& points, Real from, Real to)
   std::map<long, std::uint32_t> top;  // by column of one spacing
   for (std::size_t p = 0; p < points.materials.size(); ++p) {
     const Real x = points.places[2 * p];
-    if (points.materials[p] < 0.0 || x < from || x > to) continue;
+    if (!(x >= from && x <= to)) continue;  // also where there is no soil
     const auto [entry, fresh] =
         top.try_emplace(std::lround(std::floor(x / points.spacing)), static_cast<std::uint32_t>(p));
     if (!fresh && points.places[2 * p + 1] > points.places[2 * entry->second + 1])

@@ -30,7 +30,7 @@ struct SoilLayer {
   AttachedLines middle;  ///< one place for its name; empty if none of its points is shown
 };
 
-/// Points shown at the start: where, and of which material; a negative one has left.
+/// Points shown at the start: where, and of which material; NaN: there is no soil of the point.
 struct PointsAtStart {
   std::span<const Real> places;     ///< [m], shape [n, 2]
   std::span<const Real> materials;  ///< shape [n]

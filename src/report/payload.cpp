@@ -234,13 +234,6 @@ struct LinesOfFrames {
   Json json(Chunks& chunks) const { return {{"chunk", chunks.add(places)}, {"offsets", offsets}}; }
 };
 
-/// Of all points of a frame; negative: it has left.
-std::vector<Real> materials_in(const Frames& frames, std::size_t k)
-{
-  return frames.has("material") ? frames.read("material", k)
-                                : std::vector<Real>(static_cast<std::size_t>(frames.n_points()), 0.0);
-}
-
 LinesOfFrames surfaces_of(const Source& source, const ShownRun& shown)
 {
   const Frames& frames = source.frames;
@@ -248,8 +241,7 @@ LinesOfFrames surfaces_of(const Source& source, const ShownRun& shown)
   const SurfaceColumns columns{source.mesh ? typical_cell_size(*source.mesh) : 4.0 * shown.point_size,
       0.5 * shown.point_size * std::sqrt(share)};
   LinesOfFrames surfaces;
-  for (const std::size_t k : shown.frames)
-    surfaces.add(surface_line(frames.places(k), materials_in(frames, k), columns));
+  for (const std::size_t k : shown.frames) surfaces.add(surface_line(frames.places(k), columns));
   return surfaces;
 }
 
@@ -282,7 +274,9 @@ struct ShownPoints {
 
   ShownPoints(const Frames& frames, const ShownRun& shown, std::size_t k)
   {
-    const std::vector<Real> all = frames.places(k), material = materials_in(frames, k);
+    const std::vector<Real> all = frames.places(k);
+    const std::vector<Real> material =
+        frames.has("material") ? frames.read("material", k) : std::vector<Real>(all.size());
     for (const std::uint32_t id : shown.ids) {
       places.insert(places.end(), {all[2 * id], all[2 * id + 1]});
       materials.push_back(material[id]);

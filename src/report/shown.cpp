@@ -162,39 +162,49 @@ ShownField make_field(const Recipe& recipe, const Values& values)
   return field;
 }
 
+/// The value with which each point began, also one of a body that a stage places; NaN: it has none.
+std::vector<float> first_of(const Values& values)
+{
+  std::vector<float> first = values[0];
+  for (const auto& frame : values)
+    for (std::size_t p = 0; p < first.size(); ++p)
+      if (std::isnan(first[p])) first[p] = frame[p];
+  return first;
+}
+
 /// The strength with which soil began that has softened by a tenth or more: a strong layer below it, which nothing
 /// shears, would take most of the colours. None if hardly any has softened.
 std::optional<Real> end_of_strength_scale(const Values& values)
 {
-  std::vector<float> first;
-  for (std::size_t p = 0; p < values[0].size(); ++p)
-    if (values.back()[p] < softened_to * values[0][p]) first.push_back(values[0][p]);
-  if (static_cast<Real>(first.size()) < few_softened * static_cast<Real>(values[0].size())) return std::nullopt;
-  std::ranges::sort(first);
-  return round_up(quantile(first, 0.99));
+  const std::vector<float> first = first_of(values);
+  std::vector<float> softened;
+  for (std::size_t p = 0; p < first.size(); ++p)
+    if (values.back()[p] < softened_to * first[p]) softened.push_back(first[p]);
+  if (static_cast<Real>(softened.size()) < few_softened * static_cast<Real>(first.size())) return std::nullopt;
+  std::ranges::sort(softened);
+  return round_up(quantile(softened, 0.99));
 }
 
 /// Ratios run to 1, and down to the tenth that the smallest of them reaches; to a half where little softens.
-Real begin_of_ratio_scale(const Values& values)
+Real begin_of_ratio_scale(const std::vector<float>& first, const std::vector<float>& last)
 {
   Real least = 0.5;
-  for (std::size_t p = 0; p < values[0].size(); ++p)
-    if (values[0][p] > 0.0f && std::isfinite(values.back()[p]))
-      least = std::min<Real>(least, values.back()[p] / values[0][p]);
+  for (std::size_t p = 0; p < first.size(); ++p)
+    if (first[p] > 0.0f && std::isfinite(last[p])) least = std::min<Real>(least, last[p] / first[p]);
   return std::max(0.0, std::floor(10.0 * least) / 10.0);
 }
 
 /// S_u over its first value. Where all points began with one strength, it has the codes of S_u.
 ShownField strength_ratio(const ShownField& su, int index, const Values& values)
 {
+  const std::vector<float> first = first_of(values);
   ShownField ratio{.name = "su_ratio",
       .symbol = "S_u/S_u,0",
       .label = "strength left of the first",
       .unit = "-",
       .kind = "sequential",
-      .low = begin_of_ratio_scale(values),
+      .low = begin_of_ratio_scale(first, values.back()),
       .shares = index};
-  const auto& first = values[0];
   if (std::ranges::all_of(first, [&](float v) { return v == first[0]; }) && first[0] > 0.0f) {
     ratio.scale = {su.scale.lo / first[0], su.scale.step / first[0]};
     return ratio;
@@ -220,38 +230,40 @@ std::vector<std::uint32_t> choose_points(std::int64_t n, std::int64_t n_most)
   return ids;
 }
 
-/// Typical distance of n points that fill the soil of the first frame [m].
-Real spacing_of(const Frames& frames, std::size_t n)
+/// Typical distance of the points shown, which fill the soil of the first frame [m].
+Real spacing_of(const Frames& frames, const std::vector<std::uint32_t>& ids)
 {
+  const auto x = frames.places(0);
+  const auto n = std::ranges::count_if(ids, [&](std::uint32_t id) { return is_soil(x, id); });
   Real area = 0.0;
   if (frames.has("volume")) {
-    for (const Real v : frames.read("volume", 0)) area += v;
+    for (const Real v : frames.read("volume", 0))
+      if (v > 0.0) area += v;
   } else {
-    const auto x = frames.places(0);
-    Real low[2] = {x[0], x[1]}, high[2] = {x[0], x[1]};
+    constexpr Real inf = std::numeric_limits<Real>::infinity();
+    Real low[2] = {inf, inf}, high[2] = {-inf, -inf};
     for (std::size_t k = 0; k < x.size(); ++k)
-      low[k % 2] = std::min(low[k % 2], x[k]), high[k % 2] = std::max(high[k % 2], x[k]);
+      if (is_soil(x, k / 2)) low[k % 2] = std::min(low[k % 2], x[k]), high[k % 2] = std::max(high[k % 2], x[k]);
     area = (high[0] - low[0]) * (high[1] - low[1]);
   }
-  return std::sqrt(area / static_cast<Real>(std::max<std::size_t>(1, n)));
+  return std::sqrt(area / static_cast<Real>(std::max<std::ptrdiff_t>(1, n)));
 }
 
 void read_places(const Frames& frames, ShownRun& shown)
 {
-  std::vector<std::vector<Real>> x, y;  // NaN: left
+  std::vector<std::vector<Real>> x, y;
   Real inf = std::numeric_limits<Real>::infinity();
   shown.bounds = {inf, inf, -inf, -inf};
   for (const std::size_t k : shown.frames) {
     const auto places = frames.places(k);
-    const auto material = frames.has("material") ? frames.read("material", k)
-                                                 : std::vector<Real>(static_cast<std::size_t>(shown.n_points), 0.0);
-    x.emplace_back(shown.ids.size(), std::nan(""));
-    y.emplace_back(shown.ids.size(), std::nan(""));
-    for (std::size_t p = 0; p < shown.ids.size(); ++p) {
-      const std::size_t id = shown.ids[p];
-      if (material[id] < 0.0) continue;
-      const Real px = x.back()[p] = places[2 * id], py = y.back()[p] = places[2 * id + 1];
+    x.emplace_back();
+    y.emplace_back();
+    for (const std::size_t id : shown.ids) {
+      const Real px = places[2 * id], py = places[2 * id + 1];
+      x.back().push_back(px);
+      y.back().push_back(py);
       auto& b = shown.bounds;
+      if (!is_soil(places, id)) continue;
       b = {std::min(b[0], px), std::min(b[1], py), std::max(b[2], px), std::max(b[3], py)};
     }
   }
@@ -268,10 +280,10 @@ void read_fields(const Frames& frames, ShownRun& shown)
 {
   for (const Recipe& recipe : all_recipes(frames)) {
     Values values;
-    const bool fixed = recipe.kind == "category";
-    for (const std::size_t k : shown.frames)
-      if (!fixed || values.empty()) values.push_back(read_values(frames, recipe, k, shown.ids));
-    shown.fields.push_back(make_field(recipe, values));
+    for (const std::size_t k : shown.frames) values.push_back(read_values(frames, recipe, k, shown.ids));
+    std::vector<Codes>& codes = shown.fields.emplace_back(make_field(recipe, values)).frames;
+    const bool never_changes = std::ranges::all_of(codes, [&](const Codes& c) { return c == codes[0]; });
+    if (recipe.kind == "category" && never_changes) codes.resize(1);
     if (recipe.name == "su") {
       ShownField ratio = strength_ratio(shown.fields.back(), static_cast<int>(shown.fields.size()) - 1, values);
       if (const auto end = end_of_strength_scale(values)) shown.fields.back().high = *end;
@@ -358,7 +370,7 @@ ShownRun read_shown(const Frames& frames, std::int64_t n_most)
       .n_frames_in_run = frames.times().size(),
       .times = frames.times()};
   for (std::size_t k = 0; k < shown.n_frames_in_run; ++k) shown.frames.push_back(k);
-  shown.point_size = spacing_of(frames, shown.ids.size());
+  shown.point_size = spacing_of(frames, shown.ids);
   read_places(frames, shown);
   read_fields(frames, shown);
   return shown;

@@ -27,7 +27,7 @@ struct ShownRun {
   std::vector<std::size_t> frames = {};           ///< which of them are shown
   std::vector<Real> times = {};                   ///< of those [s]
   Scale x = {}, y = {};                           ///< [m]
-  std::vector<Codes> x_codes = {}, y_codes = {};  ///< by frame; `no_value` in both: the point has left the mesh
+  std::vector<Codes> x_codes = {}, y_codes = {};  ///< by frame; `no_value` in both: there is no soil of the point
   std::vector<ShownField> fields = {};            ///< the first is shown first
   Real point_size = 0.0;                          ///< typical distance of the points shown [m]
   std::array<Real, 4> bounds{};  ///< of the points shown in all frames: low x, low y, high x, high y [m]

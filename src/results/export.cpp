@@ -51,6 +51,7 @@ std::string csv_text(const Frames& frames, const std::vector<std::string>& names
     fields.push_back(frames.read(name, k));
   }
   for (std::size_t p = 0; p < x.size() / 2; ++p) {
+    if (!is_soil(x, p)) continue;
     fmt::format_to(std::back_inserter(text), "\n{},{},{}", p, x[2 * p], x[2 * p + 1]);
     for (const auto& values : fields) {
       const std::size_t n = values.size() / (x.size() / 2);

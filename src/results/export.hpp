@@ -18,8 +18,8 @@ struct ExportOptions {
 /// what is allowed.
 std::vector<std::size_t> parse_frames(const std::string& text, std::size_t n_frames);
 
-/// Writes frame_00000.csv ..., and frames.csv with file, time and step. Frames that turn out to be damaged are left
-/// out, and named by `frames.warnings`. Returns the paths.
+/// Writes frame_00000.csv ..., a row for each point of which there is soil, and frames.csv with file, time and step.
+/// Frames that turn out to be damaged are left out, and named by `frames.warnings`. Returns the paths.
 std::vector<std::string> export_frames(Frames& frames, const ExportOptions& options);
 
 }  // namespace terp

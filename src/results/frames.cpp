@@ -2,6 +2,7 @@
 #include "results/frames.hpp"
 
 #include "base/errors.hpp"
+#include "base/nan.hpp"
 #include "input/case_file.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
@@ -37,6 +38,27 @@ std::vector<ResultField> read_fields(const Hdf5File& file, std::int64_t n_points
     fields.push_back({name, file.text(table, "unit"), static_cast<int>(n_columns)});
   }
   return fields;
+}
+
+/// Fields of which one tells where there is soil: 0 and more if `holds_zero`, else above 0.
+struct SoilSign {
+  const char* field;
+  bool holds_zero;
+};
+constexpr SoilSign soil_signs[] = {{"material", true}, {"cell", true}, {"volume", false}};
+
+/// NaN where there is no soil. A frame without any of those fields does not tell: all of it counts as soil.
+void leave_out_absent(const Hdf5File& file, std::vector<Real>& rows)
+{
+  for (const auto& [field, holds_zero] : soil_signs) {
+    const std::string name = point_data + "/" + field;
+    if (!file.exists(name)) continue;
+    const std::vector<Real> sign = file.read<Real>(name);
+    const std::size_t n = rows.size() / std::max<std::size_t>(1, sign.size());
+    for (std::size_t p = 0; p < sign.size(); ++p)
+      if (!(sign[p] > 0.0 || (holds_zero && sign[p] == 0.0))) std::fill_n(&rows[n * p], n, nan);
+    return;
+  }
 }
 
 }  // namespace
@@ -123,6 +145,7 @@ std::vector<Real> Frames::read_rows(const std::string& name, int n_components, s
   if (std::ssize(rows) != n_points_ * n_components)
     throw FileError(fmt::format("cannot read {} in {}: it has {} values, {} points of {} are due", name, path,
         rows.size(), n_points_, n_components));
+  leave_out_absent(file, rows);
   return rows;
 }
 

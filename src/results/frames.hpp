@@ -5,6 +5,8 @@
 #include "base/sentence.hpp"
 #include "output/frame_files.hpp"
 
+#include <cmath>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +21,9 @@ struct ResultField {
 
 /// Each reading opens the file of its frame. Frames that a run adds meanwhile are not seen. Frames that are missing or
 /// damaged are left out: frame k is the k-th of the others.
+///
+/// Row p is the same material point in every frame. Where there is no soil of it, its place and all of its values are
+/// NaN: its body is not placed yet or was removed, or it left through an open side.
 class Frames {
  public:
   /// Of a run folder. Throws FileError if it holds no frame that can be read, or frames of different runs.
@@ -30,7 +35,7 @@ class Frames {
   const std::vector<ResultField>& fields() const { return fields_; }  ///< in the order of the file
   bool has(std::string_view name) const { return find(name) != nullptr; }
 
-  /// Places in frame k [m], shape [n_points, 2]. Row p is the same material point in every frame.
+  /// Places in frame k [m], shape [n_points, 2].
   std::vector<Real> places(std::size_t k) const;
   /// A field in frame k, shape [n_points, n_components]. Throws CaseError that lists the fields if there is none of
   /// that name, FileError if the frame is damaged.
@@ -46,7 +51,7 @@ class Frames {
   const ResultField* find(std::string_view name) const;
   void add_frame(std::int64_t number);
   void leave_out(const std::string& path, const std::string& why);
-  /// The rows of a dataset in frame k, which must be n_points.
+  /// The rows of a dataset in frame k, which must be n_points; NaN without soil.
   std::vector<Real> read_rows(const std::string& name, int n_components, std::size_t k) const;
 
   std::string folder_, run_;
@@ -57,6 +62,9 @@ class Frames {
   std::vector<ResultField> fields_;
   std::vector<Sentence> warnings_;
 };
+
+/// Whether there is soil of point p. places: of a frame.
+inline bool is_soil(std::span<const Real> places, std::size_t p) { return !std::isnan(places[2 * p]); }
 
 /// Size of a vector in each row of a field, shape [n_rows] (of a scalar: its absolute value).
 std::vector<Real> magnitudes(const std::vector<Real>& values, int n_components);

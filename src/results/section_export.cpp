@@ -13,10 +13,18 @@ namespace {
 
 PointSection section_of_frame(const Frames& frames, std::size_t k)
 {
-  const std::vector<Real> x = frames.places(k), materials = frames.read("material", k);
+  const std::vector<Real> x = frames.places(k), material = frames.read("material", k),
+                          volume = frames.read("volume", k);
   std::vector<Vec<2>> places;
-  for (std::size_t p = 0; p < x.size() / 2; ++p) places.push_back({x[2 * p], x[2 * p + 1]});
-  return section_of_points(places, frames.read("volume", k), std::vector<int>(materials.begin(), materials.end()));
+  std::vector<Real> volumes;
+  std::vector<int> materials;
+  for (std::size_t p = 0; p < material.size(); ++p) {
+    if (!is_soil(x, p)) continue;
+    places.push_back({x[2 * p], x[2 * p + 1]});
+    volumes.push_back(volume[p]);
+    materials.push_back(static_cast<int>(material[p]));
+  }
+  return section_of_points(places, volumes, materials);
 }
 
 }  // namespace

@@ -109,6 +109,22 @@ void find_short_averaging(const Model& model, std::vector<Problem>& warnings)
       "forces.damping.averaging_time", false, {"forces.damping"}});
 }
 
+/// Frames that do not say which points are soil, of a run in which soil comes or goes.
+void find_frames_without_soil(const Model& model, std::vector<Problem>& warnings)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const auto& names = whole.output.field_names;
+  const auto tells = [](const std::string& name) { return name == "material" || name == "cell" || name == "volume"; };
+  if (names.empty() || std::ranges::any_of(names, tells)) return;
+  if (!std::ranges::any_of(whole.bodies, comes_or_goes) &&
+      std::ranges::find(whole.sides, SideKind::open, &SideCondition::kind) == whole.sides.end())
+    return;
+  warnings.push_back({"output.fields.names", "the frames do not say of which points there is soil",
+      "Pictures, page and exports show points of bodies that are not there, and points that left through an open side. "
+      "Add \"material\".",
+      "output.fields.names"});
+}
+
 }  // namespace
 
 std::vector<Problem> find_warnings(const Model& model, const State& state)
@@ -118,6 +134,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   std::ranges::move(find_flood_warnings(model, state), std::back_inserter(warnings));
   find_thin_points(model, warnings);
   find_low_excavations(model, warnings);
+  find_frames_without_soil(model, warnings);
   find_sides_that_move_far(model, warnings);
   find_odd_places(model, warnings);
   find_odd_water(model, state, warnings);

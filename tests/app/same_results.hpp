@@ -28,12 +28,13 @@ inline void expect_same_frames(const std::string& a, const std::string& b)
   EXPECT_GT(ours.times().size(), 1u);
   ASSERT_EQ(ours.times(), theirs.times());
   ASSERT_EQ(ours.fields().size(), theirs.fields().size());
+  const auto same = [](const std::vector<Real>& x, const std::vector<Real>& y) {
+    return std::ranges::equal(x, y, [](Real p, Real q) { return p == q || (p != p && q != q); });
+  };
   for (std::size_t k = 0; k < ours.times().size(); ++k) {
-    EXPECT_TRUE(ours.places(k) == theirs.places(k)) << k;
-    for (const auto& field : ours.fields()) {
-      const auto x = ours.read(field.name, k), y = theirs.read(field.name, k);
-      EXPECT_TRUE(std::ranges::equal(x, y, [](Real p, Real q) { return p == q || (p != p && q != q); })) << field.name;
-    }
+    EXPECT_TRUE(same(ours.places(k), theirs.places(k))) << k;
+    for (const auto& field : ours.fields())
+      EXPECT_TRUE(same(ours.read(field.name, k), theirs.read(field.name, k))) << field.name;
   }
 }
 

@@ -15,7 +15,9 @@ sys.path[:0] = [str(HERE), str(HERE.parents[1] / "python")]
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
 from matplotlib.text import Text  # noqa: E402
 
+import numpy as np  # noqa: E402
 import synthetic  # noqa: E402
+import terp  # noqa: E402
 
 
 @functools.cache
@@ -31,6 +33,23 @@ def synthetic_run(scheme="mpm_gp", model=2, end=4.0):
     if not folder.exists():
         synthetic.write_run(folder, scheme, model, synthetic.TIMES[synthetic.TIMES <= end])
     return folder
+
+
+@contextlib.contextmanager
+def without_soil(rows, sign="material", gone=-1.0):
+    """A coarse synthetic run in whose frames some rows are no soil: the field `sign` is `gone` there, else 1. They hold
+    huge values at the place of the row before; in the last frame 50 m away."""
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = synthetic.write_run(pathlib.Path(scratch) / "run", times=synthetic.TIMES[:3])
+        start = synthetic.lattice(0.1)
+        for k, t in enumerate(synthetic.TIMES[:3]):
+            x = synthetic.places(start, t, 2)
+            x[rows] = np.roll(x, 1, axis=0)[rows] + (50.0 if k == 2 else 0.0)
+            fields = {**synthetic.fields_at(start, t, "mpm_gp", 2), sign: np.ones(len(start))}
+            for name, values in fields.items():
+                values[rows] = gone if name == sign else 1e9
+            synthetic.write_frame(synthetic.frame_file(folder, k), k, t, x, fields)
+        yield terp.open(folder)
 
 
 def texts_of(figure):

@@ -148,7 +148,7 @@ def write_frame(path, number, time, x, fields, case="0123456789abcdef"):
         for name, values in fields.items():
             array = root.create_dataset(f"PointData/{name}", data=values, dtype="f4", compression="gzip",
                                         fletcher32=True)
-            array.attrs["unit"] = np.bytes_(UNITS[name])
+            array.attrs["unit"] = np.bytes_(UNITS.get(name, "-"))
             if name in COMPONENTS:
                 array.attrs["components"] = np.bytes_(COMPONENTS[name])
 

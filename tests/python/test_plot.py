@@ -74,6 +74,7 @@ class Pictures(unittest.TestCase):
         class OneFrame:
             def __init__(self, values):
                 self.values = np.asarray(values, dtype=float)
+                self.soil = np.ones(len(values), dtype=bool)
 
             def scalar(self, _):
                 return self.values
@@ -94,12 +95,36 @@ class WithoutValue:
     """A frame in which every other point is of a material without strength."""
 
     def __init__(self, frame):
-        self.frame, self.run, self.x = frame, frame.run, frame.x
+        self.frame, self.run, self.x, self.soil = frame, frame.run, frame.x, frame.soil
 
     def scalar(self, name):
         values = np.array(self.frame.scalar(name))
         values[::2] = np.nan
         return values
+
+
+class Soil(unittest.TestCase):
+    def test_points_without_soil_are_in_no_part_of_a_picture(self):
+        with support.without_soil(slice(1, None, 2)) as run:
+            panel, whole = plot.field(run, "su"), plot.field(terp.open(support.synthetic_run("mpm_gp", 2)), "su", 1.0)
+            frame = run.frame(-1)
+            squares = panel.collections[0]
+            np.testing.assert_array_equal(squares.get_offsets(), frame.x[::2])
+            np.testing.assert_array_equal(squares.get_array(), frame["su"][::2])
+            np.testing.assert_allclose(squares.get_sizes(), whole.collections[0].get_sizes())
+            self.assertEqual(panel.get_xlim(), whole.get_xlim())
+            self.assertEqual(panel.get_ylim(), (0.0, 2.0))
+            self.assertEqual(squares.get_clim(), (0.0, 8000.0))
+            self.assertEqual(plot.without_value([frame], "su"), [])
+            figure, notes = sections.draw_sections([run], sections.Section("su", (1.0,)))
+            np.testing.assert_array_equal(figure.axes[0].collections[0].get_offsets(), frame.x[::2])
+            self.assertEqual(notes, [])
+
+    def test_bodies_that_a_stage_places_have_no_outline(self):
+        box = {"box": [[0, 0], [1, 1]]}
+        case = {"body": [box, {**box, "name": "fill"}, {**box, "name": "berm"}],
+                "stage": [{"name": "a"}, {"name": "b", "place": ["berm"], "remove": ["fill"]}]}
+        self.assertEqual(len(plot.body_outlines(case)), 2)
 
 
 class Sections(unittest.TestCase):

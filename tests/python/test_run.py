@@ -69,6 +69,20 @@ class RunFolder(unittest.TestCase):
         self.assertEqual(self.run_.nearest(x, y, 4.0), row)
         self.assertNotEqual(self.run_.nearest(x, y, 0.0), row)
 
+    def test_nearest_looks_at_soil_alone(self):
+        row = self.run_.nearest(7.65, 0.05)
+        with support.without_soil([row]) as run:
+            self.assertEqual(len(run.frame(0).x), len(self.run_.frame(0).x))
+            self.assertNotEqual(run.nearest(7.65, 0.05), row)
+        with support.without_soil(slice(None)) as run, self.assertRaisesRegex(terp.RunError, "no soil at t = 0 s"):
+            run.nearest(7.65, 0.05)
+
+    def test_material_cell_or_volume_says_where_there_is_soil(self):
+        self.assertTrue(self.run_.frame(0).soil.all(), "these frames have none of them")
+        for sign, gone in (("material", -1.0), ("volume", 0.0)):
+            with support.without_soil([3, 5], sign, gone) as run:
+                np.testing.assert_array_equal(np.flatnonzero(~run.frame(-1).soil), [3, 5])
+
     def test_a_series_is_one_row_of_all_frames(self):
         row = 700
         for name in ("su", "stress", "x"):

@@ -16,6 +16,7 @@ import unittest
 import support
 
 import numpy as np
+import samples
 import terp
 
 ROOT = support.HERE.parents[1]
@@ -170,6 +171,17 @@ class SimulationInMemory(unittest.TestCase):
             other = terp.Simulation(self.case)
             other.restore(saved)
             self.assertEqual(other.time, run.time)
+
+    def test_it_says_which_points_are_soil(self):
+        run = terp.Simulation(terp.Case.from_text(samples.DUG))
+        run.start()
+        for body, there in ((samples.FILL, True), (samples.BERM, False), (samples.STONE, True)):
+            self.assertEqual(set(run.soil[body]), {there})
+        run.run()
+        for body, there in ((samples.GROUND, True), (samples.FILL, False), (samples.BERM, True),
+                            (samples.STONE, False)):
+            self.assertEqual(set(run.soil[body]), {there})
+        self.assertEqual(run.field("stress").shape, (len(run.soil), 4))
 
     def test_fields_can_be_set(self):
         run = terp.Simulation(self.case)

@@ -11,7 +11,9 @@ import support
 
 import h5py
 import numpy as np
+import samples
 import terp
+from terp import plot
 
 ROOT = support.HERE.parents[1]
 PROGRAM = os.environ.get("TERP")
@@ -124,3 +126,45 @@ class RunOfTheProgram(unittest.TestCase):
 
 if __name__ == "__main__":
     unittest.main()
+
+
+@unittest.skipUnless(PROGRAM, "TERP names no program")
+class RunWithBodiesThatComeAndGo(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.folder = pathlib.Path(scratch.name) / "run"
+        case = cls.folder.with_suffix(".toml")
+        case.write_text(samples.DUG)
+        cls.program("run", case, "-o", cls.folder, "-j", "1", "-q")
+        cls.run_ = terp.open(cls.folder)
+
+    @staticmethod
+    def program(*arguments):
+        subprocess.run([PROGRAM, *map(str, arguments)], check=True, capture_output=True)
+
+    def test_a_frame_says_which_of_its_points_are_soil(self):
+        first, last = self.run_.frame(0), self.run_.frame(-1)
+        for rows, at_first, at_last in ((samples.GROUND, True, True), (samples.FILL, True, False),
+                                        (samples.BERM, False, True), (samples.STONE, True, False)):
+            self.assertEqual(set(first.soil[rows]), {at_first})
+            self.assertEqual(set(last.soil[rows]), {at_last})
+        self.assertEqual(len(last.x), len(first.x), "a row is the same point in every frame")
+        np.testing.assert_array_equal(last.soil, last["volume"] > 0)
+
+    def test_a_picture_shows_the_soil_alone(self):
+        for time, x in ((0.0, self.run_.frame(0)), (1.0, self.run_.frame(-1))):
+            panel = plot.field(self.run_, "stress.yy", time)
+            np.testing.assert_array_equal(panel.collections[0].get_offsets(), x.x[x.soil])
+        outlined = [tuple(line.get_xydata().max(axis=0)) for line in panel.lines]
+        self.assertEqual(outlined, [(4.0, 2.0), (3.0, 3.0), (0.5, 4.0)], "the berm is not there at the start")
+
+    def test_an_export_has_the_rows_of_the_soil_alone(self):
+        self.program("export", self.folder, "--field", "material")
+        for k in (0, -1):
+            frame = self.run_.frame(k)
+            name = f"frame_{k % len(self.run_):05}.csv"
+            rows = np.genfromtxt(self.folder / "csv" / name, delimiter=",", names=True)
+            np.testing.assert_array_equal(rows["id"], np.flatnonzero(frame.soil))
+            np.testing.assert_array_equal(rows["material"], frame["material"][frame.soil])

@@ -62,9 +62,11 @@ TEST_F(Layers, ANameStandsInItsSoilNearTheLeft)
   }
 }
 
-TEST_F(Layers, PointsThatLeftCarryNothing)
+TEST_F(Layers, PointsWithoutSoilCarryNothing)
 {
-  for (Real& material : materials) material = -1.0;
+  std::ranges::fill(places, std::nan(""));
+  std::ranges::fill(materials, std::nan(""));
+  EXPECT_TRUE(attach_surface(points(), 3.0, 6.0).is_empty());
   EXPECT_TRUE(layers()[0].lines.is_empty());
   EXPECT_TRUE(layers()[0].middle.is_empty());
 }

@@ -4,8 +4,8 @@
 
 namespace shown_test {
 
-/// A run of n points in F frames: point p moves right by k at frame k and has S_u = 8000 - 100 k p; the last leaves in
-/// the last frame. noise: what chance adds to coordinates [m], and a thousand times to S_u [Pa].
+/// A run of n points in F frames: point p moves right by k at frame k and has S_u = 8000 - 100 k p. noise: what chance
+/// adds to coordinates [m], and a thousand times to S_u [Pa].
 struct Folder {
   ScratchFolder scratch;
   std::string path = write_run(scratch.path() + "/run");
@@ -26,7 +26,7 @@ struct Folder {
         frame.fields[0].values.push_back(8000.0 - 100.0 * k * p + 1000.0 * random.between(0.0, noise));
         for (const Real s : {-3000.0, -6000.0, -9000.0, 500.0 * p}) frame.fields[1].values.push_back(s);
         for (const Real v : {3.0 * k, 4.0 * k, 0.0}) frame.fields[2].values.push_back(v);
-        frame.fields[3].values.push_back(k == n_frames - 1 && p == n - 1 ? -1.0 : p % 2);
+        frame.fields[3].values.push_back(p % 2);
         frame.fields[4].values.push_back(0.01);
       }
       results.append(frame);
@@ -53,15 +53,65 @@ TEST(Shown, HasThePlacesToAFiftiethOfTheSpacing)
   EXPECT_NEAR(run.x.lo + run.x.step * run.x_codes[2][3], 3.5, 0.001 + 1e-12);
   EXPECT_NEAR(run.y.lo + run.y.step * run.y_codes[2][3], 0.75, 0.001 + 1e-12);
   EXPECT_THAT(run.times, ElementsAre(0.0, 0.1, 0.2));
-  EXPECT_EQ(run.bounds, (std::array<Real, 4>{0.0, 0.0, 4.0, 1.25}));
+  EXPECT_EQ(run.bounds, (std::array<Real, 4>{0.0, 0.0, 4.5, 1.25}));
 }
 
-TEST(Shown, APointThatLeftHasNoPlace)
+/// Two frames of 100 points of 1 m^2 that keep 7 kPa. The first 30 are dug away after the first frame, the last 40 come
+/// after it as another soil. Where there is no soil, a frame holds zeros and where the point is drawn, here 50 m up.
+struct Dug : testing::Test {
+  ScratchFolder scratch;
+  std::string path = write_run(scratch.path() + "/run");
+
+  Dug()
+  {
+    std::filesystem::remove_all(path_in(path, frames_folder));
+    PointFrameWriter results({path, point_frames, "0123456789abcdef"});
+    for (int k = 0; k < 2; ++k) {
+      Frame frame{.time = 0.1 * k, .step = k, .x = {}, .fields = {}};
+      frame.fields = {{"su", "Pa", 1, {}}, {"material", "-", 1, {}}, {"volume", "m^2", 1, {}}};
+      for (int p = 0; p < 100; ++p) {
+        const bool there = k == 0 ? p < 60 : p >= 30;
+        frame.x.insert(frame.x.end(), {1.0 * p, there ? 2.0 : 50.0});
+        frame.fields[0].values.push_back(there ? 7e3 : 0.0);
+        frame.fields[1].values.push_back(!there ? -1.0 : p < 60 ? 0.0 : 1.0);
+        frame.fields[2].values.push_back(there ? 1.0 : 0.0);
+      }
+      results.append(frame);
+    }
+  }
+};
+
+TEST_F(Dug, PointsWithoutSoilHaveNoPlaceAndNoValue)
 {
-  const ShownRun run = Folder(6, 3).shown();
-  EXPECT_EQ(run.x_codes[2][5], no_value);
-  EXPECT_EQ(run.y_codes[2][5], no_value);
-  EXPECT_NE(run.x_codes[1][5], no_value);
+  const ShownRun run = read_shown(Frames(path), 1000);
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t p = 0; p < 100; ++p) {
+      const bool there = k == 0 ? p < 60 : p >= 30;
+      EXPECT_EQ(run.x_codes[k][p] != no_value, there);
+      EXPECT_EQ(run.y_codes[k][p] != no_value, there);
+      EXPECT_EQ(field_of(run, "su").frames[k][p] != no_value, there);
+    }
+  EXPECT_EQ(run.bounds, (std::array<Real, 4>{0.0, 2.0, 99.0, 2.0}));
+  EXPECT_EQ(run.point_size, 1.0);
+}
+
+TEST_F(Dug, PointsWithoutSoilHaveNoShareInTheColours)
+{
+  const ShownRun run = read_shown(Frames(path), 1000);
+  EXPECT_EQ(field_of(run, "su").high, 8.0);
+  EXPECT_EQ(field_of(run, "su_ratio").low, 0.5) << "none has softened";
+  const ShownField& ratio = field_of(run, "su_ratio");
+  ASSERT_EQ(ratio.shares, 0);
+  EXPECT_NEAR(ratio.scale.lo + ratio.scale.step * run.fields[0].frames[1][99], 1.0, 1e-6);
+}
+
+TEST_F(Dug, ABodyThatIsPlacedLaterHasItsSoil)
+{
+  const ShownRun run = read_shown(Frames(path), 1000);
+  EXPECT_EQ(field_of(run, "material").high, 1.0);
+  ASSERT_EQ(field_of(run, "material").frames.size(), 2);
+  EXPECT_EQ(field_of(run, "material").frames[1][40], 0);
+  EXPECT_EQ(field_of(run, "material").frames[1][99], 1);
 }
 
 TEST(Shown, HasFieldsInReadableUnitsWithTheirMeanStressSpeedAndStrengthRatio)

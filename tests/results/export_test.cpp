@@ -47,6 +47,17 @@ TEST_F(ExportTest, AllFramesAndFieldsUnlessToldOtherwise)
   EXPECT_THAT(read_file(paths[2]), StartsWith("id,x,y,su,velocity_x,velocity_y,velocity_z,stress_xx,"));
 }
 
+TEST_F(ExportTest, HasNoRowOfAPointWithoutSoil)
+{
+  Frame frame = sample_frame(1);
+  frame.fields.push_back({"material", "-", 1, {0.0, -1.0, 0.0, 0.0, -1.0}});
+  for (int k = 0; k < 3; ++k)
+    PointFrameWriter({scratch.path() + "/run", point_frames, "0123456789abcdef", k}).append(frame);
+  Frames dug(scratch.path() + "/run");
+  const auto paths = export_frames(dug, {{"material"}, "last", folder});
+  EXPECT_EQ(read_file(paths[0]), "id,x,y,material\n0,1000.1,1000.2,0\n2,1020.1,1020.2,0\n3,1030.1,1030.2,0\n");
+}
+
 TEST_F(ExportTest, LeavesDamagedFramesOut)
 {
   const std::string path = scratch.path() + "/run/frames/points_00001.vtkhdf", bytes = read_file(path);

@@ -44,6 +44,29 @@ TEST_F(FramesTest, ReadsPlacesAndFields)
   EXPECT_TRUE(frames.warnings().empty());
 }
 
+TEST_F(FramesTest, HavePlacesAndValuesOnlyWhereThereIsSoil)
+{
+  constexpr Real gone = -1.0;
+  const std::pair<const char*, std::vector<Real>> signs[] = {{"material", {0.0, gone, 2.0, gone, 1.0}},
+      {"cell", {0.0, gone, 9.0, gone, 5.0}}, {"volume", {0.1, 0.0, 0.1, 0.0, 0.1}}};
+  for (const auto& [name, values] : signs) {
+    SCOPED_TRACE(name);
+    Frame frame = sample_frame(0);
+    frame.fields.push_back({name, "-", 1, values});
+    for (int k = 0; k < 3; ++k) writer_from(k).append(frame);
+    const Frames frames(folder);
+    const std::vector<Real> x = frames.places(0), stress = frames.read("stress", 0), sign = frames.read(name, 0);
+    for (std::size_t p = 0; p < 5; ++p) {
+      const bool there = p % 2 == 0;
+      EXPECT_EQ(is_soil(x, p), there);
+      EXPECT_EQ(std::isnan(sign[p]), !there);
+      for (std::size_t d = 0; d < 2; ++d) EXPECT_EQ(std::isnan(x[2 * p + d]), !there);
+      for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(std::isnan(stress[4 * p + c]), !there);
+    }
+    EXPECT_EQ(x[4], frame.x[4]);
+  }
+}
+
 TEST_F(FramesTest, AreThoseOfTheFolderWhenItWasOpenedWhateverTheRunAdds)
 {
   const Frames frames(folder);

@@ -40,6 +40,23 @@ TEST(SetupWarnings, AFaceOfFewCellsThatIsDugAwayIsTold)
   EXPECT_TRUE(told_of(1.0, false).empty()) << "no soil beside it: no face";
 }
 
+TEST(SetupWarnings, FramesThatDoNotSayWhereThereIsSoilAreTold)
+{
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
+  c.output.field_names = {"stress"};
+  EXPECT_TRUE(warnings_of(c).empty()) << "no soil comes or goes";
+  const auto is_told = ElementsAre(told("output.fields.names", "the frames do not say of which points there is soil"));
+  Case dug = c, open = c;
+  dug.bodies[0].removed = 2;
+  EXPECT_THAT(warnings_of(dug), is_told);
+  open.sides.push_back(side("right", SideKind::open));
+  EXPECT_THAT(warnings_of(open), is_told);
+  for (const char* name : {"material", "cell", "volume"}) {
+    dug.output.field_names = {"stress", name};
+    EXPECT_TRUE(warnings_of(dug).empty()) << name;
+  }
+}
+
 TEST(SetupWarnings, PointsOfAFileWithHardlyAnyVolumeAreTold)
 {
   const ScratchFolder folder;

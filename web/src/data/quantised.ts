@@ -1,6 +1,6 @@
 // A quantity per frame and point in 16 bits. Bytes of frame f: n low bytes, then n high bytes, of d[f], where d[0] =
 // q[0] and d[f] = (q[f] - q[f-1]) mod 65536. Value: lo + (hi - lo) q / 65535, or lo (hi/lo)^(q/65535) if `log`. The
-// last q means "no value": in a field that a material does not have, and in both coordinates of a point that has left.
+// last q means "no value": in a field that a material does not have, and in all of a point of which there is no soil.
 // The other half of this codec is the C++ writer; tests/unit/cpp_codec.test.ts holds bytes that it wrote.
 
 import type { QuantisedMeta } from "./format";

@@ -124,7 +124,7 @@ export class Run {
     return new Quantised(meta, await q);
   }
 
-  /** False for a point that has left through an open side. */
+  /** False for a point that left through an open side, and where its body is not placed yet or was removed. */
   present(frame: number, point: number): boolean {
     return this.x.frame(frame)[point] !== FULL || this.y.frame(frame)[point] !== FULL;
   }

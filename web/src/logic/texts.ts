@@ -176,7 +176,7 @@ export const TEXTS = {
   no_value: ["This point has no value of {label}: its material has no such quantity.",
     "Dit punt heeft geen waarde van {label}: zijn grond kent die grootheid niet."],
   over_frames: ["Its {label} over the frames", "{label} van dit punt over de beelden"],
-  left_mesh: ["left", "weg"],
+  not_there: ["not there", "is er niet"],
 
   ...DIKE_TEXTS,
 

@@ -94,6 +94,6 @@ export class Pinned {
         element("tr", name === this.current.state.field ? { class: "chosen" } : {},
         element("th", { scope: "row" }, label),
         ...columns.map((column) =>
-          element("td", {}, column?.find((row) => row.name === name)?.value ?? say("left_mesh")))))));
+          element("td", {}, column?.find((row) => row.name === name)?.value ?? say("not_there")))))));
   }
 }

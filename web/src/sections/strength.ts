@@ -30,7 +30,7 @@ export function samplesAt(run: Run, frame: number, x: number, field: Quantised, 
     if (!run.present(frame, p)) continue;
     const [px, py] = run.place(frame, p);
     if (Math.abs(px - x) > reach) continue;
-    samples.push({ y: py, value: field.value(frame, p), material: Math.round(material?.value(0, p) ?? 0) });
+    samples.push({ y: py, value: field.value(frame, p), material: Math.round(material?.value(frame, p) ?? 0) });
   }
   return samples.sort((a, b) => a.y - b.y);
 }

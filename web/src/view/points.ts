@@ -23,7 +23,7 @@ uniform vec2 centre, per_metre;     // camera: [m], clip units per metre
 uniform float size;                 // pixels
 uniform int categories;             // number of colours in use for categories; 0: a scale
 uniform sampler2D colours, soils;
-uniform vec2 m_range;               // lo, hi of the material; lo = hi: not there yet
+uniform vec2 m_range;               // lo, hi of the material; lo = hi: not decoded yet
 uniform vec3 no_value, paper;       // paper: what soil without a value is made paler with
 flat out vec3 colour;
 
@@ -203,6 +203,10 @@ export class PointRenderer {
       buffers = this.create(run);
       this.buffers.set(run, buffers);
     }
+    if (picture.material && (buffers.material !== picture.material || buffers.frame !== picture.frame)) {
+      this.fill(buffers.m, picture.material.frame(picture.frame));
+      buffers.material = picture.material;
+    }
     if (buffers.frame !== picture.frame) {
       this.fill(buffers.x, run.x.frame(picture.frame));
       this.fill(buffers.y, run.y.frame(picture.frame));
@@ -212,10 +216,6 @@ export class PointRenderer {
       this.fill(buffers.v, picture.field.frame(picture.frame));
       buffers.field = picture.field;
       buffers.valueFrame = picture.frame;
-    }
-    if (picture.material && buffers.material !== picture.material) {
-      this.fill(buffers.m, picture.material.frame(0));
-      buffers.material = picture.material;
     }
     gl.bindBuffer(gl.ARRAY_BUFFER, null);
     return buffers;

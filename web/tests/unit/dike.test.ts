@@ -1,6 +1,7 @@
 // What is drawn of a dike: lines that go with points, grounds of the residual profile, strength along a vertical.
 
 import { afterEach, describe, expect, it } from "vitest";
+import { FULL, NONE, Quantised } from "../../src/data/quantised";
 import { Report } from "../../src/data/report";
 import type { Run } from "../../src/data/run";
 import { chooseLanguage } from "../../src/logic/texts";
@@ -84,6 +85,14 @@ describe("the strength along a vertical", () => {
     for (let k = 1; k < samples.length; k++) expect(samples[k]!.y).toBeGreaterThanOrEqual(samples[k - 1]!.y);
     expect(samples[0]!.material).toBe(0);
     expect(samples[samples.length - 1]!.material).toBe(1);
+  });
+
+  it("has the soil of its frame: a body may come after the first one", async () => {
+    const run = await dike();
+    const [field, material] = [(await run.field("su"))!, (await run.field("material"))!];
+    const soil = { ...material.meta, lo: 0, hi: FULL, static: false };
+    const q = Uint16Array.from(material.q, (_, k) => (k < run.points ? NONE : 1));
+    for (const { material: number } of samplesAt(run, 1, 2, field, new Quantised(soil, q))) expect(number).toBe(1);
   });
 
   it("is the mean of each layer, with a gap where no soil has a strength", () => {
