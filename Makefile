@@ -45,8 +45,8 @@ test: install    ## install, build and run the tests
 	@cmake --build $(BUILD)
 	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 4 -LE 'verify|long'
 
-test-long:       ## after `make test`: the tests that take more than six seconds each; CI runs both
-	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 4 -L long
+test-long:       ## after `make test`: the tests that take more than six seconds each; ARGS="-E ledger" as CI does
+	@tests/support/in_memory ctest --test-dir $(BUILD) --output-on-failure -j 4 -L long $(ARGS)
 
 package: build   ## a Debian package: program, Python package, documents, cases, manual page, completion
 	@cmake --build $(BUILD) --target manual

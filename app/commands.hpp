@@ -50,7 +50,8 @@ struct ConvergeOptions {
   std::vector<double> turns;          ///< directions of the cells [deg]
   std::vector<int> points;            ///< points per cell in each direction
   double tolerance = 0.02;
-  bool estimate = false;  ///< say what it would cost, and end
+  bool estimate = false;      ///< say what it would cost, and end
+  bool what_decides = false;  ///< change inputs one at a time, and say which of them give another outcome
 };
 
 struct VerifyOptions {

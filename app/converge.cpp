@@ -8,6 +8,7 @@
 #include "progress.hpp"
 #include "report/mesh_study_page.hpp"
 #include "system/stop.hpp"
+#include "what_decides.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
@@ -128,6 +129,14 @@ int converge_case(const ConvergeOptions& options)
   if (!solve_all(plan, silent)) {
     fmt::print(stderr, "stopped; what is solved is kept in {}. Go on with the same command\n", plan.folder);
     return failed;
+  }
+  if (options.what_decides) {
+    const Decision decision = decide(plan);
+    write_file_atomically(path_in(plan.folder, depends_file), decision.json);
+    if (run.json) fmt::print("{}", decision.json);
+    if (speaks) fmt::print("{}numbers in {}\n", decision.text, path_in(plan.folder, depends_file));
+    if (run.report) write_report(plan);
+    return plan.sequences.front().runs.front().fault.empty() ? solved : stopped_itself;  // else that is an outcome
   }
   read_results(plan);
   MeshStudy study = study_mesh(plan.sequences, options.tolerance);

@@ -14,6 +14,7 @@
 #include "simulation/setup_mesh.hpp"
 #include "simulation/turned_mesh.hpp"
 #include "warnings/setup_warnings.hpp"
+#include "what_decides.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -31,6 +32,7 @@ constexpr double seconds_of_trial = 0.5;
 std::vector<double> sizes_of(const ConvergeOptions& options)
 {
   const std::vector<double> cells = descending_sizes(options.cells);
+  if (options.what_decides && !cells.empty()) return cells;
   if (cells.size() < 2)
     throw CaseError(
         "error: --cells: one size says nothing of the mesh\n"
@@ -71,6 +73,11 @@ class Sequences {
 Sequences sequences_of(const ConvergeOptions& options, const Case& given)
 {
   Sequences sequences;
+  if (options.what_decides)
+    for (StudySequence& sequence : sequences_that_may_decide(options)) {
+      const std::string name = sequence.name;
+      sequences.add(name, std::move(sequence));
+    }
   for (const std::string& variant : options.variants)
     sequences.add("--variant " + variant, {variant, changes_of_variant(variant), {}});
   for (const double turn : options.turns) {
@@ -287,7 +294,9 @@ Plan plan_study(const ConvergeOptions& options)
   Sequences sequences = sequences_of(options, file.values);
   Plan plan{.case_name = file.values.name,
       .title = file.values.title,
-      .folder = options.run.output.empty() ? default_run_folder(options.run.path) + "_convergence" : options.run.output,
+      .folder = options.run.output.empty()
+                    ? default_run_folder(options.run.path) + (options.what_decides ? "_decides" : "_convergence")
+                    : options.run.output,
       .sequences = std::move(sequences.all)};
   if (fs::exists(path_in(plan.folder, case_file)))
     throw FileError(
@@ -297,7 +306,8 @@ Plan plan_study(const ConvergeOptions& options)
   Planner planner{options, plan, sequences.turns};
   for (std::size_t k = 0; k < plan.sequences.size(); ++k) {
     const CaseFile base = k == 0 ? file : read_case(options.run.path, planner.changes_with(plan.sequences[k]));
-    for (const double cell : cells) planner.add(k, cell, base);
+    for (const double cell : cells)
+      if (k == 0 || !options.what_decides || cell == cells.front()) planner.add(k, cell, base);
   }
   std::set<std::string> folders;
   for (const PlannedRun& run : plan.runs)

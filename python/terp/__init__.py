@@ -38,7 +38,7 @@ from terp.study import Event, Study
 from terp.tables import to_pandas
 
 __all__ = ["Case", "CaseError", "Event", "Frame", "Mesh", "Run", "RunError", "Simulation", "SolveError", "Study",
-           "convergence", "open", "open_study", "to_pandas"]
+           "convergence", "depends", "open", "open_study", "to_pandas"]
 __path__ = pkgutil.extend_path(__path__, __name__)  # the compiled part may lie in a build folder
 
 
@@ -68,7 +68,16 @@ def open_study(folder):
 def convergence(folder):
     """What `terp converge` found in `folder`: its convergence.json (docs/formats.md) as a dictionary. Raises RunError
     if there is none."""
-    path = pathlib.Path(folder) / "convergence.json"
+    return _read_json(pathlib.Path(folder) / "convergence.json")
+
+
+def depends(folder):
+    """What `terp converge --what-decides` found in `folder`: its depends.json (docs/formats.md) as a dictionary, with
+    `turns_on`, the names of the inputs that give another outcome. Raises RunError if there is none."""
+    return _read_json(pathlib.Path(folder) / "depends.json")
+
+
+def _read_json(path):
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError as error:

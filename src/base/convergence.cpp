@@ -100,4 +100,12 @@ Limit extrapolate(const std::vector<Real>& x, const std::vector<Real>& y)
   return {estimate.limit, safety_of_limit * std::abs(estimate.limit - finest)};
 }
 
+Limit extrapolate_by(Real order, const std::vector<Real>& x, const std::vector<Real>& y)
+{
+  if (x.size() < 2) return {nan, nan};
+  const auto runs = from_fine_to_coarse(x, y);
+  const Real rest = (runs[0].second - runs[1].second) / (std::pow(runs[1].first / runs[0].first, order) - 1.0);
+  return {runs[0].second + rest, safety_of_limit * std::abs(rest)};
+}
+
 }  // namespace terp

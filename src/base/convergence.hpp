@@ -57,4 +57,7 @@ struct Limit {
 /// with fewer than three runs, or where the differences do not fall.
 Limit extrapolate(const std::vector<Real>& x, const std::vector<Real>& y);
 
+/// The same of the two finest runs by an order that is not observed; NaN with fewer than two.
+Limit extrapolate_by(Real order, const std::vector<Real>& x, const std::vector<Real>& y);
+
 }  // namespace terp

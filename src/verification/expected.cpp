@@ -21,8 +21,8 @@ using Names = std::vector<std::string>;
 
 const Names quantity_keys = {"name", "kind", "value", "reduce", "reference", "where", "scale", "time", "from", "to",
     "threshold", "at", "runs", "tolerance", "relative", "at_least", "at_most", "of", "over", "unit", "source", "red",
-    "as", "shown", "differences", "red_runs"};
-const Names run_keys = {"name", "case", "schemes", "set", "constants", "long", "seconds", "stability"};
+    "as", "shown", "differences", "red_runs", "order"};
+const Names run_keys = {"name", "case", "schemes", "set", "constants", "long", "seconds", "stability", "least_depth"};
 const Names kind_words = {
     "field", "point", "ledger", "summary", "formula", "order", "footing", "extrapolated", "mesh_error"};
 const Names reduce_words = {
@@ -198,12 +198,16 @@ Variant read_variant(const Expected& file, const Node& table)
           fmt::format("`{}` is in `schemes` already", v.schemes[k]), "Each scheme is one run.");
   if (const Node* bounds = find_item(table, "stability")) v.stability = read_stability(reader, *bounds);
   if (v.case_file.empty()) v.case_file = "case.toml";
-  if (const Node* seconds = find_item(table, "seconds")) {
-    v.seconds = seconds->kind == NodeKind::integer  ? static_cast<double>(seconds->integer)
-                : seconds->kind == NodeKind::number ? seconds->number
-                                                    : -1.0;
-    if (!(v.seconds >= 0.0)) reader.wrong(*seconds, "a number of seconds, 0 or more");
-  }
+  const auto read_number = [&](const char* key, double& value, const char* allowed) {
+    const Node* node = find_item(table, key);
+    if (node == nullptr) return;
+    value = node->kind == NodeKind::integer  ? static_cast<double>(node->integer)
+            : node->kind == NodeKind::number ? node->number
+                                             : -1.0;
+    if (!(value >= 0.0)) reader.wrong(*node, allowed);
+  };
+  read_number("seconds", v.seconds, "a number of seconds, 0 or more");
+  read_number("least_depth", v.least_depth, "a depth in m, 0 or more");
   return v;
 }
 
@@ -274,6 +278,7 @@ const KeyUse key_uses[] = {
     {"of", compares_runs, "for order, extrapolated, mesh_error"},
     {"over", compares_runs, "for order, extrapolated, mesh_error"},
     {"differences", [](const Quantity& q) { return q.kind == QuantityKind::order; }, "for order"},
+    {"order", [](const Quantity& q) { return q.kind == QuantityKind::extrapolated; }, "for extrapolated"},
     {"red_runs", [](const Quantity& q) { return !q.red.empty(); }, "for a quantity that is `red`"},
 };
 
@@ -313,6 +318,7 @@ Quantity read_quantity(const Expected& file, const Node& table)
   q.tolerance = reader.formula("tolerance"), q.relative = reader.formula("relative");
   q.at_least = reader.formula("at_least"), q.at_most = reader.formula("at_most");
   q.as = reader.text("as");
+  q.order = reader.formula("order");
   if (const Node* as = find_item(table, "as")) check_word(file, as->value, q.as);
   q.of = reader.text("of", compares_runs(q)), q.over = reader.text("over", compares_runs(q));
   q.runs = reader.texts("runs");

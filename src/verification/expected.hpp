@@ -39,6 +39,7 @@ struct Quantity {
   std::string of = {},
               over = {};  ///< order, extrapolated, mesh_error: name of another quantity; the constant that is refined
   bool differences = false;  ///< order: of the differences of successive values, where the limit is not the reference
+  Formula order = {};        ///< extrapolated: of two runs, whose order is not observed
   std::vector<std::string> runs = {};      ///< names of the runs in which it is measured; empty: all
   std::vector<std::string> red_runs = {};  ///< those to which `red` applies; empty: all
   Place place = {};
@@ -57,6 +58,7 @@ struct Variant {
   std::vector<std::string> set = {};      ///< KEY=VALUE
   std::vector<Constant> constants = {};   ///< in addition to those of the file
   std::vector<Real> stability = {};       ///< a factor of safety instead of a run: from, to, tolerance; empty: a run
+  double least_depth = 0.0;               ///< of soil that a factor of safety looks at [m]
   bool is_long = false;
   std::vector<std::string> long_schemes = {};  ///< those of `schemes` whose run is long where the others' is not
   double seconds = 1.0;                        ///< approximate, on one core; for the remaining time
@@ -99,7 +101,10 @@ inline bool needs_limit(const Quantity& q)
 inline bool compares_runs(const Quantity& q) { return q.kind == QuantityKind::order || needs_limit(q); }
 
 /// The fewest runs of a scheme that determine it: two for an order of errors, three for one of differences or a limit.
-inline std::ptrdiff_t least_runs(const Quantity& q) { return q.differences || needs_limit(q) ? 3 : 2; }
+inline std::ptrdiff_t least_runs(const Quantity& q)
+{
+  return q.order.text.empty() && (q.differences || needs_limit(q)) ? 3 : 2;
+}
 
 /// Errors of a norm are themselves the number that is judged.
 inline bool is_error(Reduce reduce) { return reduce == Reduce::rms_error || reduce == Reduce::max_error; }

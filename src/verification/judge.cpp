@@ -136,7 +136,8 @@ Real number_of(const Quantity& q, Refinement& runs)
 {
   if (q.kind == QuantityKind::order)
     return q.differences ? observed_order(runs.sizes, runs.numbers) : log_slope(runs.sizes, runs.numbers);
-  const Limit limit = extrapolate(runs.sizes, runs.numbers);
+  const Limit limit = q.order.text.empty() ? extrapolate(runs.sizes, runs.numbers)
+                                           : extrapolate_by(runs.scope.evaluate(q.order), runs.sizes, runs.numbers);
   runs.scope.constants["gci"] = limit.uncertainty;
   return limit.value;
 }

@@ -55,8 +55,11 @@ std::vector<Finding> findings_of_factor(const Solve& solve, const CaseFile& solv
     std::vector<Finding> findings, const std::atomic<bool>& stop)
 {
   const std::vector<Real>& bounds = solve.variant->stability;
-  const StabilityResult result = find_factor_of_safety(
-      solved.values, {.search = {bounds[0], bounds[1], bounds[2]}, .rules = {}, .threads = 1}, stop);
+  const StabilityResult result = find_factor_of_safety(solved.values,
+      {.search = {.from = bounds[0], .to = bounds[1], .tolerance = bounds[2]},
+          .rules = {.least_depth = solve.variant->least_depth},
+          .threads = 1},
+      stop);
   scope.constants["factor"] = result.factor();
   scope.constants["stable_at"] = result.search.stable.value_or(nan);
   scope.constants["not_stable_at"] = result.search.not_stable.value_or(nan);

@@ -33,6 +33,27 @@ TEST_F(Converge, TheExampleOfTheReadmeFitsItsMesh)
   succeeded(test::terp({"converge", source_path(found[1]), "--cells", found[2], "--estimate"}));
 }
 
+TEST_F(Converge, SaysWhichInputsTheOutcomeTurnsOn)  // a column that stands with a little more strength
+{
+  const Finished f = succeeded(test::terp(converge_command(
+      folder, {"--what-decides", "--set", "material.clay.su_peak=\"40 kPa\"", "--set", "time.end=1"}, "1,0.5")));
+  EXPECT_THAT(f.out, AllOf(HasSubstr("  cells of 1 m "), HasSubstr("  cells of 0.5 m "), HasSubstr("  S_u x 0.85 "),
+                         HasSubstr("  S_u x 1.15 "), HasSubstr("\nturns on: ")));
+  const auto json = nlohmann::json::parse(text_of(folder + "/depends.json"));
+  EXPECT_EQ(json.at("runs").size(), 4u);
+  EXPECT_EQ(json.at("runs").at(2).at("input"), "S_u");
+  EXPECT_EQ(json.at("runs").at(2).at("run"), "S_u x 0.85");
+  EXPECT_THAT(text_of(folder + "/cell_1_S_u_x_0.85/case.toml"), HasSubstr("34 kPa"));
+  EXPECT_EQ(json.at("turns_on").size() + json.at("does_not_turn_on").size(), 2u) << "cells, S_u";
+}
+
+TEST_F(Converge, RefusesACaseInWhichNothingCouldDecide)
+{
+  EXPECT_THAT(error_with(2, test::terp({"converge", source_path("cases/verification/hydrostatic/case.toml"), "--cells",
+                                "1", "--what-decides", "-o", folder})),
+      HasSubstr("--what-decides: the case has no number that could decide"));
+}
+
 TEST_F(Converge, SolvesAllSizesFromCoarseToFineAndAnswers)
 {
   const Finished f = succeeded(test::terp(converge_command(folder)));

@@ -29,6 +29,15 @@ class Convergence(unittest.TestCase):
                 terp.convergence(folder)
 
 
+class Depends(unittest.TestCase):
+    def test_is_the_dictionary_of_its_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(terp.RunError, "depends.json is not there"):
+                terp.depends(folder)
+            (pathlib.Path(folder) / "depends.json").write_text('{"turns_on": ["k0"]}', encoding="utf-8")
+            self.assertEqual(terp.depends(folder)["turns_on"], ["k0"])
+
+
 class RunFolder(unittest.TestCase):
     def setUp(self):
         self.run_ = terp.open(support.synthetic_run("mpm_gp", 2))

@@ -1,0 +1,140 @@
+// A lever is a line of the table; the first sequence of a plan is the case as given. Sizes of cells are a lever, too:
+// the case as given is solved on all of them, the others on the coarsest, which costs least.
+
+#include "what_decides.hpp"
+
+#include "input/document.hpp"
+#include "input/units.hpp"
+#include "output/run_folder.hpp"
+#include "output/summary_json.hpp"
+#include "simulation/flood_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace terp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Lever {
+  const char* name;
+  const char* path;  ///< of the key, below that of a material where `of_soil`
+  bool of_soil;
+  Real less, more;   ///< factors
+  Real least = 0.0;  ///< value that the key may have
+};
+
+/// Factors: how well a soil investigation usually knows the input (docs/convergence.md).
+constexpr Lever levers[] = {
+    {"k0", "initial.k0", false, 0.8, 1.25},
+    {"k0 of soils", "k0", true, 0.8, 1.25},
+    {"S", "su_peak.shansep.S", true, 0.85, 1.15},
+    {"POP", "su_peak.shansep.pop", true, 0.7, 1.3},
+    {"S_u", "su_peak", true, 0.85, 1.15},
+    {"sensitivity", "sensitivity", true, 0.8, 1.25, 1.0},
+    {"phi", "friction_angle", true, 0.9, 1.1},
+};
+
+/// KEY=VALUE with the number at a path times a factor; empty: there is no number, or it would not change.
+std::string scaled(const Node& root, const std::string& path, Real factor, Real least)
+{
+  const Node* node = find_node(root, path);
+  if (node == nullptr) return "";
+  const auto number = [&](Real value) { return std::max(least, value * factor); };
+  if (node->kind == NodeKind::number || node->kind == NodeKind::integer) {
+    const Real value = node->kind == NodeKind::integer ? static_cast<Real>(node->integer) : node->number;
+    return number(value) == value ? "" : fmt::format("{}={:.6g}", path, number(value));
+  }
+  if (node->kind != NodeKind::text) return "";
+  const auto quantity = parse_quantity(node->text);
+  if (!quantity) return "";
+  return fmt::format("{}=\"{:.6g} {}\"", path, factor * std::stod(quantity->number), quantity->name);
+}
+
+std::vector<std::string> changes_of(const Node& root, const Lever& lever, Real factor)
+{
+  std::vector<std::string> changes;
+  const auto add = [&](const std::string& path) {
+    std::string change = scaled(root, path, factor, lever.least);
+    if (!change.empty()) changes.push_back(std::move(change));
+  };
+  if (!lever.of_soil) {
+    add(lever.path);
+    return changes;
+  }
+  const Node* soils = find_item(root, "material");
+  if (soils != nullptr && soils->kind == NodeKind::table)
+    for (const Node& soil : soils->items) add(join_path("material", soil.name) + '.' + lever.path);
+  return changes;
+}
+
+/// "floods", "stands", or without [flood] whether it slid.
+std::string outcome_of(const std::string& folder)
+{
+  const Json summary = Json::parse(read_summary(path_in(folder, summary_file)).text);
+  if (const auto flood = summary.find("flood");
+      flood != summary.end() && flood->is_object() && flood->contains("verdict"))
+    return flood->at("verdict").get<std::string>();
+  const auto slides = summary.find("slides");
+  return slides != summary.end() && !slides->empty() ? "slides" : "rests";
+}
+
+struct SolvedInput {
+  std::string what, run, outcome, folder;
+};
+
+}  // namespace
+
+std::vector<StudySequence> sequences_that_may_decide(const ConvergeOptions& options)
+{
+  const Node root = parse_toml(read_case(options.run.path, options.run.changes).text);
+  std::vector<StudySequence> sequences;
+  for (const Lever& lever : levers)
+    for (const Real factor : {lever.less, lever.more})
+      if (auto changes = changes_of(root, lever, factor); !changes.empty())
+        sequences.push_back({fmt::format("{} x {:g}", lever.name, factor), std::move(changes), {}});
+  if (sequences.empty())
+    throw CaseError(
+        fmt::format("error: {}: --what-decides: the case has no number that could decide\n"
+                    "  It looks for initial.k0, and for S, pop, su_peak, sensitivity and friction_angle of "
+                    "the soils.\n",
+            options.run.path));
+  return sequences;
+}
+
+Decision decide(const Plan& plan)
+{
+  std::vector<SolvedInput> all;
+  for (const StudySequence& sequence : plan.sequences)
+    for (const StudyRun& run : sequence.runs) {
+      const bool given = &sequence == plan.sequences.data();
+      const std::string name = given ? fmt::format("cells of {:g} m", run.cell) : sequence.name;
+      all.push_back({given ? "cells" : sequence.name.substr(0, sequence.name.rfind(" x ")), name,
+          run.fault.empty() ? outcome_of(path_in(plan.folder, run.folder)) : "stops: " + run.fault, run.folder});
+    }
+  const std::string base = all.empty() ? "" : all.front().outcome;  // on the coarsest cells
+  std::vector<std::string> turns, holds;
+  Json runs = Json::array();
+  std::string text;
+  for (const SolvedInput& o : all) {
+    runs.push_back({{"input", o.what}, {"run", o.run}, {"outcome", o.outcome}, {"folder", o.folder}});
+    text += fmt::format("  {:<24} {}{}\n", o.run, o.outcome, o.outcome == base ? "" : "  <- another outcome");
+    if (o.outcome != base && std::ranges::find(turns, o.what) == turns.end()) turns.push_back(o.what);
+  }
+  for (const SolvedInput& o : all)
+    if (std::ranges::find(turns, o.what) == turns.end() && std::ranges::find(holds, o.what) == holds.end())
+      holds.push_back(o.what);
+  const Json json = {{"terp_version", TERP_VERSION}, {"case_name", plan.case_name}, {"outcome", base},
+      {"turns_on", turns}, {"does_not_turn_on", holds}, {"runs", runs}};
+  const auto list = [](const std::vector<std::string>& names) {
+    return names.empty() ? std::string("nothing that was changed") : fmt::format("{}", fmt::join(names, ", "));
+  };
+  return {json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
+      fmt::format("{}\nturns on: {}\n", text, list(turns))};
+}
+
+}  // namespace terp
