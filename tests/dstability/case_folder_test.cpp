@@ -111,8 +111,14 @@ TEST(CaseFolder, SaysTheStrengthOfTheFileWithItsHistory)
 {
   const std::string& text = tutorial().files.front().second;
   EXPECT_THAT(text, HasSubstr("[material.clay_shallow]"));
-  EXPECT_THAT(
-      text, HasSubstr("shansep = { S = 0.23, m = 0.9, pop = \"10 kPa\", water = \"high_water_water\", minimum"));
+  EXPECT_THAT(text, HasSubstr("shansep = { S = 0.23, m = 0.9, pop = \"10 kPa\", water = \"start\", minimum"));
+  EXPECT_THAT(text, HasSubstr("\"material.clay_shallow.su_peak.shansep.water\" = \"high_water_water\""))
+      << "the strength follows the water of its stage";
+  const CaseFolder held = case_folder_of(
+      read_stix(sample_path("tutorial-2023")), {.scenario = 1, .stage = 1, .kinds = kinds(), .is_held = true});
+  EXPECT_THAT(held.files.front().second,
+      AllOf(HasSubstr("water = \"high_water_water\", minimum"), Not(HasSubstr("su_peak.shansep.water\" ="))))
+      << "soil that is held at first has the strength that it is to have";
   EXPECT_THAT(text,
       HasSubstr(
           "friction_angle  = 26.5650512             # degrees; on slip planes; the file's are 30 degrees and 0 kPa"));
