@@ -2,7 +2,6 @@
 
 #include "parallel/instructions.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #define TERP_KERNEL_SET(set) extern "C" const terp::MaterialList* terp_materials_##set();
@@ -42,14 +41,10 @@ std::vector<Real> MaterialType::complete(std::span<const Real> given) const
   return values;
 }
 
-const MaterialType* find_material(
-    std::string_view name, const SofteningOptions& softening, std::span<const Real> parameters)
+const MaterialType* find_material(std::string_view name, const SofteningOptions& softening, bool tears)
 {
   const MaterialType* type = find_material(name);
-  if (type != nullptr && type->torn != nullptr) {
-    const auto k = std::ranges::find(type->parameters, tension_cutoff, &ParameterInfo::name) - type->parameters.begin();
-    if (k < std::ssize(parameters) && std::isfinite(parameters[static_cast<std::size_t>(k)])) type = type->torn;
-  }
+  if (tears && type != nullptr && type->torn != nullptr) type = type->torn;
   if (type == nullptr || type->nonlocal == nullptr) return type;
   return softening.is_nonlocal() ? type->nonlocal : softening.is_scaled() ? type->scaled : type;
 }

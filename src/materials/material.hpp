@@ -263,9 +263,8 @@ inline constexpr std::string_view tension_cutoff = "tension_cutoff";
 std::span<const MaterialType* const> all_materials();
 /// nullptr if there is no such law.
 const MaterialType* find_material(std::string_view name);
-/// With these options of softening and these parameters, in the order of the table: the law itself, or the form of it
-/// that they ask for.
-const MaterialType* find_material(
-    std::string_view name, const SofteningOptions& softening, std::span<const Real> parameters = {});
+/// With these options of softening, and where a limit of tension acts: the law itself, or the form of it that they ask
+/// for.
+const MaterialType* find_material(std::string_view name, const SofteningOptions& softening, bool tears = false);
 
 }  // namespace terp

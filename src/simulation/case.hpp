@@ -11,6 +11,8 @@
 #include "user_laws/library_case.hpp"
 #include "water/water_case.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -114,10 +116,20 @@ struct MaterialCase {
     return law != nullptr && !law->total_stress;
   }
   bool has_excess_pressure() const { return drainage == Drainage::undrained_effective; }
-  /// Its law in the form that the options of softening ask for; nullptr if there is none of that name.
-  const MaterialType* type() const
+  /// Whether a limit of tension acts.
+  bool tears() const
   {
-    const MaterialType* law = find_material(model, softening, parameters);
+    const MaterialType* law = find_material(model);
+    if (law == nullptr || law->torn == nullptr) return false;
+    const auto k = std::ranges::find(law->parameters, tension_cutoff, &ParameterInfo::name) - law->parameters.begin();
+    return k < std::ssize(parameters) && std::isfinite(parameters[static_cast<std::size_t>(k)]);
+  }
+  /// Its law in the form that the options of softening and a limit of tension ask for; nullptr if there is none of that
+  /// name.
+  const MaterialType* type() const { return type(tears()); }
+  const MaterialType* type(bool tears_in_some_stage) const
+  {
+    const MaterialType* law = find_material(model, softening, tears_in_some_stage);
     return law != nullptr && law->by_library ? from_library.get() : law;
   }
 };

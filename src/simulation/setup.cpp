@@ -50,11 +50,22 @@ bool ignores_pressure(const MaterialCase& m, const MaterialType& type)
   return has_angle && !has_friction;
 }
 
-std::vector<SoilMaterial> make_materials(const Case& c)
+/// Whether of(its case) holds in any stage.
+template <class Of>
+bool in_any_stage(const Case& whole, Of&& of)
+{
+  bool any = of(case_of_stage(whole, 0));
+  for (std::size_t k = 1; k < whole.stages.size(); ++k) any = any || of(case_of_stage(whole, k));
+  return any;
+}
+
+/// whole: a law that tears in any stage has its opening in all of them, as the rows are those of the whole run.
+std::vector<SoilMaterial> make_materials(const Case& c, const Case& whole)
 {
   std::vector<SoilMaterial> materials;
   for (const MaterialCase& m : c.materials) {
-    const MaterialType* type = m.type();
+    const bool tears = in_any_stage(whole, [k = materials.size()](const Case& s) { return s.materials[k].tears(); });
+    const MaterialType* type = m.type(tears);
     if (type == nullptr)
       throw InputError(Problem{"material." + m.name + ".model", "no such material model", "", "material"});
     materials.push_back({m.name, type, type->make_varying(m.parameters, varying_parameters(m, *type)), m.density, {},
@@ -163,15 +174,6 @@ std::vector<Index> used_materials(const Case& whole)
   return used;
 }
 
-/// Whether of(its case) holds in any stage.
-template <class Of>
-bool in_any_stage(const Case& whole, Of&& of)
-{
-  bool any = of(case_of_stage(whole, 0));
-  for (std::size_t k = 1; k < whole.stages.size(); ++k) any = any || of(case_of_stage(whole, k));
-  return any;
-}
-
 /// The rows are those of the whole run, whatever soil is in the stage: the state goes through all of them.
 void add_rows_of_materials(const Case& whole, const std::vector<Index>& used, Model& model)
 {
@@ -219,7 +221,7 @@ StepLimit find_step_limit(const Case& whole, const Model& model, const std::vect
     other.mesh = model.mesh;
     other.method = model.method;
     other.description = as_solved(case_of_stage(whole, k));
-    other.materials = make_materials(other.description);
+    other.materials = make_materials(other.description, whole);
     other.ground = model.ground;
     other.later_ground = model.later_ground;
     settle_laws(whole, used, other);
@@ -252,7 +254,7 @@ std::shared_ptr<const Overburden> ground_in(const Case& whole, std::size_t numbe
   Model model;
   model.mesh = mesh;
   model.description = case_of_stage(whole, number);
-  model.materials = make_materials(model.description);
+  model.materials = make_materials(model.description, whole);
   set_ramp(whole, number, model);
   model.loads.clear();
   return std::make_shared<const Overburden>(model);
@@ -285,7 +287,7 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
     model.description.ground_of = whole.ground_of ? whole.ground_of : model.whole;
   }
   model.mesh = std::move(mesh);
-  model.materials = make_materials(description);
+  model.materials = make_materials(description, whole);
   model.method = description.method;
   check_velocities(description, *model.mesh);
   model.boundary = Boundary(*model.mesh, description.sides);

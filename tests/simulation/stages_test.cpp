@@ -200,6 +200,26 @@ TEST(Stages, ChangeLoadsAndGravity)
   EXPECT_EQ(keep_ledger(s.model, s.state, s.work)["stage"], 3.0);
 }
 
+TEST(Stages, MayGiveSoilALimitOfTensionWhoseOpeningAllStagesHave)
+{
+  Case c = settling();
+  c.materials = {clay()};
+  const std::string name = c.materials[0].name;
+  c.bodies = {body(name, {0.0, 0.0}, {2.0, 1.0})};
+  const std::size_t cutoff = c.materials[0].parameters.size() - 1;
+  ASSERT_EQ(find_material("tresca_softening")->parameters[cutoff].name, "tension_cutoff");
+  const Case chain =
+      staged(c, {{stage("whole", 0.1), {}},
+                    {stage("cracked", 0.3), [cutoff](Case& now) { now.materials[0].parameters[cutoff] = 0.0; }}});
+  Simulation s(chain);
+  const int row = row_of(s.model.materials[0], Role::opening);
+  ASSERT_GE(row, 0);
+  s.run();
+  EXPECT_EQ(row_of(s.model.materials[0], Role::opening), row);
+  for_each_point(s.state.points,
+      [&](const PointBlock<2>& block, Index lane) { EXPECT_LE(block.row(Rows::sigma + 2)[lane], 1e-9); });
+}
+
 TEST(Stages, GiveBodiesAnotherMaterialWithItsMass)
 {
   Case c = settling();
