@@ -6,19 +6,13 @@
 #include "input/document.hpp"
 #include "input/units.hpp"
 #include "output/run_folder.hpp"
-#include "output/summary_json.hpp"
-#include "simulation/flood_summary.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 namespace terp {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Lever {
   const char* name;
@@ -72,21 +66,6 @@ std::vector<std::string> changes_of(const Node& root, const Lever& lever, Real f
   return changes;
 }
 
-/// "floods", "stands", or without [flood] whether it slid.
-std::string outcome_of(const std::string& folder)
-{
-  const Json summary = Json::parse(read_summary(path_in(folder, summary_file)).text);
-  if (const auto flood = summary.find("flood");
-      flood != summary.end() && flood->is_object() && flood->contains("verdict"))
-    return flood->at("verdict").get<std::string>();
-  const auto slides = summary.find("slides");
-  return slides != summary.end() && !slides->empty() ? "slides" : "rests";
-}
-
-struct SolvedInput {
-  std::string what, run, outcome, folder;
-};
-
 }  // namespace
 
 std::vector<StudySequence> sequences_that_may_decide(const ConvergeOptions& options)
@@ -108,33 +87,15 @@ std::vector<StudySequence> sequences_that_may_decide(const ConvergeOptions& opti
 
 Decision decide(const Plan& plan)
 {
-  std::vector<SolvedInput> all;
+  std::vector<SolvedInput> solved;
   for (const StudySequence& sequence : plan.sequences)
     for (const StudyRun& run : sequence.runs) {
       const bool given = &sequence == plan.sequences.data();
       const std::string name = given ? fmt::format("cells of {:g} m", run.cell) : sequence.name;
-      all.push_back({given ? "cells" : sequence.name.substr(0, sequence.name.rfind(" x ")), name,
-          run.fault.empty() ? outcome_of(path_in(plan.folder, run.folder)) : "stops: " + run.fault, run.folder});
+      solved.push_back({given ? "cells" : sequence.name.substr(0, sequence.name.rfind(" x ")), name,
+          run.fault.empty() ? outcome_of_run(path_in(plan.folder, run.folder)) : "stops: " + run.fault, run.folder});
     }
-  const std::string base = all.empty() ? "" : all.front().outcome;  // on the coarsest cells
-  std::vector<std::string> turns, holds;
-  Json runs = Json::array();
-  std::string text;
-  for (const SolvedInput& o : all) {
-    runs.push_back({{"input", o.what}, {"run", o.run}, {"outcome", o.outcome}, {"folder", o.folder}});
-    text += fmt::format("  {:<24} {}{}\n", o.run, o.outcome, o.outcome == base ? "" : "  <- another outcome");
-    if (o.outcome != base && std::ranges::find(turns, o.what) == turns.end()) turns.push_back(o.what);
-  }
-  for (const SolvedInput& o : all)
-    if (std::ranges::find(turns, o.what) == turns.end() && std::ranges::find(holds, o.what) == holds.end())
-      holds.push_back(o.what);
-  const Json json = {{"terp_version", TERP_VERSION}, {"case_name", plan.case_name}, {"outcome", base},
-      {"turns_on", turns}, {"does_not_turn_on", holds}, {"runs", runs}};
-  const auto list = [](const std::vector<std::string>& names) {
-    return names.empty() ? std::string("nothing that was changed") : fmt::format("{}", fmt::join(names, ", "));
-  };
-  return {json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
-      fmt::format("{}\nturns on: {}\n", text, list(turns))};
+  return decide(plan.case_name, solved);
 }
 
 }  // namespace terp

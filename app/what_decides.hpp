@@ -3,21 +3,16 @@
 #pragma once
 
 #include "converge_plan.hpp"
+#include "results/depends.hpp"
 
-#include <string>
 #include <vector>
 
 namespace terp {
 
-inline constexpr const char* depends_file = "depends.json";
-
 /// One input, less or more than given, in all soils that have it. Throws CaseError if the case has none of them.
 std::vector<StudySequence> sequences_that_may_decide(const ConvergeOptions& options);
 
-/// What came out of the runs: which inputs give another verdict than the case as given on the same cells.
-struct Decision {
-  std::string json, text;
-};
+/// What came out of the runs of a plan.
 Decision decide(const Plan& plan);
 
 }  // namespace terp

@@ -284,7 +284,8 @@ class FolderMaker {
     const std::string where = piece.zone == 0 ? ""
                                               : fmt::format("{} the phreatic line of the analysed stage",
                                                     piece.zone == 1 ? "below" : "above");
-    SoilUse use{&soil, piece.zone == 2, name, where, stage_.label, water_of_strength(), {}, largest_stress(piece)};
+    SoilUse use{&soil, piece.zone == 2, name, where, stage_.label,
+        strength_follows() ? std::string(name_of_start) : situation_, {}, largest_stress(piece)};
     if (piece.pop)
       use.preload = {fmt::format("pop = \"{}\"", preload),
           fmt::format("POP of the file's states, over sigma'_v of {}", is_staged_ ? "the first stage" : "this stage")};
@@ -295,10 +296,7 @@ class FolderMaker {
   }
 
   /// Of the first stage: the analysed one sets its own. Soil that is held at first has the strength that it is to have.
-  std::string water_of_strength() const
-  {
-    return is_staged_ && !options_.is_held ? std::string(name_of_start) : situation_;
-  }
+  bool strength_follows() const { return is_staged_ && !options_.is_held; }
 
   /// The largest vertical effective stress in all pieces of this soil above or below the water [Pa]. Only a straight
   /// line through a table of strength asks for it.
@@ -367,7 +365,7 @@ class FolderMaker {
 
   void make_time()
   {
-    if (is_staged_ && !options_.is_held) set_water_of_strength(situation_, stage_sets_);
+    if (strength_follows()) set_water_of_strength(situation_, stage_sets_);
     const StagePlan plan{.first = is_staged_ ? scenario().stages.front().label : "",
         .analysed = stage_.label,
         .water = situation_,
@@ -439,7 +437,6 @@ class FolderMaker {
     set_water_of_strength(raised_water, trigger_.sets);
   }
 
-  /// Undrained strength follows the water of its stage.
   void set_water_of_strength(const std::string& water, std::vector<std::string>& sets) const
   {
     for (const auto& [key, use] : uses_)
