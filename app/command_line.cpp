@@ -113,9 +113,8 @@ void declare_converge(CLI::App& app, ConvergeOptions& options)
       ->required()
       ->delimiter(',');
   converge->add_flag("--what-decides", options.what_decides,
-      "change k0, S, POP, S_u, sensitivity, phi one at a time on\nthe largest of the cells, and say which of them "
-      "give\n"
-      "another outcome; writes depends.json");
+      "change k0, S, POP, S_u, sensitivity and phi one at a\ntime, on the largest of the cells, and say which of\nthem "
+      "give another outcome; writes depends.json");
   add_option(converge, "--variant KEY=VALUE", options.variants,
       "solve all sizes once more with this change; `;`\nbetween several; may be given several times")
       ->expected(1)
