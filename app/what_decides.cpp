@@ -16,21 +16,22 @@ namespace {
 
 struct Lever {
   const char* name;
-  const char* path;  ///< of the key, below that of a material where `of_soil`
+  std::vector<const char*> keys;  ///< that change together, below a material where `of_soil`
   bool of_soil;
   Real less, more;   ///< factors
   Real least = 0.0;  ///< value that the key may have
 };
 
 /// Factors: how well a soil investigation usually knows the input (docs/convergence.md).
-constexpr Lever levers[] = {
-    {"k0", "initial.k0", false, 0.8, 1.25},
-    {"k0 of soils", "k0", true, 0.8, 1.25},
-    {"S", "su_peak.shansep.S", true, 0.85, 1.15},
-    {"POP", "su_peak.shansep.pop", true, 0.7, 1.3},
-    {"S_u", "su_peak", true, 0.85, 1.15},
-    {"sensitivity", "sensitivity", true, 0.8, 1.25, 1.0},
-    {"phi", "friction_angle", true, 0.9, 1.1},
+const Lever levers[] = {
+    {"k0", {"initial.k0"}, false, 0.8, 1.25},
+    {"k0 of soils", {"k0"}, true, 0.8, 1.25},
+    {"S", {"su_peak.shansep.S"}, true, 0.85, 1.15},
+    {"POP", {"su_peak.shansep.pop"}, true, 0.7, 1.3},
+    {"S_u", {"su_peak", "su_residual", "su_remoulded", "su_active", "su_direct", "su_passive"}, true, 0.85, 1.15},
+    {"sensitivity", {"sensitivity"}, true, 0.8, 1.25, 1.0},
+    {"phi", {"friction_angle", "friction_angle_residual", "dilatancy_angle", "dilatancy_angle_residual"}, true, 0.9,
+        1.1},
 };
 
 /// KEY=VALUE with the number at a path times a factor; empty: there is no number, or it would not change.
@@ -56,13 +57,12 @@ std::vector<std::string> changes_of(const Node& root, const Lever& lever, Real f
     std::string change = scaled(root, path, factor, lever.least);
     if (!change.empty()) changes.push_back(std::move(change));
   };
-  if (!lever.of_soil) {
-    add(lever.path);
-    return changes;
-  }
   const Node* soils = find_item(root, "material");
-  if (soils != nullptr && soils->kind == NodeKind::table)
-    for (const Node& soil : soils->items) add(join_path("material", soil.name) + '.' + lever.path);
+  for (const char* key : lever.keys)
+    if (!lever.of_soil)
+      add(key);
+    else if (soils != nullptr && soils->kind == NodeKind::table)
+      for (const Node& soil : soils->items) add(join_path("material", soil.name) + '.' + key);
   return changes;
 }
 
@@ -70,12 +70,15 @@ std::vector<std::string> changes_of(const Node& root, const Lever& lever, Real f
 
 std::vector<StudySequence> sequences_that_may_decide(const ConvergeOptions& options)
 {
-  const Node root = parse_toml(read_case(options.run.path, options.run.changes).text);
+  const CaseFile file = read_case(options.run.path, options.run.changes);
+  const Node root = parse_toml(file.text);
   std::vector<StudySequence> sequences;
-  for (const Lever& lever : levers)
+  for (const Lever& lever : levers) {
+    if (lever.name[0] == 'k' && file.values.initial.stress == InitialStress::none) continue;  // it decides nothing
     for (const Real factor : {lever.less, lever.more})
       if (auto changes = changes_of(root, lever, factor); !changes.empty())
         sequences.push_back({fmt::format("{} x {:g}", lever.name, factor), std::move(changes), {}});
+  }
   if (sequences.empty())
     throw CaseError(
         fmt::format("error: {}: --what-decides: the case has no number that could decide\n"

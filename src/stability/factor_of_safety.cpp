@@ -139,7 +139,7 @@ StabilityResult find_factor_of_safety(
   return result;
 }
 
-std::optional<FoundFactor> find_factor_with_tension(
+std::optional<SizedFactor> find_factor_with_tension(
     const Case& c, const StabilityResult& cracked, const std::atomic<bool>& stop, const TrialCallback& report)
 {
   const auto same = [](const MaterialCase& a, const MaterialCase& b) { return a.parameters == b.parameters; };
@@ -152,7 +152,7 @@ std::optional<FoundFactor> find_factor_with_tension(
   options.search.to.reset();
   const StabilityResult whole = find_factor_of_safety(c, options, stop, report);
   if (whole.stopped || !whole.search.found()) return {};
-  return FoundFactor{whole.factor(), whole.uncertainty()};
+  return SizedFactor{whole.cell, whole.factor(), whole.uncertainty()};
 }
 
 }  // namespace terp

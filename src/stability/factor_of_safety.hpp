@@ -18,11 +18,6 @@ struct StabilityOptions {
   FlowRule flow = FlowRule::as_given;
 };
 
-/// A factor and how far the search may be off.
-struct FoundFactor {
-  Real factor = 0.0, uncertainty = 0.0;  ///< [-]
-};
-
 /// What a search leaves behind.
 struct StabilityResult {
   std::vector<Strength> strengths;  ///< that were reduced, unreduced
@@ -42,7 +37,7 @@ struct StabilityResult {
 
   std::shared_ptr<const Mechanism> mechanism = {};  ///< at search.failed; null: nothing failed, or not known
   std::shared_ptr<const Mechanism> creep = {};      ///< at search.not_stable where that one only crept; else null
-  std::optional<FoundFactor> with_tension = {};     ///< of soil that does not crack, where it is well above
+  std::optional<SizedFactor> with_tension = {};     ///< of soil that does not crack, where it is well above
 
   /// Of the least factor that failed or, where none did, of the least that crept; null: none.
   std::shared_ptr<const Mechanism> what_moves() const { return mechanism ? mechanism : creep; }
@@ -73,7 +68,7 @@ inline constexpr Real much_tension = 0.05;
 
 /// The factor of the same case, of which `cracked` is that of soil that cracks, without that. None: the case has no
 /// soil that could crack, or the factor is not larger by `much_tension`, which takes one trial to find out.
-std::optional<FoundFactor> find_factor_with_tension(
+std::optional<SizedFactor> find_factor_with_tension(
     const Case& c, const StabilityResult& cracked, const std::atomic<bool>& stop, const TrialCallback& report = {});
 
 /// Throws InputError for a case without strength, or with soil that is not judged.

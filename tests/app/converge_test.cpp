@@ -35,8 +35,10 @@ TEST_F(Converge, TheExampleOfTheReadmeFitsItsMesh)
 
 TEST_F(Converge, SaysWhichInputsTheOutcomeTurnsOn)  // a column that stands with a little more strength
 {
-  const Finished f = succeeded(test::terp(converge_command(
-      folder, {"--what-decides", "--set", "material.clay.su_peak=\"40 kPa\"", "--set", "time.end=1"}, "1,0.5")));
+  const Finished f = succeeded(test::terp(converge_command(folder,
+      {"--what-decides", "--set", "material.clay.su_peak=\"40 kPa\"", "--set", "material.clay.su_residual=\"40 kPa\"",
+          "--set", "time.end=1"},
+      "1,0.5")));
   EXPECT_THAT(f.out, AllOf(HasSubstr("  cells of 1 m "), HasSubstr("  cells of 0.5 m "), HasSubstr("  S_u x 0.85 "),
                          HasSubstr("  S_u x 1.15 "), HasSubstr("\nturns on: ")));
   const auto json = nlohmann::json::parse(text_of(folder + "/depends.json"));
