@@ -196,6 +196,18 @@ void check_footings(const Node& root, const Case& values, Problems& problems)
   }
 }
 
+/// The slope of the pressure follows gravity and the water, and knows nothing of other forces on the points.
+void check_body_force(const Case& values, Findings& findings)
+{
+  if (!values.forces.body.at || values.method.pressure != Pressure::balanced ||
+      values.forces.gravity == Vec<2>{0.0, 0.0})
+    return;
+  findings.problems.push_back({"forces.body", "`body` needs method.pressure = \"constant\" where there is gravity",
+      "The slope of the pressure in a cell follows the weight, and does not know this force.\n"
+      "Give pressure = \"constant\" in [method], or gravity into `by`: \"-9.81 + ...\".",
+      "forces.body", false, {"method.pressure", "forces.gravity"}});
+}
+
 void check_initial(const Node& root, const Case& values, Findings& findings)
 {
   const InitialStress stress = values.initial.stress;
@@ -246,7 +258,7 @@ bool is_fluid(const MaterialCase& material)
 /// A fluid at rest has the same stress in all directions.
 void check_hydrostatic(const Case& values, Problems& problems)
 {
-  if (values.initial.stress != InitialStress::k0 || values.initial.k0 == 1.0) return;
+  if (values.initial.stress != InitialStress::k0 || !(std::abs(values.initial.k0 - 1.0) > 0.0)) return;
   for (const MaterialCase& material : values.materials)
     if (is_fluid(material))
       problems.push_back({"initial.k0", fmt::format("the fluid `{}` carries no shear stress at rest", material.name),
@@ -401,6 +413,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_footings(root, values, findings.problems);
   check_stages(root, values, findings);
   check_loads(root, values, findings);
+  check_body_force(values, findings);
   check_initial(root, values, findings);
   check_hydrostatic(values, findings.problems);
   check_flood(root, values, findings.problems);

@@ -21,7 +21,6 @@ Words scheme_words()
   return words;
 }
 // In the order of the enums in case.hpp.
-Words stress_words() { return {"none", "k0", "equilibrium"}; }
 Words footing_words() { return {"rough", "smooth"}; }
 
 Words side_words() { return side_kind_words(""); }
@@ -208,65 +207,6 @@ std::vector<KeyInfo> body_keys()
           .usual = {1e-6, 1e3},
           .meaning =
               "velocity of the body at t = 0; a text is a formula of the place x, y [m]: [\"0.1*sin(pi*x/4)\", 0.0]"},
-  };
-}
-
-std::vector<KeyInfo> force_keys()
-{
-  return {
-      {.path = "forces.gravity",
-          .field = [](Case& c, std::size_t) { return &c.forces.gravity; },
-          .unit = "m/s^2",
-          .in_stage = true,
-          .meaning = "acceleration of gravity, acts fully from t = 0; over the `ramp` of a stage that changes it"},
-      {.path = "forces.damping.local",
-          .field = [](Case& c, std::size_t) { return &c.forces.local_damping; },
-          .range = {0.0, 1.0, false, true},
-          .in_stage = true,
-          .meaning = "local (Cundall) damping alpha at the nodes (reading R13); free fall sees g (1 - alpha)",
-          .equation = "R_i <- R_i - alpha |R_i| sign(v_i)"},
-      {.path = "forces.damping.averaging_time",
-          .field = [](Case& c, std::size_t) { return &c.forces.averaging_time; },
-          .unit = "s",
-          .range = not_negative,
-          .meaning = "local damping acts on a running mean of the out-of-balance force over this time, so that noise "
-                     "from points that cross cells does not brake; 0: on the force of the step",
-          .equation = "M_i <- M_i + (R_i - M_i) min(dt / time, 1),  R_i <- R_i - alpha |M_i| sign(v_i)"},
-      {.path = "forces.damping.viscous",
-          .field = [](Case& c, std::size_t) { return &c.forces.viscous_damping; },
-          .unit = "1/s",
-          .range = not_negative,
-          .in_stage = true,
-          .meaning = "damping c in proportion to the nodal mass (reading R13)",
-          .equation = "R_i <- R_i - c m_i v_i"},
-
-      {.path = "initial.stress",
-          .field = [](Case& c, std::size_t) { return word_field(c.initial.stress); },
-          .words = stress_words,
-          .meaning =
-              "stress at t = 0 (reading R14): none, from the overburden (k0), or that with which the section rests "
-              "as it is drawn, sought with small displacements from that of k0 where there is water or a material "
-              "gives its k0, else from none (equilibrium)",
-          .default_text = "\"equilibrium\" in a case with gravity and [water] or [flood], else \"none\""},
-      {.path = "initial.k0",
-          .field = [](Case& c, std::size_t) { return &c.initial.k0; },
-          .range = not_negative,
-          .usual = {0.2, 4.0},
-          .meaning = "horizontal over vertical effective stress, for stress = \"k0\", and \"equilibrium\" where it "
-                     "begins with that"},
-      {.path = "initial.damping",
-          .field = [](Case& c, std::size_t) { return &c.initial.damping; },
-          .range = {0.0, 1.0, false, true},
-          .meaning = "local damping while seeking equilibrium, beside the damping that follows the slowest motion"},
-      {.path = "initial.limit",
-          .field = [](Case& c, std::size_t) { return &c.initial.limit; },
-          .range = between_open(0.0, 1.0),
-          .meaning =
-              "out-of-balance force over weight below which the soil may be at rest; docs/methods.md says what else"},
-      {.path = "initial.max_steps",
-          .field = [](Case& c, std::size_t) { return &c.initial.max_steps; },
-          .range = {1.0},
-          .meaning = "steps after which the search for equilibrium gives up"},
   };
 }
 

@@ -25,6 +25,7 @@ std::vector<KeyInfo> method_keys();
 std::vector<KeyInfo> motion_keys();
 /// Those of water (water_keys.cpp).
 std::vector<KeyInfo> water_keys();
+std::vector<KeyInfo> force_keys();      ///< of [forces] and [initial]
 std::vector<KeyInfo> flood_keys();      ///< of [flood]
 std::vector<KeyInfo> reference_keys();  ///< of [reference]
 

@@ -78,6 +78,11 @@ std::string mechanism_text(const Mechanism& mechanism, std::string_view head, st
       "the slope on the {} of the highest ground (x = {:.2f} m) {}, its soil moves to the {}\n"
       "    enters at {}, comes out at {}, {:.2f} m deep, {:.4g} m^2\n",
       word(m.slope), m.highest_x, verb, word(m.way), place_words(m.entry), place_words(m.exit), m.depth, m.area);
+  if (!m.sand.empty())
+    text += fmt::format(
+        "    `{}` has no cohesion: where it makes the face a skin of any depth slides, and finer cells find thinner "
+        "ones.\n    --least-depth D looks for the slides that are deeper\n",
+        m.sand);
   constexpr Real much = 0.05;
   if (m.other_way > much)
     text += fmt::format("    {:.0f} % of the motion goes to the other side\n", 100.0 * m.other_way);
@@ -193,7 +198,8 @@ Json mechanism_json(const std::shared_ptr<const Mechanism>& mechanism)
   for (const Vec<2>& x : m.line) line.push_back(place_json(x));
   return {{"factor", mechanism->factor}, {"slope", word(m.slope)}, {"moves_to", word(m.way)},
       {"highest_x", m.highest_x}, {"entry", place_json(m.entry)}, {"exit", place_json(m.exit)}, {"depth", m.depth},
-      {"area", m.area}, {"other_way", m.other_way}, {"slip_surface", line}};
+      {"area", m.area}, {"sand", m.sand.empty() ? Json() : Json(m.sand)}, {"other_way", m.other_way},
+      {"slip_surface", line}};
 }
 
 Json soil_json(const StabilityResult& r)

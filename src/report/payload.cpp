@@ -14,8 +14,10 @@
 #include "report/layers.hpp"
 #include "report/shown.hpp"
 #include "results/compare.hpp"
+#include "results/depends.hpp"
 #include "results/import_changes.hpp"
 #include "simulation/setup_mesh.hpp"
+#include "system/read_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -332,6 +334,18 @@ Json slip_planes_json(const Source& source)
   return planes;
 }
 
+/// What the outcome turns on, where `terp converge --what-decides` solved this run among others: beside its folder.
+Json depends_json(const RunResults& run)
+{
+  const std::filesystem::path folder = std::filesystem::absolute(run.folder).lexically_normal();
+  const auto path = folder.parent_path() / depends_file;
+  if (!std::filesystem::exists(path)) return nullptr;
+  const Json all = Json::parse(read_file(path.string()), nullptr, false);
+  const auto is_this = [&](const Json& one) { return one.value("folder", "") == folder.filename().string(); };
+  if (!all.is_object() || !all.contains("runs") || std::ranges::none_of(all["runs"], is_this)) return nullptr;
+  return {{"turns_on", all["turns_on"]}, {"does_not_turn_on", all["does_not_turn_on"]}};
+}
+
 Json histories_json(Chunks& chunks, const RunResults& run)
 {
   Json histories = Json::array();
@@ -392,6 +406,7 @@ Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   if (source.case_read)
     for (const char* const key : {"assumed", "doubts"}) json[key] = texts_json(source.run.case_toml, key);
   json["changed"] = sentences_json(changes_of(source.run));
+  json["depends"] = depends_json(source.run);
   json["histories"] = histories_json(chunks, source.run);
   json["series"] = table_json(chunks, source.run.ledger);
   const Real column = source.mesh ? typical_cell_size(*source.mesh) : 0.0;

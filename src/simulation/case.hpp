@@ -156,16 +156,24 @@ struct FootingCase {
   FootingContact contact = FootingContact::rough;
 };
 
+/// A force per mass that acts on each point: of its place now and at t = 0 [m], and the time [s].
+struct BodyForceCase {
+  std::function<Vec<2>(Vec<2> x, Vec<2> x_initial, Real time)> at;  ///< [m/s^2]; empty: none
+  std::string text;                                                 ///< as the case file has it
+};
+
 struct ForcesCase {
   Vec<2> gravity{0.0, 0.0};    ///< [m/s^2]
   Real local_damping = 0.0;    ///< alpha of local (Cundall) damping, reading R13 [-]
   Real averaging_time = 0.0;   ///< of the out-of-balance force that local damping looks at; 0: its value now [s]
   Real viscous_damping = 0.0;  ///< mass-proportional damping coefficient [1/s]
+  BodyForceCase body;          ///< beside gravity
 };
 
 struct InitialCase {
   InitialStress stress = InitialStress::none;
-  Real k0 = 1.0;            ///< horizontal over vertical stress, InitialStress::k0 [-]
+  /// Horizontal over vertical effective stress, where the material has none [-]; NaN: not given (k0_at).
+  Real k0 = std::numeric_limits<Real>::quiet_NaN();
   Real damping = 0.2;       ///< local damping while seeking equilibrium [-]
   Real limit = 1e-4;        ///< out-of-balance force over weight at which equilibrium is reached [-]
   Index max_steps = 20000;  ///< give up after this many steps

@@ -74,8 +74,23 @@ inline Vec<2> pressure_gradient(const Model& model, Index cell, std::span<const 
   return gradient;
 }
 
-/// Forces of the loads at the corners of cell c, and of what holds the weight of bodies that come or go.
-inline void map_loads(const Model& model, const CellGroup<Quad4>& group, int c, Workspace& work)
+/// f_i += m_p N_i(x_p) b(x_p, x_p0, t), of the block's points.
+inline void map_body_force(const BodyForceCase& body, const PointBlock<2>& block, std::span<const Real> x_initial,
+    Real time, CornerVectors<Quad4>& force)
+{
+  for (Index p = 0; p < block.n; ++p) {
+    const std::size_t id = static_cast<std::size_t>(block.row(Rows::id)[p]);
+    const Vec<2> b =
+        body.at({block.row(Rows::x)[p], block.row(Rows::x + 1)[p]}, {x_initial[2 * id], x_initial[2 * id + 1]}, time);
+    const auto N = Quad4::shape_functions<Real>({block.row(Rows::xi)[p], block.row(Rows::xi + 1)[p]});
+    for (int d = 0; d < 2; ++d)
+      for (int i = 0; i < Quad4::n_corners; ++i) force[d][i] += block.row(Rows::mass)[p] * N[i] * b[d];
+  }
+}
+
+/// Forces of the loads at the corners of cell c, of what holds the weight of bodies that come or go, and of
+/// forces.body.
+inline void map_loads(const Model& model, const State& state, const CellGroup<Quad4>& group, int c, Workspace& work)
 {
   const Index cell = group.cells[c];
   CornerVectors<Quad4>& force = work.outer[outer_load].corners[group.number * pack_width + c];
@@ -88,6 +103,8 @@ inline void map_loads(const Model& model, const CellGroup<Quad4>& group, int c, 
     if (work.held.act())
       map_held_weight<Quad4>(
           block, model.held_row, work.held, work.gravity, pressure_gradient(model, cell, work.pore.pressure), force);
+    if (const BodyForceCase& body = model.description.forces.body; body.at)
+      map_body_force(body, block, state.x_initial, state.time + 0.5 * model.dt, force);
   });
 }
 

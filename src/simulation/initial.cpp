@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace terp {
 namespace {
@@ -61,6 +62,34 @@ void start_soil(const Model& model, State& state)
   });
 }
 
+namespace {
+
+/// A parameter of a material by its name at a place; nothing: its law does not have it.
+std::optional<Real> parameter_at(const MaterialCase& material, std::string_view name, const PlaceInSoil& place)
+{
+  const MaterialType* law = find_material(material.model);
+  if (law == nullptr) return std::nullopt;
+  const auto found = std::ranges::find(law->parameters, name, &ParameterInfo::name);
+  if (found == law->parameters.end()) return std::nullopt;
+  const auto k = static_cast<std::size_t>(found - law->parameters.begin());
+  const auto field = std::ranges::find(material.fields, k, &ParameterField::parameter);
+  return field != material.fields.end() ? field->value_at(place) : material.parameters[k];
+}
+
+}  // namespace
+
+Real k0_at(const Case& c, const MaterialCase& material, const PlaceInSoil& place, Real vertical)
+{
+  if (!std::isnan(material.k0)) return material.k0;
+  if (!std::isnan(c.initial.k0)) return c.initial.k0;
+  const auto angle = parameter_at(material, "friction_angle", place),
+             yield_stress = parameter_at(material, "yield_stress", place);
+  if (!angle || !yield_stress) return 1.0;
+  const Real sine = std::sin(*angle * std::numbers::pi / 180.0);
+  const Real ocr = std::max(1.0, *yield_stress / vertical), passive = (1.0 + sine) / (1.0 - sine);
+  return std::min((1.0 - sine) * std::pow(ocr, sine), passive);
+}
+
 bool begins_with_k0(const Case& c)
 {
   const auto asks_for_it = [](const MaterialCase& material) {
@@ -84,8 +113,7 @@ void set_initial_stress(const Model& model, State& state)
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
     const MaterialCase& material = c.materials[block.material];
-    const Real k0 = std::isnan(material.k0) ? c.initial.k0 : material.k0;
-    const Real vertical = -overburden.effective(x, water),
+    const Real vertical = -overburden.effective(x, water), k0 = k0_at(c, material, {x, &overburden}, -vertical),
                stored = material.stores_effective() ? 0.0 : overburden.pore_pressure(x, water);
     block.row(Rows::sigma)[lane] = k0 * vertical - stored;
     block.row(Rows::sigma + 1)[lane] = vertical - stored;

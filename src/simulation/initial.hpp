@@ -10,6 +10,11 @@
 
 namespace terp {
 
+/// Horizontal over vertical effective stress with which soil starts at a place under a vertical stress [Pa, pressure
+/// positive]: of the material, else of the case, else of its law. Soil with a friction angle phi and a yield stress has
+/// (1 - sin phi) OCR^(sin phi) (Mayne and Kulhawy 1982), at most that of passive failure; other soil has 1.
+Real k0_at(const Case& c, const MaterialCase& material, const PlaceInSoil& place, Real vertical);
+
 /// True if a run begins with the K0 stress, or its search for equilibrium does: with water, soil whose stiffness
 /// follows its stress, or a material that gives its k0.
 bool begins_with_k0(const Case& c);

@@ -162,7 +162,7 @@ void set_load_pressures(const Model& model, const State& state, Workspace& work)
     acts |= work.load_pressure[k] != 0.0;
   }
   set_held_shares(model, state, work);
-  work.outer[outer_load].acts = acts || work.held.act();
+  work.outer[outer_load].acts = acts || work.held.act() || model.description.forces.body.at;
 }
 
 }  // namespace terp

@@ -100,6 +100,8 @@ struct Model {
     return method.volume_change == VolumeChange::soil && looks_at(*scheme, "volume_change");
   }
   bool balances_pressure() const { return method.pressure == Pressure::balanced && looks_at(*scheme, "pressure"); }
+  /// Whether forces from outside beside gravity and water may act: loads, bodies that come or go, forces.body.
+  bool has_loads() const { return !loads.empty() || held_row >= 0 || description.forces.body.at; }
   bool has_excess_pressure() const
   {
     return std::ranges::any_of(materials, [](const SoilMaterial& m) { return m.excess_row >= 0; });

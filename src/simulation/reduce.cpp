@@ -121,13 +121,6 @@ void copy_parameter(MaterialCase& material, std::size_t from, std::size_t to)
   material.fields.insert(std::ranges::lower_bound(material.fields, to, {}, &ParameterField::parameter), copy);
 }
 
-/// Without cohesion: it carries no tension in any case.
-bool is_sand(const MaterialType& law, const MaterialCase& material)
-{
-  const auto cohesion = number_of(law, "cohesion");
-  return cohesion && !is_field(material, *cohesion) && material.parameters[*cohesion] == 0.0;
-}
-
 void reduce_as_davis(MaterialCase& material, std::array<std::size_t, 3> numbers)
 {
   for (const std::size_t k : numbers)
@@ -146,13 +139,20 @@ void reduce_as_davis(MaterialCase& material, std::array<std::size_t, 3> numbers)
 
 }  // namespace
 
+bool is_sand(const MaterialCase& material)
+{
+  const MaterialType* law = find_material(material.model);
+  const auto cohesion = law == nullptr ? std::nullopt : number_of(*law, "cohesion");
+  return cohesion && !is_field(material, *cohesion) && material.parameters[*cohesion] == 0.0;
+}
+
 Case leave_out_tension(Case c)
 {
   for (MaterialCase& material : c.materials)
     if (const MaterialType* law = find_material(material.model))
-      if (const auto k = number_of(*law, tension_cutoff);
-          k && law->parameters[*k].reduction == Reduction::divide && !is_field(material, *k) &&
-          std::isinf(material.parameters[*k]) && !is_sand(*law, material))
+      if (const auto k = number_of(*law, tension_cutoff); k && law->parameters[*k].reduction == Reduction::divide &&
+                                                          !is_field(material, *k) &&
+                                                          std::isinf(material.parameters[*k]) && !is_sand(material))
         material.parameters[*k] = 0.0;
   return c;
 }

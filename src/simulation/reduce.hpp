@@ -26,6 +26,9 @@ Case reduce_strength(Case c, Real factor);
 /// The case without what only fast shearing gives (Reduction::zero).
 Case leave_out_rate(Case c);
 
+/// Soil of a law with friction that has no cohesion: it carries no tension in any case.
+bool is_sand(const MaterialCase& material);
+
 /// The case whose soil cracks: no tension where the law could limit it and no limit was given.
 Case leave_out_tension(Case c);
 

@@ -257,7 +257,7 @@ void gather_points(const Model& model, const SchemeContext& context, State& stat
   for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums&, auto&) {
     for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group, c);
     scheme.gather(context, group);
-    for (int c = 0; work.outer[outer_load].acts && c < group.n(); ++c) map_loads(model, group, c, work);
+    for (int c = 0; work.outer[outer_load].acts && c < group.n(); ++c) map_loads(model, state, group, c, work);
   });
   if (scheme.integrate == nullptr) return;
   work.patches.mark_small_partners();
@@ -313,7 +313,7 @@ void step_compiled(const Model& model, State& state, Workspace& work)
   start_sums(work);
   work.gravity = model.gravity_at(state.time + 0.5 * model.dt);  // of the middle of the step
   place_footings(model, state, work);
-  if (!model.loads.empty() || model.held_row >= 0) set_load_pressures(model, state, work);
+  if (model.has_loads()) set_load_pressures(model, state, work);
   if (model.water) set_water(model, state, work);
   const SchemeContext context{.method = model.method,
       .materials = model.materials,

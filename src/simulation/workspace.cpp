@@ -97,7 +97,7 @@ Workspace::Workspace(const Model& model, const State& state)
   if (model.slips_in_cut_cells()) slips.reserve(2 * state.points.n_blocks());
   if (model.inverse_extent >= 0) start_patches(model, state, n_gauss_rows, patches);
   load_pressure.resize(model.loads.size());
-  if (!model.loads.empty() || model.held_row >= 0) outer[outer_load].node.resize(model.mesh->nodes.size());
+  if (model.has_loads()) outer[outer_load].node.resize(model.mesh->nodes.size());
   for (int kind = 0; kind < n_outer_kinds; ++kind)
     if (has_corners(model, kind, *this)) outer[kind].corners.reserve(most_cells);
   cell_sums.reserve(Threads::n_chunks(static_cast<Index>(most_cells), cells_per_chunk));

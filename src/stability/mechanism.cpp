@@ -6,6 +6,7 @@
 #include "simulation/frame.hpp"
 #include "simulation/frame_fields.hpp"
 #include "simulation/ground_section.hpp"
+#include "simulation/reduce.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,7 @@ struct MovingPoint {
   Vec<2> dx{0.0, 0.0};  // in the last window [m]
   Real size = 0.0;      // of dx, at most the largest [m]
   Real volume = 0.0;    // [m^2]
+  Index material = 0;
   bool counts = true;
 };
 
@@ -30,7 +32,8 @@ struct Column {
   std::vector<MovingPoint> points;  // from the highest down
   Real largest = 0.0;               // [m]
   Real slip = 0.0;                  // elevation of the slip surface [m]
-  Real area = 0.0, motion = 0.0;    // above it: volume [m^2], sum of volume times motion along x [m^3]
+  std::size_t n_above = 0;          // points above it
+  Real area = 0.0, motion = 0.0;    // of them: volume [m^2], sum of volume times motion along x [m^3]
 };
 
 Real largest_motion(const std::vector<MovingPoint>& points)
@@ -52,7 +55,9 @@ std::vector<MovingPoint> ground_points(
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     if (!is_ground(ground, block)) return;
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
-    MovingPoint p{.volume = block.row(Rows::volume)[lane], .counts = judged.empty() || judged[id] != 0};
+    MovingPoint p{.volume = block.row(Rows::volume)[lane],
+        .material = block.material,
+        .counts = judged.empty() || judged[id] != 0};
     for (std::size_t d = 0; d < 2; ++d) {
       p.x[d] = state.x_initial[2 * id + d];
       p.dx[d] = now.x[2 * id + d] - before.x[2 * id + d];
@@ -89,11 +94,11 @@ void find_slip(Column& column)
     if (wrong < fewest) fewest = wrong, first = k + 1;
     if (wrong == fewest) last = k + 1;
   }
-  const std::size_t n_above = (first + last + 1) / 2;
-  if (n_above == 0) return;
-  const Real above = points[n_above - 1].x[1];
-  column.slip = n_above < points.size() ? 0.5 * (above + points[n_above].x[1]) : above;
-  for (std::size_t k = 0; k < n_above; ++k) {
+  column.n_above = (first + last + 1) / 2;
+  if (column.n_above == 0) return;
+  const Real above = points[column.n_above - 1].x[1];
+  column.slip = column.n_above < points.size() ? 0.5 * (above + points[column.n_above].x[1]) : above;
+  for (std::size_t k = 0; k < column.n_above; ++k) {
     column.area += points[k].volume;
     column.motion += points[k].volume * points[k].dx[0];
   }
@@ -148,6 +153,17 @@ Real share_of_other_way(const std::vector<Column>& columns, Real least, bool rig
   return other / all;
 }
 
+/// The name of the soil without cohesion that most of what moves is of; empty: other soil.
+std::string sand_of(const Case& c, const std::vector<Column>& columns, Stretch stretch, Real area)
+{
+  std::vector<Real> areas(c.materials.size(), 0.0);
+  for (std::size_t k = stretch.first; k < stretch.last; ++k)
+    for (std::size_t i = 0; i < columns[k].n_above; ++i)
+      areas[static_cast<std::size_t>(columns[k].points[i].material)] += columns[k].points[i].volume;
+  const auto most = static_cast<std::size_t>(std::ranges::max_element(areas) - areas.begin());
+  return areas[most] > 0.5 * area && is_sand(c.materials[most]) ? c.materials[most].name : "";
+}
+
 MovingSoil describe(const Section& section, const std::vector<Column>& columns, Stretch stretch, Real least)
 {
   const Columns& c = section.columns;
@@ -191,7 +207,9 @@ std::optional<MovingSoil> find_moving(
     if (column.largest >= least) find_slip(column);
   const Stretch stretch = largest_stretch(columns, least);
   if (stretch.first == stretch.last) return std::nullopt;
-  return describe(section, columns, stretch, least);
+  MovingSoil moving = describe(section, columns, stretch, least);
+  moving.sand = sand_of(model.description, columns, stretch, moving.area);
+  return moving;
 }
 
 /// A field of the frame by its name; nullptr: there is none.

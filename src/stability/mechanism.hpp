@@ -10,6 +10,7 @@
 #include "stability/soil_motion.hpp"
 
 #include <optional>
+#include <string>
 
 namespace terp {
 
@@ -31,7 +32,8 @@ struct MovingSoil {
   Real highest_x = 0.0;                    ///< middle of the highest ground [m]
   Real depth = 0.0;                        ///< of the slip surface below the ground, the largest [m]
   Real area = 0.0;                         ///< of the soil above it [m^2]
-  Real other_way = 0.0;  ///< share of the motion, by volume, of the soil that moves to the other side [-]
+  std::string sand = {};  ///< name of the soil without cohesion that most of it is of; empty: other soil
+  Real other_way = 0.0;   ///< share of the motion, by volume, of the soil that moves to the other side [-]
 };
 
 /// Strains and displacements are those of the soil as it is, before it was stiffened.

@@ -272,7 +272,7 @@ void find_sloping_free_water(const Model& model, std::vector<Problem>& warnings)
     for (Index c = 0; c <= columns.n; ++c) {
       const Real x = columns.left + (static_cast<Real>(c) + 0.5) * columns.width, y = elevation_at(of.phreatic_line, x);
       const std::optional<Real> ground = c < columns.n ? overburden.ground(x) : std::nullopt;
-      if (ground && y > *ground) {
+      if (ground && y - *ground > 1e-6 * columns.width) {  // more than round-off of two lines that coincide
         now = {std::min(now.from, x), x, std::min(now.low, y), std::max(now.high, y), std::max(now.depth, y - *ground)};
         continue;
       }

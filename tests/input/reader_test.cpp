@@ -145,6 +145,9 @@ remove = ["top"]
 reset_displacement = true
 trigger = true
 set = { "scheme" = "mpm_gp" }
+[forces.body]
+bx = 0
+by = "t"
 [material.clay]
 water_stiffness = 1e8
 undrained_poisson_ratio = 0.49

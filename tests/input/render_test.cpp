@@ -51,8 +51,8 @@ TEST(Render, FallsBackToTheNearestTableAbove)
 
 TEST(Render, SaysTheDefaultOfAKeyThatIsNotThere)
 {
-  EXPECT_THAT(shown({"initial.k0", "w", "", ""}),
-      StartsWith("error: case.toml: w\n  `initial.k0` is not given; its default is 1.\n"));
+  EXPECT_THAT(shown({"method.flip", "w", "", ""}),
+      StartsWith("error: case.toml: w\n  `method.flip` is not given; its default is 1; of fluids 0.95.\n"));
 }
 
 TEST(Render, NamesTheOverrideThatSetTheValue)

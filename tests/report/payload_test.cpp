@@ -1,6 +1,7 @@
 #include "report/payload.hpp"
 #include "output/compress.hpp"
 #include "report/codec.hpp"
+#include "results/depends.hpp"
 #include "results/runs.hpp"
 #include <nlohmann/json.hpp>
 
@@ -167,6 +168,22 @@ TEST_F(PayloadTest, SaysWhatWasChangedSinceTheImport)
       alone["runs"][0]["changed"]["en"][0].get<std::string>(), HasSubstr("weight was 1234.5 kg/m^3 in the import"));
   EXPECT_THAT(
       alone["runs"][0]["changed"]["nl"][0].get<std::string>(), HasSubstr("gewicht was bij het inlezen 1234,5 kg/m^3"));
+}
+
+TEST_F(PayloadTest, HasWhatTheOutcomeTurnsOnWhereTheFileBesideTheFolderIsOfThisRun)
+{
+  const auto depends = [&] {
+    return json::parse(make_payload({scratch.path() + "/gp"}, {}).json)["runs"][0]["depends"];
+  };
+  EXPECT_TRUE(depends().is_null());
+  const std::string path = scratch.path() + "/" + depends_file;
+  write_file_atomically(
+      path, decide("dike", {{"cells", "cells of 1 m", "stands", "gp"}, {"k0", "k0 x 0.8", "floods", "k0_x_0.8"},
+                               {"S", "S x 0.85", "stands", "s"}})
+                .json);
+  EXPECT_EQ(depends(), (json{{"turns_on", {"k0"}}, {"does_not_turn_on", {"cells", "S"}}}));
+  write_file_atomically(path, decide("dike", {{"cells", "cells of 1 m", "stands", "another"}}).json);
+  EXPECT_TRUE(depends().is_null());
 }
 
 TEST_F(PayloadTest, ACaseThatCannotBeReadCostsTheMeshAndSaysSo)

@@ -42,6 +42,23 @@ TEST(InitialStress, TheSearchForEquilibriumBeginsWithTheK0ThatAMaterialGivesAlso
   }
 }
 
+TEST(InitialStress, K0OfSoilWithFrictionAngleAndYieldStressFollowsItsOverconsolidation)
+{
+  Case c = confined_box(InitialStress::k0);
+  MaterialCase clay{"clay", "modified_cam_clay", 2000.0, {30.0, 0.3, 0.05, 1.8, 0.2, 40e3, 100e3, 1e3}};
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  EXPECT_NEAR(k0_at(c, clay, {}, 40e3), 0.5, 1e-12);                   // 1 - sin(30)
+  EXPECT_NEAR(k0_at(c, clay, {}, 10e3), 0.5 * std::sqrt(4.0), 1e-12);  // OCR of 4
+  EXPECT_NEAR(k0_at(c, clay, {}, 80e3), 0.5, 1e-12);                   // it yields: as normally consolidated
+  EXPECT_NEAR(k0_at(c, clay, {}, 0.0), 3.0, 1e-12);                    // passive: (1 + sin)/(1 - sin)
+  c.initial.k0 = 0.7;
+  EXPECT_EQ(k0_at(c, clay, {}, 10e3), 0.7);
+  clay.k0 = 0.6;
+  EXPECT_EQ(k0_at(c, clay, {}, 10e3), 0.6);
+  c.initial.k0 = nan;
+  EXPECT_EQ(k0_at(c, c.materials[0], {}, 10e3), 1.0);
+}
+
 TEST(InitialStress, K0CountsEachLayerWithItsOwnDensityAndAnOverlapOnce)
 {
   Case c = confined_box(InitialStress::k0);

@@ -66,6 +66,23 @@ TEST_P(LoadInEveryScheme, GivesItsImpulseToTheSoilToRoundOff)
   EXPECT_NEAR(p[0], 0.0, 1e-10 * std::abs(p[1]));
 }
 
+TEST_P(LoadInEveryScheme, AForceOnEachPointHasThePlaceOfThePointAndTheMiddleOfTheStep)
+{
+  Case c = loaded(std::get<0>(GetParam()), {.shares = std::get<1>(GetParam())});
+  c.loads.clear();
+  c.forces.body.at = [](Vec<2> x, Vec<2> x_initial, Real time) -> Vec<2> {
+    return {3.0 * time + 5.0 * (x[0] - x_initial[0]), -9.81 * x_initial[1]};
+  };
+  Simulation s(c);
+  Real mass = 0.0, moment = 0.0;
+  for (const Point& p : points_by_id(s.state)) mass += p.mass, moment += p.mass * p.x[1];
+  make_steps(s, 1);
+  const Real dt = s.model.dt;
+  EXPECT_NEAR(momentum(s.state)[0], mass * 3.0 * 0.5 * dt * dt, 1e-12 * mass * dt);
+  EXPECT_NEAR(momentum(s.state)[1], -9.81 * moment * dt, 1e-12 * moment * dt);
+  EXPECT_GT(s.state.work.outer[outer_load], 0.0);
+}
+
 TEST(Loads, FollowTheSoilThatCarriesThem)
 {
   Case c = loaded("mpm_gp");

@@ -41,6 +41,17 @@ Vec<2> slides(Vec<2> x)
   return moves ? Vec<2>{1e-3, -5e-4} : Vec<2>{0.0, 0.0};
 }
 
+TEST(Mechanism, NamesTheSoilWithoutCohesionThatMostOfItIsOf)
+{
+  Case c = bank();
+  EXPECT_EQ(Moved(c, slides).mechanism().moving->sand, "");
+  c.materials[0] = {"clay", "mohr_coulomb", 1990.0, {2e6, 0.3, 0.0, 30.0, 0.0}};
+  c.materials[0].parameters.resize(find_material("mohr_coulomb")->parameters.size(), 0.0);
+  EXPECT_EQ(Moved(c, slides).mechanism().moving->sand, "clay");
+  c.materials[0].parameters[2] = 1e3;
+  EXPECT_EQ(Moved(c, slides).mechanism().moving->sand, "");
+}
+
 TEST(Mechanism, IsThePartThatMovesWithItsLineItsWayAndItsSize)
 {
   const auto moving = Moved(bank(), slides).mechanism().moving;

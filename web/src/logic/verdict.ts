@@ -22,10 +22,18 @@ export function doubts(run: Run): string[] {
   const margin = run.meta.events?.flood?.margin;
   const changed = run.meta.changed?.[currentLanguage()]?.length ?? 0;
   const unsaid = kindOf(run) === "still_moving" ? [] : restDoubt(run); // the verdict says so itself
-  return [...unsaid, ...sideDoubts(run), changed > 0 ? say("note_changed", { n: changed }) : "",
+  return [turnsOn(run), ...unsaid, ...sideDoubts(run), changed > 0 ? say("note_changed", { n: changed }) : "",
     typeof margin === "number" ? say("note_margin", { margin: metres(margin) }) : "",
     depth && holds ? say("note_gap", { depth: metres(depth) }) : ""]
     .filter(Boolean);
+}
+
+/** What the outcome turns on, of the inputs that were changed one at a time. */
+function turnsOn({ meta: { depends } }: Run): string {
+  if (!depends) return "";
+  const { turns_on: turns, does_not_turn_on: others } = depends;
+  if (turns.length === 0) return say("turns_on_nothing", { others: others.join(", ") });
+  return say(others.length > 0 ? "turns_on" : "turns_on_all", { inputs: turns.join(", "), others: others.join(", ") });
 }
 
 /** In which stage the ground came down: a slide in daily water is no flood of the river. */
