@@ -77,7 +77,8 @@ void declare_stability(CLI::App& app, CommandLine& line)
       "displacements are kept so many times smaller\n(1 to 1e6; default 1000)");
   add_number(stability, "--least-depth D", rules.least_depth, 0.0, 1e4,
       "leave out soil less deep below the ground than this [m]");
-  stability->add_flag("--with-tension{false}", line.stability.cracks,
+  stability->add_flag_callback(
+      "--with-tension", [&line] { line.stability.cracks = false; },
       "soil without a tension_cutoff carries tension\n(default: it cracks; docs/stability.md)");
   CLI::Option* associated = stability->add_flag_callback(
       "--associated", [&line] { line.stability.flow = FlowRule::associated; },

@@ -36,6 +36,8 @@ class HelpPage : public CLI::Formatter {
     const std::size_t comma = name.find(',');  // "-o,--output"
     return comma == std::string::npos ? name : name.substr(0, comma) + ", " + name.substr(comma + 1);
   }
+  /// The text of an option says what stands beside it.
+  std::string make_option_opts(const CLI::Option*) const override { return ""; }
   std::string make_subcommand(const CLI::App* command) const override
   {
     const std::string text = command->get_description();

@@ -195,7 +195,10 @@ int verify_cases(const VerifyOptions& options)
   if (!options.overview.empty()) write_page(options.overview, overview_with(pages, options, head_of_page(folder)));
   const Counts counts = count(pages);
   fmt::print("{}\n", counts_text(counts));
-  return counts.fail == 0 ? Status::solved : failed;
+  const bool all = options.names.empty() && !options.only_short && !options.only_long;
+  const bool too_many = all && too_many_regressions(counts.regression, counts.rows());
+  if (too_many) fmt::print("More than a tenth of the rows are regression: hold more of them against outside values.\n");
+  return counts.fail == 0 && !too_many ? Status::solved : failed;
 }
 
 }  // namespace terp
