@@ -36,8 +36,12 @@ class HelpPage : public CLI::Formatter {
     const std::size_t comma = name.find(',');  // "-o,--output"
     return comma == std::string::npos ? name : name.substr(0, comma) + ", " + name.substr(comma + 1);
   }
-  /// The text of an option says what stands beside it.
-  std::string make_option_opts(const CLI::Option*) const override { return ""; }
+  /// Without the other options that it cannot stand beside: the text of an option says that.
+  std::string make_option_opts(const CLI::Option* option) const override
+  {
+    const std::string text = CLI::Formatter::make_option_opts(option);
+    return text.substr(0, text.find(" Excludes:"));
+  }
   std::string make_subcommand(const CLI::App* command) const override
   {
     const std::string text = command->get_description();

@@ -9,18 +9,12 @@
 // 0: water that enters as it opens brings its own weight, which that water carries.
 #pragma once
 
+#include "forces/nodal_pressure.hpp"
 #include "forces/point_gradients.hpp"
 #include "mesh/geometry_lanes.hpp"
 #include "transfer/method_options.hpp"
 
 namespace terp {
-
-/// Water on the nodes of the mesh at the time of a step.
-struct PorePressure {
-  std::vector<Real> pressure;   ///< p, at least 0 [Pa], shape [n_nodes]
-  std::vector<Real> unlimited;  ///< the same, negative above the water [Pa], shape [n_nodes]
-  std::vector<Real> suction;    ///< s, at least 0 [Pa], shape [n_nodes]; empty: none anywhere
-};
 
 /// Values of the nodes at the corners of one cell, or of eight in packs.
 template <class Element, class R = Real>

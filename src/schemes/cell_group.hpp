@@ -23,10 +23,6 @@ inline Pack where_blocks_are(const BlockLayer& layer, Pack lanes)
   return select(Pack::load(has) > Pack(0.0), lanes, Pack(0.0));
 }
 
-/// dN_i/dx_d whose sum with the velocities is the volume change of a cell [1/m], one lane per cell.
-template <class Element>
-using VolumeGradient = PerCorner<Element, PerDirection<Element, Pack>>;
-
 struct PatchValues;
 struct CellBalance;
 struct BlockSlip;
@@ -71,10 +67,6 @@ struct CellGroup {
     return (std::ptrdiff_t{layer.material} * points.n_bodies() + layer.body) * n_groups + number;
   }
 };
-
-/// A vector at each corner of each cell of a group, shape [cell][d][corner].
-template <class Element>
-using GroupVectors = std::array<CornerVectors<Element>, pack_width>;
 
 /// Fetches rows `first` to `end` - 1 of the points of the cell after cell c while those of c are worked on: the
 /// processor does not see by itself that one block follows another.

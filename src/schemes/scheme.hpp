@@ -2,12 +2,18 @@
 // Not for: what a scheme computes (one file each beside this one, listed in schemes.def).
 #pragma once
 
-#include "schemes/cell_group.hpp"
+#include "transfer/cell_sums.hpp"
+#include "transfer/method_options.hpp"
 
 #include <span>
 #include <string_view>
 
 namespace terp {
+
+struct SchemeContext;
+struct StressSums;
+template <class Element>
+struct CellGroup;
 
 /// Floating-point operations and memory traffic of one point in one pass, counted from the kernels by hand.
 struct PassCost {

@@ -52,6 +52,14 @@ inline GroupVectors<Quad4> displacements(
   return du;
 }
 
+inline void enter(const StressSums& of, CellSums& sums)
+{
+  sums.plastic += of.plastic_work;
+  sums.slip += of.slip_work;
+  sums.taken += sum(of.taken);
+  sums.reset += sum(of.reset);
+}
+
 /// m_i and (m v)_i of the points of cell c; clears the forces.
 inline void map_mass_and_momentum(const CellGroup<Quad4>& group, int c)
 {

@@ -291,13 +291,13 @@ void update_stress_and_places(const Model& model, const SchemeContext& context, 
     for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto&) {
       StressSums stress_sums;
       scheme.strain(context, group, displacements(model, work.node, group), stress_sums);
-      sums.enter(stress_sums);
+      enter(stress_sums, sums);
     });
   for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto& points_leaving) {
     const auto du = displacements(model, work.node, group);
     StressSums stress_sums;
     scheme.update_stress(context, group, du, stress_sums);
-    sums.enter(stress_sums);
+    enter(stress_sums, sums);
     for (int c = 0; c < group.n(); ++c) {
       if (model.spreads_softening())
         work.cell_softens[group.number * pack_width + c] = softens(model, group.points, group.cells[c]);

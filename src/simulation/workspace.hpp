@@ -1,12 +1,12 @@
 // Scratch that every step writes anew, and the clock of the passes.
 #pragma once
 
-#include "forces/pore_pressure.hpp"
+#include "forces/nodal_pressure.hpp"
 #include "parallel/threads.hpp"
 #include "parallel/memory.hpp"
 #include "schemes/block_slip.hpp"
+#include "schemes/cell_balance.hpp"
 #include "schemes/patch_values.hpp"
-#include "schemes/pressure_balance.hpp"
 #include "simulation/model.hpp"
 #include "simulation/outer_forces.hpp"
 #include "simulation/passes.hpp"
@@ -67,14 +67,6 @@ struct CellSums {
   Real relaxation = 0.0;          ///< kinetic energy that velocities gain as they fade [J per m]
   int thread = 0;                 ///< whose list holds the points that left
   std::size_t first_leaving = 0, end_of_leaving = 0;
-
-  void enter(const StressSums& of)
-  {
-    plastic += of.plastic_work;
-    slip += of.slip_work;
-    taken += sum(of.taken);
-    reset += sum(of.reset);
-  }
 };
 
 /// Of nonlocal softening, at the corners of one cell: sums over the points that can soften.

@@ -12,6 +12,14 @@ namespace terp {
 template <class Element, class R = Real>
 using CornerVectors = PerDirection<Element, PerCorner<Element, R>>;
 
+/// A vector at each corner of each of eight cells, shape [cell][d][corner].
+template <class Element>
+using GroupVectors = std::array<CornerVectors<Element>, pack_width>;
+
+/// dN_i/dx_d whose sum with the velocities is the volume change of a cell [1/m], one lane per cell.
+template <class Element>
+using VolumeGradient = PerCorner<Element, PerDirection<Element, Pack>>;
+
 /// A cell's own contributions to its corners; a node sums those of its cells in a fixed order.
 template <class Element, class R = Real>
 struct CornerSums {
