@@ -21,7 +21,7 @@ using Names = std::vector<std::string>;
 
 const Names quantity_keys = {"name", "kind", "value", "reduce", "reference", "where", "scale", "time", "from", "to",
     "threshold", "at", "runs", "tolerance", "relative", "at_least", "at_most", "of", "over", "unit", "source", "red",
-    "as", "shown", "differences", "red_runs", "order"};
+    "as", "shown", "differences", "red_runs", "order", "regression"};
 const Names run_keys = {"name", "case", "schemes", "set", "constants", "long", "seconds", "stability", "least_depth"};
 const Names kind_words = {
     "field", "point", "ledger", "summary", "formula", "order", "footing", "extrapolated", "mesh_error"};
@@ -238,6 +238,13 @@ void check_judgement(const Expected& file, const Quantity& q)
   if (q.source.empty()) refuse(file, q.place, "`source` is missing", "Say where the reference comes from.");
 }
 
+/// A row that is no pass needs its reason.
+void check_regression(const TableReader& reader, const Quantity& q)
+{
+  const Node* item = reader.find("regression", false);
+  if (item != nullptr && q.regression.empty()) reader.wrong(*item, "why no value from outside Terp holds it");
+}
+
 void read_place(const TableReader& reader, Quantity& q)
 {
   const Node* at = reader.find("at", q.kind == QuantityKind::point);
@@ -280,6 +287,7 @@ const KeyUse key_uses[] = {
     {"differences", [](const Quantity& q) { return q.kind == QuantityKind::order; }, "for order"},
     {"order", [](const Quantity& q) { return q.kind == QuantityKind::extrapolated; }, "for extrapolated"},
     {"red_runs", [](const Quantity& q) { return !q.red.empty(); }, "for a quantity that is `red`"},
+    {"regression", [](const Quantity& q) { return !is_auxiliary(q); }, "for a quantity that is judged"},
 };
 
 void check_uses(const Expected& file, const Node& table, const Quantity& q)
@@ -306,7 +314,8 @@ Quantity read_quantity(const Expected& file, const Node& table)
       .unit = reader.text("unit"),
       .source = reader.text("source"),
       .shown = reader.text("shown"),
-      .red = reader.text("red")};
+      .red = reader.text("red"),
+      .regression = reader.text("regression")};
   q.place = table.value;
   q.differences = reader.flag("differences");
   q.kind = static_cast<QuantityKind>(reader.word("kind", kind_words, 0));
@@ -326,6 +335,7 @@ Quantity read_quantity(const Expected& file, const Node& table)
   check_uses(file, table, q);
   read_place(reader, q);
   check_judgement(file, q);
+  check_regression(reader, q);
   return q;
 }
 

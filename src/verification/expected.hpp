@@ -25,8 +25,9 @@ enum class Reduce { rms_error, max_error, mean, sum, max, min, at, last, period,
 
 struct Quantity {
   std::string name = {}, unit = {}, source = {};
-  std::string shown = {};  ///< the reference as the table shows it; empty: its number or formula
-  std::string red = {};    ///< why it is known not to agree, and what would correct it; empty: it must agree
+  std::string shown = {};       ///< the reference as the table shows it; empty: its number or formula
+  std::string red = {};         ///< why it is known not to agree, and what would correct it; empty: it must agree
+  std::string regression = {};  ///< why no value from outside Terp holds it: such a row never passes; empty: one does
   QuantityKind kind = QuantityKind::field;
   Reduce reduce = Reduce::rms_error;
   Formula value = {}, reference = {};

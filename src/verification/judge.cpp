@@ -90,7 +90,11 @@ Row to_row(const std::string& case_name, const Finding& f)
                                            : fmt::format("{:.3g}", f.tolerance);
   const bool good = agrees(f), known = declared_red(q, f.run, f.scheme);
   const bool excused = known && std::isfinite(f.value);  // the reason applies to a number, not to its absence
-  row.verdict = good ? Verdict::pass : excused ? Verdict::red : Verdict::fail;
+  row.declared_regression = !q.regression.empty();
+  row.verdict = !good                     ? (excused ? Verdict::red : Verdict::fail)
+                : row.declared_regression ? Verdict::regression
+                                          : Verdict::pass;
+  if (row.verdict == Verdict::regression) row.remark = q.regression;
   if (!good && excused) row.remark = q.red;
   if (!std::isfinite(f.value)) row.remark = why_none(f);
   row.declared_red = known;

@@ -6,9 +6,10 @@
 namespace terp {
 
 enum class Verdict {
-  pass,
-  red,   ///< does not agree, and the case says why
-  fail,  ///< does not agree, and nobody has said why
+  pass,        ///< agrees with a reference from outside Terp
+  regression,  ///< agrees, but with no more than what Terp itself gave
+  red,         ///< does not agree, and the case says why
+  fail,        ///< does not agree, and nobody has said why
 };
 
 /// One row, ready to be shown.
@@ -16,9 +17,10 @@ struct Row {
   std::string case_name = {}, run = {}, quantity = {}, reference = {}, source = {}, terp = {}, error = {},
               tolerance = {};
   Verdict verdict = Verdict::pass;
-  bool declared_red = false;  ///< the case declares that it does not agree
-  std::string remark = {};    ///< why it is red, or what went wrong
-  Real used = -1.0;           ///< share of the bound that is used [-], 1 at the bound; negative: the bound has no size
+  bool declared_red = false;         ///< the case declares that it does not agree
+  bool declared_regression = false;  ///< the case declares that no value from outside Terp holds it
+  std::string remark = {};           ///< why it is red or a regression row, or what went wrong
+  Real used = -1.0;  ///< share of the bound that is used [-], 1 at the bound; negative: the bound has no size
 };
 
 /// The row of a run, or of a whole case, that gave no numbers.

@@ -1,5 +1,6 @@
 // The page is its own store: a line of the table begins with the name of its case as a link, an item of the list of
-// reasons with the name in bold. Reading takes these two marks and nothing else, so the words around them may change.
+// reasons with the name in bold. Reading takes these two marks, and the heading behind which the reasons are those of
+// regression rows. So the words around them may change.
 #include "verification/overview.hpp"
 
 #include "base/utf8.hpp"
@@ -13,6 +14,7 @@ namespace terp {
 namespace {
 
 constexpr std::size_t widest = 120;  // columns of a line of the documents
+constexpr const char* regression_heading = "## Regression";
 
 std::string nearest_to_bound(const CaseRows& c)
 {
@@ -37,11 +39,11 @@ std::string wrapped(const std::string& text)
   return out + '\n';
 }
 
-/// The reasons of rows that do not agree, each once with the number of its rows.
-std::string reasons_of(const CaseRows& c)
+/// The reasons of rows that do not agree, or of the regression rows, each once with the number of its rows.
+std::string reasons_of(const CaseRows& c, bool of_regressions)
 {
   std::string out;
-  for (const std::string& remark : remarks_of(c)) {
+  for (const std::string& remark : remarks_of(c, of_regressions)) {
     const auto n = std::ranges::count_if(c.rows, [&](const Row& r) { return remark_of(r) == remark; });
     out += wrapped(fmt::format("- **{}**, {} row{}: {}", c.name, n, n == 1 ? "" : "s", for_markdown(remark)));
   }
@@ -56,15 +58,17 @@ std::string between(const std::string& text, std::string_view before, std::strin
   return end == std::string::npos ? "" : text.substr(before.size(), end - before.size());
 }
 
-/// Number at the start of a column of a line of the table; 0: there is none.
+/// Number that a column of a line of the table holds, alone or before a bracket; 0: it holds none.
 int number_in(const std::string& line, int column)
 {
   std::size_t start = 0;  // behind the bar that begins the column
   for (int bars = 0; start < line.size() && bars <= column; ++start)
     bars += line[start] == '|' && (start == 0 || line[start - 1] != '\\') ? 1 : 0;
   int number = 0;
-  if (start + 1 < line.size()) std::from_chars(line.data() + start + 1, line.data() + line.size(), number);
-  return number;
+  if (start + 1 >= line.size()) return 0;
+  const char* const end = line.data() + line.size();
+  const std::string_view behind(std::from_chars(line.data() + start + 1, end, number).ptr, end);
+  return behind.starts_with(" |") || behind.starts_with(" (") ? number : 0;
 }
 
 }  // namespace
@@ -76,11 +80,13 @@ Overview overview_of(const std::vector<CaseRows>& cases)
     const Counts n = count({c});
     const std::string fail = n.fail > 0 ? fmt::format(" ({} FAIL)", n.fail) : "";
     overview[c.name] = {
-        .line = fmt::format("| [{0}](../cases/verification/{0}/README.md) | {1} | {2} | {3}{4} | {5} |", c.name,
-            for_markdown(c.title), c.rows.size(), n.red + n.fail, fail, for_markdown(nearest_to_bound(c))),
-        .rows = static_cast<int>(c.rows.size()),
+        .line = fmt::format("| [{0}](../cases/verification/{0}/README.md) | {1} | {2} | {3}{4} | {5} | {6} |", c.name,
+            for_markdown(c.title), n.rows(), n.red + n.fail, fail, n.regression, for_markdown(nearest_to_bound(c))),
+        .rows = n.rows(),
         .red = n.red + n.fail,
-        .reasons = reasons_of(c)};
+        .regression = n.regression,
+        .reasons = reasons_of(c, false),
+        .regressions = reasons_of(c, true)};
   }
   return overview;
 }
@@ -88,12 +94,15 @@ Overview overview_of(const std::vector<CaseRows>& cases)
 Overview read_overview(const std::string& page)
 {
   Overview overview;
+  bool of_regressions = false;
   std::string line, *reasons = nullptr;
   for (std::istringstream lines(page); std::getline(lines, line);) {
+    of_regressions |= line == regression_heading;
     if (const std::string name = between(line, "| [", "]"); !name.empty())
-      overview[name].line = line, overview[name].rows = number_in(line, 2), overview[name].red = number_in(line, 3);
+      overview[name] = {
+          .line = line, .rows = number_in(line, 2), .red = number_in(line, 3), .regression = number_in(line, 4)};
     else if (const std::string of = between(line, "- **", "**"); !of.empty() && overview.contains(of))
-      reasons = &overview[of].reasons, *reasons += line + '\n';
+      reasons = of_regressions ? &overview[of].regressions : &overview[of].reasons, *reasons += line + '\n';
     else if (reasons != nullptr && line.starts_with("  "))
       *reasons += line + '\n';
     else
@@ -104,16 +113,19 @@ Overview read_overview(const std::string& page)
 
 std::string overview_page(const Overview& overview, const std::string& head)
 {
-  int rows = 0, red = 0;
-  std::string table, reasons;
+  int rows = 0, red = 0, regression = 0;
+  std::string table, reasons, regressions;
   for (const auto& [name, entry] : overview) {
-    rows += entry.rows, red += entry.red;
-    table += entry.line + '\n', reasons += entry.reasons;
+    rows += entry.rows, red += entry.red, regression += entry.regression;
+    table += entry.line + '\n', reasons += entry.reasons, regressions += entry.regressions;
   }
+  if (!reasons.empty()) reasons = "\n## Red\n\n" + reasons;
+  if (!regressions.empty()) regressions = fmt::format("\n{}\n\n{}", regression_heading, regressions);
   return fmt::format(
-      "# Verification\n\nWritten by `terp verify`; not to be changed by hand.\n\n{} rows: {} pass, {} "
-      "red.\n\n{}\n| case | | rows | red | nearest to its bound |\n|---|---|---|---|---|\n{}{}{}",
-      rows, rows - red, red, head, table, reasons.empty() ? "" : "\n## Red\n\n", reasons);
+      "# Verification\n\nWritten by `terp verify`; not to be changed by hand.\n\n{} rows: {} pass, {} red, {} "
+      "regression.\n\n{}\n| case | | rows | red | regression | nearest to its bound "
+      "|\n|---|---|---|---|---|---|\n{}{}{}",
+      rows, rows - red - regression, red, regression, head, table, reasons, regressions);
 }
 
 }  // namespace terp

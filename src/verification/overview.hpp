@@ -10,8 +10,9 @@ namespace terp {
 
 struct OverviewEntry {
   std::string line;  ///< of the table
-  int rows = 0, red = 0;
-  std::string reasons;  ///< a list; empty: all rows agree
+  int rows = 0, red = 0, regression = 0;
+  std::string reasons = {};      ///< a list: why rows are red; empty: all agree
+  std::string regressions = {};  ///< a list: why rows are regression rows; empty: there are none
 };
 
 /// The entries by the name of their case.

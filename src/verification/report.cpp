@@ -24,14 +24,25 @@ constexpr int n_columns = 8;
 constexpr std::array<const char*, n_columns> heads{
     "quantity", "run", "reference", "Terp", "error", "tolerance", "result", "source"};
 
-const char* word(Verdict verdict)
+const char* word(const Row& r)
 {
-  return verdict == Verdict::pass ? "pass" : verdict == Verdict::red ? "red" : "FAIL";
+  switch (r.verdict) {
+    case Verdict::pass: return "pass";
+    case Verdict::regression: return "regression";
+    case Verdict::red: return "red";
+    case Verdict::fail: break;
+  }
+  return r.declared_regression ? "FAIL: regression, misses" : "FAIL";
+}
+
+bool agrees_though_red(const Row& r)
+{
+  return r.declared_red && (r.verdict == Verdict::pass || r.verdict == Verdict::regression);
 }
 
 std::array<std::string, n_columns> cells_of(const Row& r)
 {
-  return {r.quantity, r.run, r.reference, r.terp, r.error, r.tolerance, word(r.verdict), r.source};
+  return {r.quantity, r.run, r.reference, r.terp, r.error, r.tolerance, word(r), r.source};
 }
 
 std::string padded(const std::string& text, std::size_t width)
@@ -53,10 +64,11 @@ std::string remark_of(const Row& r)
   return fmt::format("{}: {}", r.quantity == "the run" ? r.run : r.quantity, r.remark);
 }
 
-std::vector<std::string> remarks_of(const CaseRows& c)
+std::vector<std::string> remarks_of(const CaseRows& c, bool of_regressions)
 {
   std::vector<std::string> remarks;
   for (const Row& r : c.rows) {
+    if ((r.verdict == Verdict::regression) != of_regressions) continue;
     const std::string remark = remark_of(r);
     if (!remark.empty() && std::ranges::find(remarks, remark) == remarks.end()) remarks.push_back(remark);
   }
@@ -73,17 +85,23 @@ Counts count(const std::vector<CaseRows>& cases)
   Counts counts;
   for (const CaseRows& c : cases)
     for (const Row& r : c.rows) {
-      (r.verdict == Verdict::pass ? counts.pass : r.verdict == Verdict::red ? counts.red : counts.fail) += 1;
-      counts.pass_declared_red += r.verdict == Verdict::pass && r.declared_red ? 1 : 0;
+      switch (r.verdict) {
+        case Verdict::pass: ++counts.pass; break;
+        case Verdict::regression: ++counts.regression; break;
+        case Verdict::red: ++counts.red; break;
+        case Verdict::fail: ++counts.fail; break;
+      }
+      counts.agree_declared_red += agrees_though_red(r) ? 1 : 0;
     }
   return counts;
 }
 
 std::string counts_text(const Counts& n)
 {
-  std::string text = fmt::format("{} rows: {} pass, {} red", n.pass + n.red + n.fail, n.pass, n.red + n.fail);
+  std::string text = fmt::format("{} rows: {} pass, {} red", n.rows(), n.pass, n.red + n.fail);
+  if (n.regression > 0) text += fmt::format(", {} regression", n.regression);
   if (n.red > 0) text += fmt::format(" ({} known, with the reason)", n.red);
-  if (n.pass_declared_red > 0) text += fmt::format(" ({} declared red, but agree)", n.pass_declared_red);
+  if (n.agree_declared_red > 0) text += fmt::format(" ({} declared red, but agree)", n.agree_declared_red);
   if (n.fail > 0) text += fmt::format(" ({} not known: FAIL)", n.fail);
   return text;
 }
@@ -106,12 +124,14 @@ std::string text_table(const CaseRows& c)
     out += fmt::format(" {}\n", cells[n_columns - 1]);
   }
   for (const Row& r : c.rows)
-    if (r.verdict == Verdict::pass && r.declared_red)
+    if (agrees_though_red(r))
       out += fmt::format(
           "  ? {}, {}: declared red in expected.toml, but agrees. Take `red` away, or name in `red_runs` the runs that "
           "it is true of.\n",
           r.quantity, r.run);
-  for (const std::string& remark : remarks_of(c)) out += fmt::format("  ! {}\n", replaced(remark, "\n", "\n    "));
+  for (const std::string& remark : remarks_of(c, false))
+    out += fmt::format("  ! {}\n", replaced(remark, "\n", "\n    "));
+  for (const std::string& remark : remarks_of(c, true)) out += fmt::format("  = regression, no pass: {}\n", remark);
   return out;
 }
 
@@ -130,7 +150,9 @@ std::string markdown_page(const std::vector<CaseRows>& cases, const std::string&
       for (const std::string& cell : cells_of(r)) out += fmt::format(" {} |", for_markdown(cell));
       out += '\n';
     }
-    for (const std::string& remark : remarks_of(c)) out += fmt::format("\n**Red.** {}\n", for_markdown(remark));
+    for (const std::string& remark : remarks_of(c, false)) out += fmt::format("\n**Red.** {}\n", for_markdown(remark));
+    for (const std::string& remark : remarks_of(c, true))
+      out += fmt::format("\n**Regression.** {}\n", for_markdown(remark));
   }
   return out;
 }

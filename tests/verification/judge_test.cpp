@@ -131,6 +131,23 @@ TEST(Judge, ARedRowThatTheCaseDeclaresIsRedAndNotPass)
   }
 }
 
+TEST(Judge, ARegressionRowNeverPassesAndFailsIfItMisses)
+{
+  Sample s;
+  Quantity& q = s.add("width");
+  q.regression = "nobody else has measured it";
+  EXPECT_EQ(judge_one(s, finding(q, 2.0, 2.0, 0.1)).verdict, Verdict::regression);
+  EXPECT_EQ(judge_one(s, finding(q, 2.0, 2.0, 0.1)).remark, "nobody else has measured it");
+  const Row miss = judge_one(s, finding(q, 3.0, 2.0, 0.1));
+  EXPECT_EQ(miss.verdict, Verdict::fail);
+  EXPECT_TRUE(miss.declared_regression);
+
+  q.red = "cells are too large";
+  EXPECT_EQ(judge_one(s, finding(q, 3.0, 2.0, 0.1)).verdict, Verdict::red);
+  EXPECT_EQ(judge_one(s, finding(q, 3.0, 2.0, 0.1)).remark, "cells are too large");
+  EXPECT_EQ(judge_one(s, finding(q, 2.0, 2.0, 0.1)).verdict, Verdict::regression) << "never pass";
+}
+
 TEST(Judge, ARunWithoutResultIsARowThatFails)
 {
   const Sample s;

@@ -28,6 +28,31 @@ TEST(Report, ARowThatAgreesThoughItIsDeclaredRedIsToldAndCounted)
                                               "agrees. Take `red` away, or name in `red_runs`"));
 }
 
+TEST(Report, RegressionRowsAreCountedApartAndSaid)
+{
+  auto pages = sample();
+  Row regression = pages[0].rows[0], miss = regression;
+  regression.verdict = Verdict::regression, regression.remark = "no value from outside";
+  regression.declared_regression = miss.declared_regression = true;
+  miss.verdict = Verdict::fail;
+  pages[0].rows = {pages[0].rows[0], regression, miss};
+  EXPECT_EQ(counts_text(count(pages)), "3 rows: 1 pass, 1 red, 1 regression (1 not known: FAIL)");
+  EXPECT_THAT(text_table(pages[0]), AllOf(HasSubstr(" regression  "), HasSubstr(" FAIL: regression, misses  "),
+                                        HasSubstr("  = regression, no pass: stress <zz>: no value from outside\n")));
+  const std::string page = markdown_page(pages, "");
+  EXPECT_THAT(page, HasSubstr("3 rows: 1 pass, 1 red, 1 regression (1 not known: FAIL).\n"));
+  EXPECT_THAT(page, HasSubstr("| 0.2 | regression | Euler |"));
+  EXPECT_THAT(page, HasSubstr("**Regression.** stress \\<zz>: no value from outside\n"));
+  EXPECT_THAT(page, Not(HasSubstr("**Red.**")));
+}
+
+TEST(Report, ATenthOfTheRowsMayBeRegression)
+{
+  EXPECT_FALSE(too_many_regressions(0, 0));
+  EXPECT_FALSE(too_many_regressions(2, 20));
+  EXPECT_TRUE(too_many_regressions(2, 19));
+}
+
 TEST(Report, TheTextNamesEveryColumnAndTheReasons)
 {
   const std::string text = text_table(sample()[0]);
