@@ -22,6 +22,18 @@ std::vector<std::string> stress_words() { return {"none", "k0", "equilibrium"}; 
 
 constexpr std::size_t most_formulas = 32;  // of a body force
 
+/// Whether a formula of these names, of which the fifth is t, speaks of t.
+bool speaks_of_time(const std::string& formula, std::vector<std::string> names)
+{
+  names.erase(names.begin() + 4);
+  try {
+    const Expression steady(formula, names, {});
+    return false;
+  } catch (const ExpressionError&) {
+    return true;
+  }
+}
+
 /// Formulas by name, in the order of the file, each of x, y, x0, y0, t and of those above it; the last of them bx, by.
 bool read_body_force(const Entry& entry, Findings& findings, BodyForceCase& body)
 {
@@ -51,6 +63,7 @@ bool read_body_force(const Entry& entry, Findings& findings, BodyForceCase& body
       return refuse(entry, path, fmt::format("`{}` is not a formula of {}", item.name, plain_list(names)),
           fmt::format("{}\nGot \"{}\"; places in m, t in s, bx and by in m/s^2.", error.what(), formula), findings);
     }
+    body.changes = body.changes || speaks_of_time(formula, names);
     names.push_back(item.name);
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", item.name, quoted_list({formula}));
   }

@@ -159,6 +159,7 @@ struct FootingCase {
 /// A force per mass that acts on each point: of its place now and at t = 0 [m], and the time [s].
 struct BodyForceCase {
   std::function<Vec<2>(Vec<2> x, Vec<2> x_initial, Real time)> at;  ///< [m/s^2]; empty: none
+  bool changes = false;                                             ///< with the time
   std::string text;                                                 ///< as the case file has it
 };
 

@@ -73,6 +73,10 @@ void check_may_be_judged(const Case& c)
             law->not_judged, material->name),
         "material", true});
   }
+  if (c.forces.body.changes)
+    throw InputError(
+        Problem{"forces.body", "a factor of safety cannot be found under a force that changes with the time",
+            "Trials have times of their own. Give `bx` and `by` without t, as a level that stays.", "forces.body"});
   if (strengths_of(quiet_case(c)).empty())
     throw InputError(Problem{"material", "no material of this case has a strength to reduce",
         "Elastic soil does not fail. `terp list` names the laws.", "material", true});

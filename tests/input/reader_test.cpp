@@ -198,6 +198,17 @@ TEST(Reader, TheSamplesHoldEveryDeclaredKey)
   }
 }
 
+TEST(Reader, ABodyForceHasItsFormulasAndSaysWhetherItChanges)
+{
+  const auto read = [](const std::string& lines) {
+    return read_case_text(small_case + "[forces.body]\n" + lines, "case.toml").values.forces.body;
+  };
+  const BodyForceCase body = read("a = \"2*x0 + y\"\nbx = \"a*3\"\nby = -1.5\n");
+  EXPECT_EQ(body.at({9.0, 1.0}, {2.0, 9.0}, 7.0), (Vec<2>{15.0, -1.5}));
+  EXPECT_FALSE(body.changes);
+  EXPECT_TRUE(read("w = \"6*t\"\nbx = \"sin(w)\"\nby = 0\n").changes);
+}
+
 TEST(Reader, FillsTheFloodAndWhatIsGround)
 {
   const Case c = read_every_key();

@@ -75,6 +75,15 @@ TEST(FactorOfSafety, OfSoilThatMayNotBeJudgedIsRefusedWithTheReasonOfItsLaw)
           "stand.\nGive `water` another law, or leave it out: all soil of a case is judged together.")));
 }
 
+TEST(FactorOfSafety, TakesAForceOnEachPointThatStaysAndNoneThatChanges)
+{
+  Case c = cut();
+  c.forces.body.at = [](Vec<2>, Vec<2>, Real) -> Vec<2> { return {1.0, 0.0}; };
+  check_may_be_judged(c);
+  c.forces.body.changes = true;
+  EXPECT_THROW(check_may_be_judged(c), InputError);
+}
+
 TEST(FactorOfSafety, NeedsAStrength)
 {
   Case c = cut();
