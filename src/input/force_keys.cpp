@@ -4,6 +4,7 @@
 #include "input/expression.hpp"
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"
+#include "input/units.hpp"
 #include "input/values.hpp"
 
 #include <fmt/format.h>
