@@ -258,7 +258,7 @@ bool is_fluid(const MaterialCase& material)
 /// A fluid at rest has the same stress in all directions.
 void check_hydrostatic(const Case& values, Problems& problems)
 {
-  if (values.initial.stress != InitialStress::k0 || !(std::abs(values.initial.k0 - 1.0) > 0.0)) return;
+  if (values.initial.stress != InitialStress::k0 || std::isnan(values.initial.k0) || values.initial.k0 == 1.0) return;
   for (const MaterialCase& material : values.materials)
     if (is_fluid(material))
       problems.push_back({"initial.k0", fmt::format("the fluid `{}` carries no shear stress at rest", material.name),

@@ -35,7 +35,7 @@ bool speaks_of_time(const std::string& formula, std::vector<std::string> names)
   }
 }
 
-/// Formulas by name, in the order of the file, each of x, y, x0, y0, t and of those above it; the last of them bx, by.
+/// Formulas by name, in the order of the file, each of x, y, x0, y0, t and of those above it. bx and by are the force.
 bool read_body_force(const Entry& entry, Findings& findings, BodyForceCase& body)
 {
   constexpr std::string_view form = "a table of formulas of x, y, x0, y0 and t, with bx and by among them";

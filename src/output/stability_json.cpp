@@ -78,11 +78,6 @@ std::string mechanism_text(const Mechanism& mechanism, std::string_view head, st
       "the slope on the {} of the highest ground (x = {:.2f} m) {}, its soil moves to the {}\n"
       "    enters at {}, comes out at {}, {:.2f} m deep, {:.4g} m^2\n",
       word(m.slope), m.highest_x, verb, word(m.way), place_words(m.entry), place_words(m.exit), m.depth, m.area);
-  if (!m.sand.empty())
-    text += fmt::format(
-        "    `{}` has no cohesion: where it makes the face a skin of any depth slides, and finer cells find thinner "
-        "ones.\n    --least-depth D looks for the slides that are deeper\n",
-        m.sand);
   constexpr Real much = 0.05;
   if (m.other_way > much)
     text += fmt::format("    {:.0f} % of the motion goes to the other side\n", 100.0 * m.other_way);
@@ -95,6 +90,12 @@ std::string mechanisms_text(const StabilityResult& r)
   std::string text;
   if (r.mechanism) text += mechanism_text(*r.mechanism, "mechanism", "fails");
   if (r.creep) text += mechanism_text(*r.creep, "creep", "creeps");
+  const auto moves = r.what_moves();
+  if (moves && moves->moving && !moves->moving->sand.empty() && r.options.rules.least_depth == 0.0)
+    text += fmt::format(
+        "    `{}` has no cohesion: where it makes the face a skin of any depth slides, and finer cells find thinner "
+        "ones.\n    --least-depth D looks for the slides that are deeper\n",
+        moves->moving->sand);
   return text.empty() ? text : text + "    pictures and fields: mechanism.svg, mechanism/\n";
 }
 

@@ -337,12 +337,17 @@ Json slip_planes_json(const Source& source)
 /// What the outcome turns on, where `terp converge --what-decides` solved this run among others: beside its folder.
 Json depends_json(const RunResults& run)
 {
-  const std::filesystem::path folder = std::filesystem::absolute(run.folder).lexically_normal();
+  std::filesystem::path folder = std::filesystem::absolute(run.folder).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();  // "runs/a/"
   const auto path = folder.parent_path() / depends_file;
   if (!std::filesystem::exists(path)) return nullptr;
   const Json all = Json::parse(read_file(path.string()), nullptr, false);
-  const auto is_this = [&](const Json& one) { return one.value("folder", "") == folder.filename().string(); };
-  if (!all.is_object() || !all.contains("runs") || std::ranges::none_of(all["runs"], is_this)) return nullptr;
+  const auto is_this = [&](const Json& one) {
+    return one.is_object() && one.contains("folder") && one["folder"] == folder.filename().string();
+  };
+  for (const char* const key : {"runs", "turns_on", "does_not_turn_on"})
+    if (!all.is_object() || !all.contains(key) || !all[key].is_array()) return nullptr;
+  if (std::ranges::none_of(all["runs"], is_this)) return nullptr;
   return {{"turns_on", all["turns_on"]}, {"does_not_turn_on", all["does_not_turn_on"]}};
 }
 

@@ -103,6 +103,13 @@ TEST(StabilityText, SaysWhichSlopeFailsAndWhere)
   r.mechanism = std::make_shared<const Mechanism>(m);
   m.factor = 1.05, m.moving->depth = 0.4, m.moving->area = 0.97;
   r.creep = std::make_shared<const Mechanism>(m);
+  m.moving->sand = "bank";
+  StabilityResult sand = r;
+  sand.mechanism = std::make_shared<const Mechanism>(m);
+  EXPECT_THAT(stability_text(sand, "mpm_gp"), HasSubstr("    `bank` has no cohesion: where it makes the face"));
+  sand.options.rules.least_depth = 2.0;
+  for (const StabilityResult& quiet : {r, sand})
+    EXPECT_THAT(stability_text(quiet, "mpm_gp"), Not(HasSubstr("has no cohesion")));
   EXPECT_THAT(stability_text(r, "mpm_gp"),
       HasSubstr(
           "  mechanism at 1.1000: the slope on the left of the highest ground (x = 5.00 m) fails, its soil moves to "
