@@ -172,8 +172,8 @@ TEST_F(PayloadTest, SaysWhatWasChangedSinceTheImport)
 
 TEST_F(PayloadTest, HasWhatTheOutcomeTurnsOnWhereTheFileBesideTheFolderIsOfThisRun)
 {
-  const auto depends = [&] {
-    return json::parse(make_payload({scratch.path() + "/gp"}, {}).json)["runs"][0]["depends"];
+  const auto depends = [&](const std::string& folder = "/gp") {
+    return json::parse(make_payload({scratch.path() + folder}, {}).json)["runs"][0]["depends"];
   };
   EXPECT_TRUE(depends().is_null());
   const std::string path = scratch.path() + "/" + depends_file;
@@ -181,9 +181,14 @@ TEST_F(PayloadTest, HasWhatTheOutcomeTurnsOnWhereTheFileBesideTheFolderIsOfThisR
       path, decide("dike", {{"cells", "cells of 1 m", "stands", "gp"}, {"k0", "k0 x 0.8", "floods", "k0_x_0.8"},
                                {"S", "S x 0.85", "stands", "s"}})
                 .json);
-  EXPECT_EQ(depends(), (json{{"turns_on", {"k0"}}, {"does_not_turn_on", {"cells", "S"}}}));
+  for (const char* folder : {"/gp", "/gp/"})
+    EXPECT_EQ(depends(folder), (json{{"turns_on", {"k0"}}, {"does_not_turn_on", {"cells", "S"}}}));
   write_file_atomically(path, decide("dike", {{"cells", "cells of 1 m", "stands", "another"}}).json);
   EXPECT_TRUE(depends().is_null());
+  for (const char* damaged : {"{", "[]", "{\"runs\": [3]}", "{\"runs\": [{\"folder\": \"gp\"}]}"}) {
+    write_file_atomically(path, damaged);
+    EXPECT_TRUE(depends().is_null()) << damaged;
+  }
 }
 
 TEST_F(PayloadTest, ACaseThatCannotBeReadCostsTheMeshAndSaysSo)
