@@ -2,8 +2,8 @@
 // kernels that this processor gets (TERP_INSTRUCTIONS forces one). `items_per_second` counts points.
 
 #include "ready.hpp"
-#include "simulation/frame.hpp"
-#include "simulation/state_image.hpp"
+#include "run/report/frame.hpp"
+#include "run/report/state_image.hpp"
 
 #include <chrono>
 

@@ -1,11 +1,11 @@
 // The paper's column, some steps on its way, for the benchmarks.
 #pragma once
 
-#include "followers/followers.hpp"
-#include "input/case_file.hpp"
-#include "simulation/cell_passes.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/setup.hpp"
+#include "run/measure/followers.hpp"
+#include "io/case/case_file.hpp"
+#include "mpm/step/cell_passes.hpp"
+#include "run/report/ledger.hpp"
+#include "model/parts/setup.hpp"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

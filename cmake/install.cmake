@@ -1,15 +1,15 @@
 # `cmake --install`: the program, and the library as a CMake package. A program elsewhere then says
 #   find_package(terp REQUIRED)
 #   target_link_libraries(mine PRIVATE terp::core)
-# and includes "simulation/simulation.hpp". The package was compiled for the instruction sets of its build.
+# and includes "run/loop/simulation.hpp". The package was compiled for the instruction sets of its build.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(TERP_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/terp)
 
 set_target_properties(terp_core PROPERTIES EXPORT_NAME core)
-target_compile_features(terp_core PUBLIC cxx_std_20)
+target_compile_features(terp_core INTERFACE cxx_std_20)
 target_compile_options(terp_core INTERFACE $<INSTALL_INTERFACE:-Wno-psabi>)  # packs of eight in the headers
-install(TARGETS terp_core EXPORT terpTargets ARCHIVE INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/terp)
+install(TARGETS terp_core ${layers} EXPORT terpTargets ARCHIVE INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/terp)
 install(TARGETS terp)
 if(TARGET terp_openturns)
   install(TARGETS terp_openturns LIBRARY DESTINATION lib/terp)

@@ -19,10 +19,10 @@
 #include <string>
 #include <vector>
 
-#include "followers/followers.hpp"
-#include "input/case_file.hpp"
-#include "input/key_text.hpp"
-#include "output/files.hpp"
-#include "simulation/simulation.hpp"
-#include "simulation/stages.hpp"
-#include "simulation/summary.hpp"
+#include "run/measure/followers.hpp"
+#include "io/case/case_file.hpp"
+#include "io/case/key_text.hpp"
+#include "io/files/files.hpp"
+#include "run/loop/simulation.hpp"
+#include "run/loop/stages.hpp"
+#include "run/report/summary.hpp"

@@ -3,7 +3,7 @@
 
     python3 python/examples/random_circles.py [--samples 2000] [--cov 0.5]
 
-The slope of tests/study/reference_test.cpp: 2:1, 10 m high, on as much clay, c_u lognormal with a mean of 0.25 gamma H
+The slope of tests/batch/reference_test.cpp: 2:1, 10 m high, on as much clay, c_u lognormal with a mean of 0.25 gamma H
 and a separable Markov correlation. Of each sample of the field the lowest factor of safety of many circles is found, by
 moments about their centres. A circle cannot follow weak soil, so the true P is no smaller. The script shares no code
 with the solver: `terp study` must give as much, or more (docs/probability.md).

@@ -1,14 +1,14 @@
 // The compiled part of the Python package: a case, and a run in memory as numpy sees it (docs/python.md).
 // Not for: conveniences of Python, which are in python/terp/simulation.py.
 
-#include "followers/followers.hpp"
-#include "input/case_file.hpp"
-#include "input/case_record.hpp"
-#include "output/summary_json.hpp"
+#include "run/measure/followers.hpp"
+#include "io/case/case_file.hpp"
+#include "io/case/case_record.hpp"
+#include "io/files/summary_json.hpp"
 #include "run_files.hpp"
-#include "simulation/simulation.hpp"
-#include "simulation/stages.hpp"
-#include "warnings/setup_warnings.hpp"
+#include "run/loop/simulation.hpp"
+#include "run/loop/stages.hpp"
+#include "run/findings/setup_warnings.hpp"
 
 #include <atomic>
 #include <pybind11/numpy.h>

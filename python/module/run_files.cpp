@@ -1,7 +1,7 @@
 #include "run_files.hpp"
 
-#include "followers/followers.hpp"
-#include "input/case_record.hpp"
+#include "run/measure/followers.hpp"
+#include "io/case/case_record.hpp"
 
 namespace terp {
 namespace {

@@ -1,11 +1,11 @@
 // The folder of a run that Python drives: the same files as `terp run` writes.
 #pragma once
 
-#include "input/case_file.hpp"
-#include "output/mesh_file.hpp"
-#include "output/run_writer.hpp"
-#include "output/summary_keeper.hpp"
-#include "simulation/simulation.hpp"
+#include "io/case/case_file.hpp"
+#include "io/files/mesh_file.hpp"
+#include "io/files/run_writer.hpp"
+#include "io/files/summary_keeper.hpp"
+#include "run/loop/simulation.hpp"
 
 #include <memory>
 #include <string>

@@ -1,5 +1,5 @@
 // Case files: any bytes give a Case, or a CaseError that says why. What follows a zero byte is a change by --set.
-#include "input/case_file.hpp"
+#include "io/case/case_file.hpp"
 
 #include <string>
 

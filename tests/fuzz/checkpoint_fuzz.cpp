@@ -1,6 +1,6 @@
 // Checkpoints: a file of any bytes gives an image, or a FileError that says why.
-#include "base/errors.hpp"
-#include "output/checkpoint.hpp"
+#include "math/errors.hpp"
+#include "io/files/checkpoint.hpp"
 #include "scratch_file.hpp"
 
 #include <filesystem>

@@ -1,9 +1,9 @@
 // Checkpoints that HDF5 takes for sound, with anything in the place of what belongs there: they give an image, or a
 // FileError. HDF5's checksums keep the changes of checkpoint_fuzz.cpp from what lies behind them. Each byte of the
 // input decides how the next item of the file is written.
-#include "base/errors.hpp"
-#include "output/checkpoint.hpp"
-#include "output/hdf5_file.hpp"
+#include "math/errors.hpp"
+#include "io/files/checkpoint.hpp"
+#include "io/files/hdf5_file.hpp"
 #include "scratch_file.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Drawings: any bytes give lines whose regions are clean, or an InputError.
-#include "base/errors.hpp"
-#include "drawing/dxf_regions.hpp"
+#include "math/errors.hpp"
+#include "import/drawing/dxf_regions.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {

@@ -1,5 +1,5 @@
 // The reader of formulas on arbitrary text: it evaluates, or refuses with an ExpressionError.
-#include "input/expression.hpp"
+#include "io/case/expression.hpp"
 
 #include <cstddef>
 #include <cstdint>

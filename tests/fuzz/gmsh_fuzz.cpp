@@ -1,6 +1,6 @@
 // Meshes of gmsh: any bytes give a mesh that passes the checks, or a MeshError.
-#include "mesh/check_mesh.hpp"
-#include "meshing/gmsh_file.hpp"
+#include "model/meshes/check_mesh.hpp"
+#include "model/meshes/gmsh_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {

@@ -1,5 +1,5 @@
 // Tables of points: any bytes give points, or a CsvError.
-#include "points/points_csv.hpp"
+#include "model/bodies/points_csv.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {

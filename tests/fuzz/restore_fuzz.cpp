@@ -1,9 +1,9 @@
 // Checkpoints whose file is sound and whose arrays are not: any of them gives a state, or a FileError. Every three
 // bytes of the input are a change to the arrays of a good checkpoint: which array, what, where.
-#include "base/errors.hpp"
-#include "input/case_file.hpp"
-#include "simulation/setup.hpp"
-#include "simulation/state_image.hpp"
+#include "math/errors.hpp"
+#include "io/case/case_file.hpp"
+#include "model/parts/setup.hpp"
+#include "run/report/state_image.hpp"
 
 #include <cmath>
 

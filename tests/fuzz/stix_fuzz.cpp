@@ -1,10 +1,10 @@
 // D-Stability files: any bytes give a project that can be evaluated, or an InputError. After `=` they are the members
 // as plain text, each below a line `=NAME`, and packed first, so that the fuzzer need not find checksums.
-#include "base/errors.hpp"
-#include "dstability/listing.hpp"
-#include "dstability/read_stix.hpp"
-#include "dstability/section.hpp"
-#include "dstability/slices.hpp"
+#include "math/errors.hpp"
+#include "import/dstability/listing.hpp"
+#include "import/dstability/read_stix.hpp"
+#include "import/dstability/section.hpp"
+#include "import/dstability/slices.hpp"
 
 #include <list>
 #include <zip.h>

@@ -1,7 +1,7 @@
 // A column in memory, by the installed library: prints where its front is.
-#include "followers/followers.hpp"
-#include "input/case_file.hpp"
-#include "simulation/simulation.hpp"
+#include "run/measure/followers.hpp"
+#include "io/case/case_file.hpp"
+#include "run/loop/simulation.hpp"
 
 #include <cstdio>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "support/test.hpp"
-#include "mesh/locate.hpp"
-#include "points/point_blocks.hpp"
+#include "mpm/mesh/locate.hpp"
+#include "mpm/points/point_blocks.hpp"
 
 namespace terp::test {
 

@@ -1,6 +1,6 @@
 #include "support/cases.hpp"
 
-#include "materials/material.hpp"
+#include "soil/laws/material.hpp"
 
 namespace terp::test {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "support/test.hpp"
-#include "simulation/case.hpp"
+#include "model/case/case.hpp"
 
 namespace terp::test {
 

@@ -1,4 +1,4 @@
-// Tables of wrong input with what is said of it, one line each: tests/input/wrong_cases/*.wrong and others.
+// Tables of wrong input with what is said of it, one line each: tests/io/case/wrong_cases/*.wrong and others.
 #pragma once
 
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "support/laws.hpp"
 #include "support/simulations.hpp"
-#include "user_laws/user_law.hpp"
+#include "soil/libraries/user_law.hpp"
 
 namespace terp::test {
 

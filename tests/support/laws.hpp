@@ -1,9 +1,9 @@
-// Libraries with laws that the build of the tests makes (tests/user_laws/CMakeLists.txt).
+// Libraries with laws that the build of the tests makes (tests/soil/libraries/CMakeLists.txt).
 #pragma once
 
-#include "materials/material.hpp"
+#include "soil/laws/material.hpp"
 #include "support/paths.hpp"
-#include "user_laws/library_case.hpp"
+#include "soil/libraries/library_case.hpp"
 
 namespace terp::test {
 

@@ -1,7 +1,7 @@
 // Meshes with general quadrilaterals for tests.
 #pragma once
 
-#include "mesh/mesh.hpp"
+#include "mpm/mesh/mesh.hpp"
 #include "support/random.hpp"
 
 namespace terp::test {

@@ -1,7 +1,7 @@
 // What is said of a case: what is refused, and what is told before a run.
 #pragma once
 
-#include "base/errors.hpp"
+#include "math/errors.hpp"
 #include "support/test.hpp"
 
 namespace terp {

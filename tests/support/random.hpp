@@ -2,7 +2,7 @@
 #pragma once
 
 #include "support/test.hpp"
-#include "base/types.hpp"
+#include "math/types.hpp"
 
 namespace terp::test {
 

@@ -1,9 +1,9 @@
 #include "support/simulations.hpp"
 
-#include "mesh/locate.hpp"
+#include "mpm/mesh/locate.hpp"
 
-#include "followers/followers.hpp"
-#include "simulation/state_arrays.hpp"
+#include "run/measure/followers.hpp"
+#include "run/report/state_arrays.hpp"
 
 #include <cstring>
 
@@ -13,7 +13,7 @@ Simulation followed(const Case& description, int threads) { return Simulation(de
 
 void make_steps(Simulation& s, std::int64_t n)
 {
-  for (std::int64_t k = 0; k < n; ++k) s.model.step(s.model, s.state, s.work);
+  for (std::int64_t k = 0; k < n; ++k) make_step(s.model, s.state, s.work);
 }
 
 std::vector<Problem> warnings_from(

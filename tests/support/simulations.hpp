@@ -1,9 +1,9 @@
 // What nearly every test of a run takes, and the material points of a simulation as a test looks at them.
 #pragma once
 
-#include "simulation/ledger.hpp"
-#include "simulation/simulation.hpp"
-#include "simulation/state_image.hpp"
+#include "run/report/ledger.hpp"
+#include "run/loop/simulation.hpp"
+#include "run/report/state_image.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
 

@@ -1,8 +1,8 @@
 // Cases with stages, and what their states have in common.
 #pragma once
 
-#include "simulation/case.hpp"
-#include "simulation/state.hpp"
+#include "model/case/case.hpp"
+#include "run/loop/state.hpp"
 
 #include <functional>
 #include <string>

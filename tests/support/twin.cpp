@@ -1,7 +1,7 @@
 #include "support/twin.hpp"
 
-#include "materials/material.hpp"
-#include "simulation/setup.hpp"
+#include "soil/laws/material.hpp"
+#include "model/parts/setup.hpp"
 #include "support/paths.hpp"
 
 #include <nlohmann/json.hpp>

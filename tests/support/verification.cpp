@@ -1,6 +1,6 @@
 #include "support/verification.hpp"
 
-#include "simulation/setup.hpp"
+#include "model/parts/setup.hpp"
 
 namespace terp::test {
 

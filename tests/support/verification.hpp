@@ -1,7 +1,7 @@
 // Simulations on meshes that no case file describes, and what verification measures on them.
 #pragma once
 
-#include "simulation/case.hpp"
+#include "model/case/case.hpp"
 #include "support/simulations.hpp"
 
 namespace terp::test {

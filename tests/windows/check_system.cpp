@@ -1,16 +1,16 @@
-// What src/system and src/parallel ask of Windows, as a program of its own: it runs under Wine in seconds, without the
+// What src/os asks of Windows, as a program of its own: it runs under Wine in seconds, without the
 // rest of Terp. Prints what fails; the exit status is the number of failures.
 //
 // usage: check_system FOLDER [child|hold|faulty]      FOLDER: empty, for its files
-#include "base/errors.hpp"
-#include "parallel/guarded_call.hpp"
-#include "parallel/threads.hpp"
-#include "system/children.hpp"
-#include "system/files.hpp"
-#include "system/folder_claim.hpp"
-#include "system/process.hpp"
-#include "system/stop.hpp"
-#include "system/terminal.hpp"
+#include "math/errors.hpp"
+#include "os/guarded_call.hpp"
+#include "os/threads.hpp"
+#include "os/children.hpp"
+#include "os/files.hpp"
+#include "os/folder_claim.hpp"
+#include "os/process.hpp"
+#include "os/stop.hpp"
+#include "os/terminal.hpp"
 
 #include <atomic>
 #include <cerrno>

@@ -25,7 +25,7 @@ import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-SAMPLES = ROOT / "tests/dstability/samples"
+SAMPLES = ROOT / "tests/import/dstability/samples"
 COMPILER = "x86_64-w64-mingw32-gcc-posix"
 OF_WINDOWS = re.compile(r"(KERNEL32|ADVAPI32|USER32|SHELL32|WS2_32|msvcrt|SHLWAPI|bcrypt|ole32"
                         r"|api-ms-win-[\w-]+)\.dll", re.I)

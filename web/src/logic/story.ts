@@ -10,7 +10,7 @@ import { currentLanguage, ordinal, say, TEXTS, type TextKey } from "./texts";
 
 const HARDLY_MOVED = 0.01; // share of the volume
 const STILL_MOVING = 0.01; // kinetic energy at the end over its largest
-// Limits of the warnings of the program, app/run.cpp and simulation/softening_scales.cpp
+// Limits of the warnings of the program, src/cli/run.cpp and simulation/softening_scales.cpp
 const MUCH_UNEXPLAINED = 0.02; // of the energy from outside
 const MUCH_DAMPING = 7; // times what the factor promises
 const MUCH_DAMPED = 0.05; // of the energy exchanged

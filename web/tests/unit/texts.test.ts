@@ -65,8 +65,8 @@ describe("the language", () => {
 
 it("has Dutch for every field and pass of the program that its sources declare", () => {
   const read = (path: string) => readFileSync(resolve(SOURCE, "../../src", path), "utf8");
-  const passes = [...read("simulation/passes.def").matchAll(/TERP_PASS\(\w+, "([^"]+)"/g)].map((match) => match[1]!);
-  const shown = [...read("report/shown.cpp").matchAll(/^ {6}\{"(\w+)", "\w+", "/gm)].map((match) => match[1]!);
+  const passes = [...read("mpm/step/passes.def").matchAll(/TERP_PASS\(\w+, "([^"]+)"/g)].map((match) => match[1]!);
+  const shown = [...read("page/shown.cpp").matchAll(/^ {6}\{"(\w+)", "\w+", "/gm)].map((match) => match[1]!);
   expect(passes.length).toBeGreaterThan(5);
   expect(shown.length).toBeGreaterThan(5);
   expect([...passes, ...shown].filter((name) => !(name in DUTCH))).toEqual([]);

@@ -1,0 +1,154 @@
+// Help and version are answered before CLI11 reads the line, so that they work beside an error on it. The first word is
+// tested before CLI11, too, for a message with the nearest command. Then one command is called and returns its status;
+// what it throws becomes a message and a status in main(). At the end stdout is flushed: only then is it known whether
+// the answer was written.
+
+#include "math/closest.hpp"
+#include "cli/command_line.hpp"
+#include "io/case/case_file.hpp"
+#include "io/case/explain.hpp"
+#include "io/case/printable.hpp"
+#include "os/instructions.hpp"
+#include "os/memory.hpp"
+#include "page/page.hpp"
+#include "batch/reliability.hpp"
+#include "os/terminal.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace {
+
+void check_command(const CLI::App& app, const std::string& word)
+{
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (word.starts_with('-')) {
+    const std::string nearest = terp::closest(word, {"--version", "--help", "-h"});
+    throw terp::CaseError(
+        terp::printable(fmt::format("error: there is no option `{}` before a command\n{}"
+                                    "  Commands: {}\nUsage: terp COMMAND [options]; see terp --help\n",
+            word, nearest.empty() ? "" : fmt::format("  Did you mean `{}`?\n", nearest), fmt::join(names, ", "))));
+  }
+  if (std::ranges::find(names, word) != names.end()) return;
+  std::string hint;
+  if (const std::string nearest = terp::closest(word, names); !nearest.empty())
+    hint = fmt::format("  Did you mean `{}`?\n", nearest);
+  if (word.ends_with(".toml")) hint = fmt::format("  To solve that case: terp run {}\n", word);
+  const std::string message =
+      fmt::format("error: there is no command `{}`\n{}  Commands: {}\n", word, hint, fmt::join(names, ", "));
+  throw terp::CaseError(terp::printable(message + "Usage: terp COMMAND [options]; see terp --help\n"));
+}
+
+int call(const CLI::App& app, const terp::CommandLine& line)
+{
+  if (app.got_subcommand("run")) return terp::run_case(line.options);
+  if (app.got_subcommand("resume")) return terp::resume_run(line.options);
+  if (app.got_subcommand("stability")) return terp::find_stability(line.options, line.stability, line.stability_cells);
+  if (app.got_subcommand("converge")) return terp::converge_case(line.converge);
+  if (app.got_subcommand("study")) return terp::study_case(line.study);
+  if (app.got_subcommand("check")) return terp::check_case(line.options);
+  if (app.got_subcommand("report")) return terp::report_runs(line.report);
+  if (app.got_subcommand("compare")) return terp::compare_folders(line.report);
+  if (app.got_subcommand("export")) return terp::export_run(line.exported);
+  if (app.got_subcommand("import")) return terp::import_file(line.imported);
+  if (app.got_subcommand("assess")) return terp::assess_reach(line.assess);
+  if (app.got_subcommand("watch")) return terp::watch_run(line.watch);
+  if (app.got_subcommand("bench")) return terp::bench_case(line.options);
+  if (app.got_subcommand("verify")) return terp::verify_cases(line.verify);
+  if (app.got_subcommand("schema")) return fmt::print("{}", terp::case_schema()), terp::solved;
+  fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());
+  return terp::solved;
+}
+
+#ifdef __clang__
+constexpr const char* compiler = __VERSION__;
+#else
+constexpr const char* compiler = "GCC " __VERSION__;
+#endif
+
+/// The version and the instructions in use; then what this program was built with.
+std::string version_text()
+{
+  std::vector<std::string_view> sets;
+  for (const terp::InstructionSet& set : terp::instruction_sets()) sets.push_back(set.name);
+  const auto known = [](bool there) { return there ? "yes" : "no"; };
+  return fmt::format(
+      "terp {} ({})\n  compiler       {}\n  instructions   {}\n  report page    {}\n  OpenTURNS      {}\n",
+      TERP_VERSION, terp::instructions(), compiler, fmt::join(sets, ", "), known(terp::has_page()),
+      known(terp::has_openturns()));
+}
+
+/// Help and version are answered wherever they stand on the line; help on a command if it begins with one.
+bool answer_help(const CLI::App& app, int argc, char** argv)
+{
+  for (int k = 1; k < argc; ++k) {
+    const std::string_view word = argv[k];
+    if (k == 1 && word == "help") return fmt::print("{}", terp::help_on(app, argc > 2 ? argv[2] : "")), true;
+    if (word == "-h" || word == "--help") return fmt::print("{}", terp::help_on(app, argv[1])), true;
+    if (word == "--version") return fmt::print("{}", version_text()), true;
+  }
+  if (argc == 1) fmt::print("{}", terp::help_on(app, ""));
+  return argc == 1;
+}
+
+/// What is still to be printed is lost on a full disk, and with it the answer of all commands but those that write a
+/// run folder.
+int print_the_rest(int status, bool writes_a_run)
+{
+  errno = 0;
+  if (std::fflush(stdout) == 0 || errno == EPIPE || writes_a_run || status != terp::solved) return status;
+  fmt::print(stderr, "error: what was to be printed is not complete: {}\n", std::strerror(errno));
+  return terp::failed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  if (!terp::prepare_standard_streams()) return terp::failed;  // nobody could be told
+  terp::return_large_arrays_when_freed();
+  CLI::App app;
+  terp::CommandLine line;
+  terp::declare(app, line);
+  try {
+    if (answer_help(app, argc, argv)) return print_the_rest(terp::solved, false);
+    check_command(app, argv[1]);
+    app.parse(argc, argv);
+    const int status = call(app, line);
+    return print_the_rest(status, app.got_subcommand("run") || app.got_subcommand("resume"));
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "{}", terp::printable(terp::describe(app, error)));
+    return terp::bad_input;
+  } catch (const terp::CaseError& error) {
+    fmt::print(stderr, "{}", error.what());
+    return terp::bad_input;
+  } catch (const terp::InstructionsError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return terp::bad_input;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "error: not enough memory for this case. `terp check CASE.toml` says how much it needs.\n");
+    return terp::failed;
+  } catch (const std::filesystem::filesystem_error& error) {
+    fmt::print(stderr, "error: cannot use {}: {}\n", error.path1().string(), error.code().message());
+    return terp::failed;
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0)  // of a long answer; of a short one the end of main notices
+      fmt::print(stderr, "error: what was to be printed is not complete: {}\n", error.code().message());
+    else
+      fmt::print(stderr, "error: {}\n", error.what());
+    return terp::failed;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return terp::failed;
+  }
+}

@@ -1,0 +1,95 @@
+// On a terminal each report replaces the line before. In a pipe lines stay, so they are few: one per tenth of the run,
+// or per half where it is one of several. A search for equilibrium has no known end, so there is no tenth of it: its
+// plain lines come at wall times that double.
+
+#include "cli/progress.hpp"
+
+#include "os/terminal.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <fmt/chrono.h>
+
+namespace terp {
+
+std::string readable_duration(double seconds)
+{
+  if (!(seconds < 60.0 * 60.0 * 24.0 * 1000.0)) return "-";
+  if (seconds < 10.0) return fmt::format("{:.1f} s", seconds);
+  const auto whole = static_cast<long>(std::lround(seconds));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::string now_in_utc()
+{
+  return fmt::format(
+      "{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+}
+
+void show(std::FILE* to, const std::string& text)
+{
+  std::fputs(text.c_str(), to);
+  std::fflush(to);
+}
+
+ProgressLine::ProgressLine(bool quiet, std::string label, double later_s)
+    : quiet_(quiet),
+      terminal_(is_terminal(stdout)),
+      label_(std::move(label)),
+      later_s_(later_s),
+      next_tenth_(label_.empty() ? 1 : 5)
+{
+}
+
+void ProgressLine::progress(const Progress& p)
+{
+  if (quiet_ || p.n_steps == 0) return;
+  if (p.out_of_balance >= 0.0) return show_search(p);
+  const double part = static_cast<double>(p.step) / static_cast<double>(p.n_steps);
+  std::string line =
+      label_ + fmt::format("{:5.1f} %  {}t = {:.3f} of {}{:g} s  step {} of {}  {:.1f} M point-steps/s  ETA {}{}",
+                   100.0 * part, p.stage.empty() ? "" : p.stage + ": ", p.time, p.at_most ? "at most " : "", p.end_time,
+                   p.step, p.n_steps, p.point_steps_per_s / 1e6, p.at_most ? "at most " : "",
+                   readable_duration(p.eta_s));
+  if (later_s_ > 0.0) line += fmt::format(", all {}", readable_duration(p.eta_s + later_s_));
+  if (terminal_) {
+    show(stdout, "\r\033[K" + line);
+    open_ = true;
+  } else if (10.0 * part >= next_tenth_) {
+    show(stdout, line + '\n');
+    next_tenth_ = static_cast<int>(10.0 * part) + (label_.empty() ? 1 : 5);
+  }
+}
+
+std::string search_text(const Progress& p)
+{
+  constexpr Index enough = 20;  // steps from which a time follows
+  const std::string eta =
+      p.step < enough ? "" : fmt::format("  ETA {}{}", p.at_most ? "at most " : "", readable_duration(p.eta_s));
+  return fmt::format(
+      "search for equilibrium: out of balance {:.1e} of the weight, limit {:.1e}{}  step {} of at most {}{}",
+      p.out_of_balance, p.limit, p.out_of_balance <= p.limit ? " reached, the soil still moves" : "", p.step, p.n_steps,
+      eta);
+}
+
+void ProgressLine::show_search(const Progress& p)
+{
+  const std::string line = label_ + search_text(p);
+  if (terminal_) {
+    show(stdout, "\r\033[K" + line);
+    open_ = true;
+  } else if (p.wall_s >= next_search_s_) {
+    show(stdout, line + '\n');
+    next_search_s_ = 2.0 * p.wall_s;
+  }
+}
+
+void ProgressLine::finish()
+{
+  if (open_) show(stdout, "\n");
+  open_ = false;
+}
+
+}  // namespace terp

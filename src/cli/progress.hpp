@@ -1,0 +1,45 @@
+// How a run looks while it goes on: one line that renews itself on a terminal, plain lines in a pipe.
+#pragma once
+
+#include "run/loop/observer.hpp"
+
+#include <cstdio>
+#include <string>
+
+namespace terp {
+
+/// Seconds as a person reads them: "12 s", "3 min 05 s", "2 h 07 min".
+std::string readable_duration(double seconds);
+
+/// As pages say when they were written.
+std::string now_in_utc();
+
+/// Writes what is of use at this moment alone: where nobody reads it any more, in a closed terminal or pipe, it is
+/// dropped.
+void show(std::FILE* to, const std::string& text);
+
+/// How far the search for equilibrium has come. A time is named where it is known how the search goes on; before that
+/// it says how many steps it may take.
+std::string search_text(const Progress& p);
+
+class ProgressLine : public Observer {
+ public:
+  /// quiet: says nothing at all. label: what stands before each line; later_s: what comes after this run, with which
+  /// the line says when all is done [s].
+  explicit ProgressLine(bool quiet, std::string label = {}, double later_s = 0.0);
+  void progress(const Progress& now) override;
+  /// Ends the line, so that the next text starts on its own.
+  void finish();
+
+ private:
+  void show_search(const Progress& p);
+
+  bool quiet_, terminal_;
+  std::string label_;
+  double later_s_;
+  bool open_ = false;
+  double next_search_s_ = 5.0;  // wall time of the next line about the search for equilibrium, when lines are plain
+  int next_tenth_;              // of the run, when lines are plain; half of a run of several
+};
+
+}  // namespace terp

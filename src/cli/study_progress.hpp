@@ -1,0 +1,43 @@
+// How far a study is, on one line that renews itself on a terminal.
+#pragma once
+
+#include "batch/estimates.hpp"
+#include "batch/store.hpp"
+
+#include <array>
+#include <chrono>
+#include <functional>
+
+namespace terp {
+
+class StudyProgress {
+ public:
+  /// n_at_a_time: realisations that are solved at once.
+  StudyProgress(const Study& study, const StudyPart& part, std::function<int()> n_at_a_time, bool quiet);
+  void show(const Realisation& newest, const Realisations& all);
+  void finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void count(const Realisation& r);
+
+  const Study& study_;
+  StudyPart part_;
+  std::function<int()> n_at_a_time_;
+  bool quiet_, terminal_, shows_p_, open_ = false;
+  Clock::time_point start_ = Clock::now();
+  /// Of one level; the fine one, or the only one, first.
+  struct Level {
+    double spent = 0.0;  ///< [s]
+    Index made = 0, left = 0;
+  };
+  double seconds_left() const;
+
+  double next_ = 0.0;
+  Index done_ = 0, n_all_ = 0;
+  std::array<Level, 2> levels_ = {};
+  bool begun_ = false;
+  Sample sample_;
+};
+
+}  // namespace terp

@@ -1,0 +1,75 @@
+// With one open line closed polylines no longer are regions, they only give names. Face 0 is the outside of all lines.
+// Regions are ordered by their tops before those without a name are numbered, so that numbers run downwards.
+
+#include "import/drawing/dxf_regions.hpp"
+
+#include "math/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+std::string name_of(const DxfDrawing& drawing, const PlanarGraph& graph, const FaceRing& ring, const Polygon& outline)
+{
+  const DxfLine* around = nullptr;
+  const Vec<2> inside = place_in(outline);
+  for (const DxfLine& line : drawing.lines)
+    if (line.closed && contains(line.places, inside) &&
+        (around == nullptr || std::abs(signed_area(line.places)) < std::abs(signed_area(around->places))))
+      around = &line;
+  if (around != nullptr) return around->layer;
+  std::string name;
+  for (const Index edge : ring.edges)
+    for (const int owner : graph.edges[edge].owners) {
+      const std::string& layer = drawing.lines[owner].layer;
+      if (!name.empty() && name != layer) return "";
+      name = layer;
+    }
+  return name;
+}
+
+}  // namespace
+
+DxfRegions regions_of(const DxfDrawing& drawing, Real snap)
+{
+  DxfRegions found;
+  const auto is_open = [](const DxfLine& line) { return !line.closed; };
+  if (std::ranges::none_of(drawing.lines, is_open)) {
+    for (const DxfLine& line : drawing.lines) found.regions.push_back({line.layer, line.places});
+    return found;
+  }
+  std::vector<DrawnLine> lines;
+  for (const DxfLine& line : drawing.lines) {
+    lines.push_back({line.places, false, static_cast<int>(lines.size())});
+    if (line.closed) lines.back().places.push_back(line.places.front());
+  }
+  const PlanarGraph graph = join_lines(lines, snap);
+  const PlanarFaces faces = find_faces(graph);
+  if (faces.rings.size() < 2)
+    throw InputError({"", "the lines of the drawing enclose nothing",
+        fmt::format("Each layer needs an outline, or lines around it whose ends meet within {:g} m.", snap), ""});
+  for (std::size_t k = 1; k < faces.rings.size(); ++k) {
+    Polygon outline = corners_of(graph, faces.rings[k][0]);
+    found.regions.push_back({name_of(drawing, graph, faces.rings[k][0], outline), outline});
+  }
+  const auto top = [](const DrawnRegion& region) { return box_around(region.polygon).high[1]; };
+  std::ranges::stable_sort(found.regions, [&](const auto& a, const auto& b) { return top(a) > top(b); });
+  int number = 0;
+  for (DrawnRegion& region : found.regions)
+    if (++number; region.name.empty()) region.name = fmt::format("region {}", number);
+  const auto n_open = std::ranges::count_if(drawing.lines, is_open);
+  found.notes.push_back(fmt::format(
+      "{} lines are open: the {} regions are what all lines enclose, joined within {:g} m.", n_open, number, snap));
+  if (const SnapCounts& s = graph.counts; s.loose_ends > 0)
+    found.notes.push_back(
+        fmt::format("{} pieces of lines bound no region and were left out; the first ends at {:.3f}, "
+                    "{:.3f} m.",
+            s.loose_ends, s.loose_at[0], s.loose_at[1]));
+  return found;
+}
+
+}  // namespace terp

@@ -1,0 +1,21 @@
+// The layers of soil that a drawing shows: closed polylines, or what its lines enclose.
+// Not for: making them clean (clean_regions.hpp).
+#pragma once
+
+#include "import/drawing/clean_regions.hpp"
+#include "import/drawing/dxf_file.hpp"
+
+namespace terp {
+
+struct DxfRegions {
+  std::vector<DrawnRegion> regions;
+  std::vector<std::string> notes;  ///< as sentences
+};
+
+/// If all lines are closed each is a region with the name of its layer in the drawing. Otherwise regions are the faces
+/// between all lines, joined within `snap` [m]. Such a face has the name of the smallest closed polyline around it;
+/// else that of the layer of its lines, if they have one; else "region 1", "region 2", ... from the top. Throws
+/// InputError if the lines enclose nothing.
+DxfRegions regions_of(const DxfDrawing& drawing, Real snap);
+
+}  // namespace terp

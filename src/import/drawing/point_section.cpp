@@ -1,0 +1,110 @@
+// Sides between boxes of two kinds make a planar graph, whose chains are simplified as those of a drawing: neighbours
+// share their outline.
+
+#include "import/drawing/point_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace terp {
+namespace {
+
+constexpr Real least_fill = 0.05;   // of a box, from which on it counts as ground
+constexpr Real outline_fill = 0.5;  // of a box, from which on it lies in an outline
+
+struct BoxRaster {
+  Vec<2> low{};
+  Real side = 0.0;
+  std::array<Index, 2> n{};
+  std::vector<std::map<int, Real>> volume;  ///< of each material, by box
+
+  Real fill(Index i, Index j) const
+  {
+    Real sum = 0.0;
+    for (const auto& [material, part] : volume[i + n[0] * j]) sum += part;
+    return sum / (side * side);
+  }
+  /// The material of a box, or -1; beyond the raster too.
+  int label(Index i, Index j) const
+  {
+    if (i < 0 || j < 0 || i >= n[0] || j >= n[1] || fill(i, j) < outline_fill) return -1;
+    const auto& parts = volume[i + n[0] * j];
+    return std::ranges::max_element(parts, {}, [](const auto& part) { return part.second; })->first;
+  }
+};
+
+BoxRaster raster_of(std::span<const Vec<2>> places, std::span<const Real> volumes, std::span<const int> materials)
+{
+  std::vector<Real> sizes(volumes.begin(), volumes.end());
+  std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
+  const Real point = std::sqrt(sizes[sizes.size() / 2]);
+  BoxRaster raster;
+  raster.side = 3.0 * point;
+  const BoundingBox box = box_around(places);
+  for (int d = 0; d < 2; ++d) {
+    raster.low[d] = box.low[d] - 0.5 * point;
+    raster.n[d] = static_cast<Index>(std::floor((box.high[d] - raster.low[d]) / raster.side)) + 1;
+  }
+  raster.volume.resize(static_cast<std::size_t>(raster.n[0]) * raster.n[1]);
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    const auto i = static_cast<Index>((places[p][0] - raster.low[0]) / raster.side);
+    const auto j = static_cast<Index>((places[p][1] - raster.low[1]) / raster.side);
+    raster.volume[i + raster.n[0] * j][materials[p]] += volumes[p];
+  }
+  return raster;
+}
+
+std::vector<Vec<2>> ground_of(const BoxRaster& raster)
+{
+  std::vector<Vec<2>> ground;
+  for (Index i = 0; i < raster.n[0]; ++i)
+    for (Index j = raster.n[1]; j-- > 0;) {
+      const Real fill = raster.fill(i, j);
+      if (fill < least_fill) continue;
+      ground.push_back(
+          {raster.low[0] + (i + 0.5) * raster.side, raster.low[1] + (j + std::min(fill, 1.0)) * raster.side});
+      break;
+    }
+  return ground;
+}
+
+/// Sides of boxes between different labels; owners are the labels left and right.
+PlanarGraph edges_of(const BoxRaster& raster)
+{
+  PlanarGraph graph;
+  std::map<std::pair<Index, Index>, Index> known;
+  const auto place = [&](Index i, Index j) {
+    const auto [at, is_new] = known.try_emplace({i, j}, static_cast<Index>(graph.places.size()));
+    if (is_new) graph.places.push_back({raster.low[0] + i * raster.side, raster.low[1] + j * raster.side});
+    return at->second;
+  };
+  for (Index j = 0; j <= raster.n[1]; ++j)
+    for (Index i = 0; i <= raster.n[0]; ++i) {
+      const int here = raster.label(i, j), left = raster.label(i - 1, j), below = raster.label(i, j - 1);
+      if (here != left) graph.edges.push_back({place(i, j), place(i, j + 1), {left, here}});
+      if (here != below) graph.edges.push_back({place(i, j), place(i + 1, j), {here, below}});
+    }
+  return graph;
+}
+
+}  // namespace
+
+PointSection section_of_points(
+    std::span<const Vec<2>> places, std::span<const Real> volumes, std::span<const int> materials)
+{
+  if (places.empty()) return {};
+  const BoxRaster raster = raster_of(places, volumes, materials);
+  PointSection section{raster.side, ground_of(raster), {}};
+  const PlanarGraph graph = edges_of(raster);
+  const PlanarFaces faces = find_faces(graph);
+  const ChainMap boxes = find_chains(graph, faces, regions_by_edges(graph, faces).value(), 1e-9 * raster.side);
+  ChainMap simpler = boxes;
+  ChainChanges changes;
+  simplify(simpler, {0.0, 0.75 * raster.side, 1e-3 * raster.side}, changes);
+  const auto regions = regions_between(simpler);
+  section.regions = regions ? *regions : regions_between(boxes).value();
+  return section;
+}
+
+}  // namespace terp

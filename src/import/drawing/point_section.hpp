@@ -1,0 +1,21 @@
+// The ground and the outlines of materials that points of a run fill, on square boxes of about a cell: what a colleague
+// with CAD gets of a result. Not for: drawn sections (clean_regions.hpp); what a run measures (mpm/points/surface).
+#pragma once
+
+#include "import/drawing/clean_regions.hpp"
+
+namespace terp {
+
+struct PointSection {
+  Real box = 0.0;                    ///< side of a box: three points of typical size [m]
+  std::vector<Vec<2>> ground;        ///< top of the soil in the middle of each column of boxes, left to right [m]
+  std::vector<CleanRegion> regions;  ///< `drawn`: number of the material
+};
+
+/// places [m], volumes [m^2] and materials of the points, shape [n_points]. In a box of the top the ground is as high
+/// as the points fill it; boxes filled by less than a twentieth do not count. A box has the material with most volume
+/// in it, if points fill half of it. Outlines are straightened within three quarters of a box.
+PointSection section_of_points(
+    std::span<const Vec<2>> places, std::span<const Real> volumes, std::span<const int> materials);
+
+}  // namespace terp

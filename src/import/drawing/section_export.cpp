@@ -1,0 +1,61 @@
+#include "import/drawing/section_export.hpp"
+
+#include "math/errors.hpp"
+#include "math/interpolate.hpp"
+#include "import/drawing/dxf_file.hpp"
+#include "import/drawing/point_section.hpp"
+#include "io/case/case_file.hpp"
+
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+PointSection section_of_frame(const Frames& frames, std::size_t k)
+{
+  const std::vector<Real> x = frames.places(k), material = frames.read("material", k),
+                          volume = frames.read("volume", k);
+  std::vector<Vec<2>> places;
+  std::vector<Real> volumes;
+  std::vector<int> materials;
+  for (std::size_t p = 0; p < material.size(); ++p) {
+    if (!is_soil(x, p)) continue;
+    places.push_back({x[2 * p], x[2 * p + 1]});
+    volumes.push_back(volume[p]);
+    materials.push_back(static_cast<int>(material[p]));
+  }
+  return section_of_points(places, volumes, materials);
+}
+
+}  // namespace
+
+SectionExport export_section(const RunResults& run)
+{
+  const Frames frames = run.frames();
+  const std::size_t n = frames.times().size();
+  if (n == 0) throw FileError(fmt::format("{} has no frame: there is no section to export", run.folder));
+  const PointSection start = section_of_frame(frames, 0), end = section_of_frame(frames, n - 1);
+  const Case description = read_case_text(run.case_toml, run.folder + "/case.toml").values;
+  std::vector<DxfLine> lines{{"ground_start", start.ground, false, ""}, {"ground_end", end.ground, false, ""}};
+  for (const CleanRegion& region : end.regions) {
+    const auto number = static_cast<std::size_t>(region.drawn);
+    const std::string name =
+        number < description.materials.size() ? description.materials[number].name : fmt::format("{}", number);
+    lines.push_back({name, region.polygon, true, ""});
+    for (const Polygon& hole : region.holes) lines.push_back({name, hole, true, ""});
+  }
+  SectionExport section{dxf_text(lines), {}};
+  for (const Vec<2>& x : end.ground) section.profile.push_back({x[0], interpolate(start.ground, x[0]), x[1]});
+  return section;
+}
+
+std::vector<std::array<Real, 3>> profile_of(const RunResults& run) { return export_section(run).profile; }
+
+std::string SectionExport::profile_csv() const
+{
+  std::string text = "x,start,end\n";
+  for (const auto& [x, start, end] : profile) text += fmt::format("{:.4f},{:.4f},{:.4f}\n", x, start, end);
+  return text;
+}
+
+}  // namespace terp

@@ -1,0 +1,23 @@
+// The section that a run leaves, for CAD and spreadsheets: ground at the start and the end, outlines of materials.
+#pragma once
+
+#include "io/results/run_results.hpp"
+
+#include <string>
+
+namespace terp {
+
+struct SectionExport {
+  std::string dxf;  ///< layers ground_start, ground_end, and one for each material: its outlines at the end
+  std::vector<std::array<Real, 3>> profile;  ///< x, ground at the start and at the end [m]
+
+  std::string profile_csv() const;
+};
+
+/// Throws FileError if the run has no frame.
+SectionExport export_section(const RunResults& run);
+
+/// The ground alone: x, at the start and at the end [m].
+std::vector<std::array<Real, 3>> profile_of(const RunResults& run);
+
+}  // namespace terp

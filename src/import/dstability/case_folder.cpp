@@ -1,0 +1,500 @@
+// What is taken over is decided before anything is written: river, part of the section, size of cells, clean regions.
+// Then water comes first, as the phreatic line cuts layers into pieces; pieces give bodies and soils. A trigger names
+// another water for soils that are there. Doubts look at all of it, last.
+
+#include "import/dstability/case_folder.hpp"
+
+#include "math/errors.hpp"
+#include "import/dstability/earlier_ground.hpp"
+#include "import/dstability/folder_report.hpp"
+#include "import/dstability/import_doubts.hpp"
+#include "import/dstability/load_text.hpp"
+#include "import/dstability/preload.hpp"
+#include "import/dstability/reference_text.hpp"
+#include "import/dstability/river_level.hpp"
+#include "import/dstability/river_side.hpp"
+#include "import/dstability/section_layout.hpp"
+#include "import/dstability/section_part.hpp"
+#include "import/dstability/soil_text.hpp"
+#include "import/dstability/stage_text.hpp"
+#include "import/dstability/reported_texts.hpp"
+#include "import/dstability/water_text.hpp"
+#include "io/case/printable.hpp"
+#include "model/bodies/body_outline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace terp {
+namespace {
+
+constexpr const char *raised_water = "raised_water", *record = "imported.toml";
+
+struct Piece {
+  CleanRegion region;
+  std::size_t soil;
+  int zone;                      ///< 0: the soil is alike above and below; 1: below the phreatic line, 2: above
+  std::optional<Real> pop = {};  ///< of SHANSEP soil [Pa]; none: its yield stress is on a grid
+  std::string history = {};      ///< of its preload: pieces of one soil and history share a grid
+};
+
+class FolderMaker {
+ public:
+  /// moved: the same project with its river at another level; null: it is that of the file.
+  FolderMaker(const StixProject& project, const FolderOptions& options, const RiverLevel* moved)
+      : project_(project),
+        options_(options),
+        section_(project, options.scenario, options.stage, options.basis),
+        first_(project, options.scenario, 0, options.basis),
+        stage_(section_.stage())
+  {
+    if (stage_.layers.empty())
+      throw InputError({stage_.label, "this stage has no layers", "There is nothing to make a case of.", ""});
+    for (const StixLayer& layer : stage_.layers) drawn_.push_back({name_of_layer(project, layer), layer.outline});
+    check_outlines(drawn_);
+    for (const StixLine& pit : stage_.excavations)
+      pits_.push_back({fmt::format("excavation {}", pits_.size() + 1), pit});
+    const BoundingBox box = box_around(drawn_);
+    river_ = moved != nullptr ? moved->river : find_river(section_, {box.low[0], box.high[0]});
+    if (moved != nullptr) assumed_.push_back(moved->sentence), notes_.push_back(moved->sentence);
+    take_part();
+    layout_ = layout_of(drawn_, pits_, wishes_for(options.cell));
+    cleaning_ = cleaning_for(layout_.cell);
+    clean_ = clean_regions(drawn_, pits_, cleaning_);
+    is_staged_ = options.stage > 0;
+  }
+
+  CaseFolder make()
+  {
+    make_water();
+    make_pieces();
+    make_bodies();
+    make_trigger();
+    make_flood();
+    make_loads();
+    find_doubts();
+    text_.title = scenario().label.empty() ? stage_.label : fmt::format("{}: {}", scenario().label, stage_.label);
+    text_.head = origin_comments(project_, options_.scenario, options_.stage, options_.basis);
+    text_.before.push_back(mesh_table(layout_));
+    if (!part_.empty()) text_.before.back().comment += "\n" + part_;
+    make_time();
+    for (CaseTableText& table : common_tables(layout_)) text_.after.push_back(std::move(table));
+    text_.after.push_back(doubts_table(doubts_, assumed_, record));
+    for (CaseTableText& table : reference_texts(project_, options_.scenario, options_.stage, options_.basis))
+      text_.after.push_back(std::move(table));
+    CaseFolder folder;
+    const std::string written = text_of(text_);
+    folder.files.push_back({"case.toml", written});
+    folder.files.push_back({record, written});
+    for (auto& file : files_) folder.files.push_back(std::move(file));
+    folder.files.push_back({"report.md", printable(report())});
+    folder.notes = notes_;
+    folder.notes.insert(folder.notes.end(), doubts_.begin(), doubts_.end());
+    return folder;
+  }
+
+ private:
+  const StixScenario& scenario() const { return project_.scenarios[options_.scenario]; }
+
+  LayoutWishes wishes_for(Real cell) const
+  {
+    LayoutWishes wishes{.cell = cell};
+    if (!river_.side.empty()) wishes.land = river_.side == "left" ? LandEnd::right : LandEnd::left;
+    const auto [one, other] = std::minmax(stage_.embankment.top_water, stage_.embankment.top_land);
+    if (std::isfinite(one + other)) wishes.crest = Vec<2>{one, other};
+    return wishes;
+  }
+
+  /// Without other wishes the part that matters; an end at which the river stands stays if the river would be lost.
+  void take_part()
+  {
+    std::vector<bool> is_undrained;
+    for (const StixLayer& layer : stage_.layers) is_undrained.push_back(has_su(project_.soils[*layer.soil]));
+    const Vec<2> crest = layout_of(drawn_, pits_, wishes_for(1e3)).crest;
+    SectionPart part = part_that_matters(drawn_, pits_, crest, is_undrained);
+    const BoundingBox box = box_around(drawn_);
+    if (river_.side == "left" && !water_stands_at(section_, part.between[0])) part.between[0] = box.low[0];
+    if (river_.side == "right" && !water_stands_at(section_, part.between[1])) part.between[1] = box.high[0];
+    if (options_.between || options_.base) part.why.clear();
+    part.between = options_.between.value_or(part.between);
+    part.base = options_.base.value_or(part.base);
+    part_ = describe(part, drawn_);
+    if (!part_.empty()) geometry_.push_back(part_);
+    const std::vector<DrawnRegion> taken = part_of(drawn_, part);
+    drawn_.clear();
+    for (std::size_t k = 0; k < taken.size(); ++k)
+      if (!taken[k].polygon.empty()) drawn_.push_back(taken[k]), layers_.push_back(k);
+  }
+
+  const StixLayer& layer_of(int drawn) const { return stage_.layers[layers_[drawn]]; }
+
+  void make_water()
+  {
+    WaterText start = is_staged_ ? water_text(first_, layout_, "water_start", false) : WaterText{};
+    WaterText now = water_text(section_, layout_, "water", !start.lines.empty());
+    if (now.lines.empty() && start.lines.empty()) {
+      assumed_.push_back(filled<reported_texts::all_dry>());
+      return;
+    }
+    const bool is_dry = now.lines.empty();
+    for (auto& [water, stage] : {std::pair{&start, &first_.stage()}, {&now, &stage_}})
+      if (is_staged_ && water->lines.empty()) {
+        *water = water_below(layout_);
+        assumed_.push_back(filled<reported_texts::water_beneath>(in_quotes(stage->label)));
+      }
+    situation_ = is_staged_ ? key_of_name(stage_.label, "stage") + "_water" : "";
+    if (situation_ == raised_water) situation_ += "_2";
+    phreatic_ = now.phreatic;
+    const auto unit = CaseLine{
+        "unit_weight", in_quotes(kilo_text((is_dry ? first_.stage() : stage_).water.unit_weight, "kN/m3")), ""};
+    if (is_staged_) {
+      add_water(start, "[water]", fmt::format("Stage {}", in_quotes(scenario().stages.front().label)), {unit});
+      add_water(now, "[[water.situation]]", fmt::format("Stage {}", in_quotes(stage_.label)),
+          {{"name", in_quotes(situation_), ""}});
+    } else {
+      add_water(now, "[water]", fmt::format("Stage {}", in_quotes(stage_.label)), {unit});
+    }
+  }
+
+  void add_water(
+      const WaterText& water, const std::string& header, const std::string& comment, std::vector<CaseLine> lines)
+  {
+    lines.insert(lines.end(), water.lines.begin(), water.lines.end());
+    text_.after.push_back({header, comment, lines});
+    if (!water.grid_file.empty()) files_.push_back({water.grid_file, water.grid});
+    water_notes_.push_back(water.on_grid
+                               ? fmt::format("{}: on a grid of {} m, as the file's water cannot be said with lines.",
+                                     comment, number_text(layout_.cell))
+                               : fmt::format("{}: lines; they give the pressures of the file within {:.2f} kPa.",
+                                     comment, water.deviation / 1e3));
+  }
+
+  Real level_at_end(bool left) const
+  {
+    return section_.column(left ? layout_.low[0] : layout_.high[0]).now().water().phreatic();
+  }
+
+  void make_pieces()
+  {
+    Real left_there = 0.0, filled = 0.0;
+    for (const CleanRegion& region : clean_.regions) add_pieces(pieces_, region, left_there);
+    for (const CleanRegion& region : base_fill(layout_, clean_.regions)) {
+      add_pieces(base_, region, left_there);
+      filled += signed_area(region.polygon);
+    }
+    for (std::vector<Piece>* pieces : {&pieces_, &base_})
+      for (Piece& piece : *pieces) set_preload(piece);
+    if (left_there > 0.0)
+      geometry_.push_back(fmt::format(
+          "{:.3g} m2 in slivers along the phreatic line count with the soil on its other side.", left_there));
+    if (!phreatic_.empty())
+      geometry_.push_back(
+          "Soils that differ above and below the phreatic line are cut along the line of the analysed stage. They stay "
+          "as they are if you change the line in the case.");
+    if (!base_.empty())
+      geometry_.push_back(
+          fmt::format("The base of the section is not level: {:.3f} m2 below it, down to {:.2f} m, were "
+                      "filled with the soil above (first bodies: {}).",
+              filled, layout_.low[1], base_.size()));
+  }
+
+  void add_pieces(std::vector<Piece>& pieces, const CleanRegion& region, Real& left_there)
+  {
+    const std::size_t soil = *layer_of(region.drawn).soil;
+    if (same_above_and_below(project_.soils[soil]))
+      pieces.push_back({region, soil, 0});
+    else if (phreatic_.empty())
+      pieces.push_back({region, soil, 2});
+    else
+      for (CutRegion& cut : cut_along(region, phreatic_, 0.05 * layout_.cell, left_there))
+        pieces.push_back({std::move(cut.region), soil, cut.above ? 2 : 1});
+  }
+
+  LayerPiece layer_piece(const Piece& piece) const { return {&piece.region, layers_[piece.region.drawn]}; }
+
+  void set_preload(Piece& piece) const
+  {
+    if (!is_shansep(project_.soils[piece.soil], piece.zone)) return;
+    if (same_ground_until(scenario(), options_.stage))
+      piece.pop = constant_pop(section_, first_, layer_piece(piece), layout_.cell);
+    if (!piece.pop) piece.history = pop_history(section_, layer_piece(piece), layout_.cell);
+  }
+
+  void make_bodies()
+  {
+    BodyOrder order;
+    for (const Piece& piece : pieces_) {
+      const StixSoil& soil = project_.soils[piece.soil];
+      order.bodies.push_back(body_of(piece));
+      order.regions.push_back(piece.region);
+      const Real weight = piece.zone == 2 ? soil.weight_above : soil.weight_below;
+      const Real area = terp::area(BodyOutline{piece.region.polygon, {1, 1}, piece.region.holes});
+      weights_[order.bodies.back().material] += SoilSum{area, area * weight};
+    }
+    put_on_top(order);
+    for (const Piece& piece : base_) {
+      text_.bodies.push_back(body_of(piece));
+      text_.bodies.back().comment = "Not in the file, fills what is below its base. " + text_.bodies.back().comment;
+      text_.bodies.back().name += below_the_base;
+      text_.bodies.back().polygon = piece.region.polygon;
+      text_.bodies.back().holes = piece.region.holes;
+    }
+    std::ranges::move(order.bodies, std::back_inserter(text_.bodies));
+    name_bodies(text_.bodies);
+    std::vector<Problem> problems;
+    for (const auto& [key, use] : uses_) try {
+        SoilText soil = soil_text(use, options_.basis, options_.kinds);
+        text_.materials.push_back(std::move(soil.material));
+        assumed_.insert(assumed_.end(), soil.assumed.begin(), soil.assumed.end());
+      } catch (const InputError& error) {
+        problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+      }
+    if (!problems.empty()) throw InputError(problems);
+  }
+
+  CaseBodyText body_of(const Piece& piece)
+  {
+    const StixLayer& layer = layer_of(piece.region.drawn);
+    const std::string zone = piece.zone == 0 ? "" : piece.zone == 1 ? ", below the phreatic line" : ", above it";
+    const std::string name = name_of_layer(project_, layer);
+    return {name + (piece.zone == 0      ? ""
+                       : piece.zone == 1 ? ", below water"
+                                         : ", above water"),
+        material_of(piece),
+        fmt::format("Layer {} (id {}), soil {}{}", in_quotes(layer.label), layer.id,
+            in_quotes(project_.soils[piece.soil].name), zone),
+        {}, {}};
+  }
+
+  /// The material of a piece; pieces of one soil and one preload share it.
+  std::string material_of(const Piece& piece)
+  {
+    const StixSoil& soil = project_.soils[piece.soil];
+    const std::string preload = piece.pop ? fmt::format("{:g} kPa", *piece.pop / 1e3) : "grid " + piece.history;
+    const std::string key = fmt::format("{}/{}/{}", piece.soil, piece.zone, preload);
+    if (const auto known = uses_.find(key); known != uses_.end()) return known->second.name;
+    std::string name = key_of_name(soil.name) + (piece.zone == 1 ? "_below" : piece.zone == 2 ? "_above" : "");
+    if (names_.contains(name)) name += "_" + key_of_name(layer_of(piece.region.drawn).label, "layer");
+    for (int k = 2; names_.contains(name); ++k) name = key_of_name(soil.name) + fmt::format("_{}", k);
+    names_.insert(name);
+    const std::string where = piece.zone == 0 ? ""
+                                              : fmt::format("{} the phreatic line of the analysed stage",
+                                                    piece.zone == 1 ? "below" : "above");
+    SoilUse use{&soil, piece.zone == 2, name, where, stage_.label,
+        strength_follows() ? std::string(name_of_start) : situation_, {}, largest_stress(piece)};
+    if (piece.pop)
+      use.preload = {fmt::format("pop = \"{}\"", preload),
+          fmt::format("POP of the file's states, over sigma'_v of {}", is_staged_ ? "the first stage" : "this stage")};
+    else if (is_shansep(soil, piece.zone))
+      use.preload = yield_grid_of(piece, name);
+    uses_.emplace(key, use);
+    return name;
+  }
+
+  /// Of the first stage: the analysed one sets its own. Soil that is held at first has the strength that it is to have.
+  bool strength_follows() const { return is_staged_ && !options_.is_held; }
+
+  /// The largest vertical effective stress in all pieces of this soil above or below the water [Pa]. Only a straight
+  /// line through a table of strength asks for it.
+  Real largest_stress(const Piece& piece) const
+  {
+    const StixSoil& soil = project_.soils[piece.soil];
+    if ((piece.zone == 2 ? soil.above : soil.below) != StixStrengthModel::sigma_tau_table) return 0.0;
+    Real largest = 0.0;
+    for (const Piece& other : pieces_)
+      if (other.soil == piece.soil && other.zone == piece.zone)
+        for (const Vec<2>& place : places_in(other.region, 2.0 * layout_.cell))
+          if (const auto at = section_.at(place)) largest = std::max(largest, at->effective_stress);
+    return largest;
+  }
+
+  PreloadText yield_grid_of(const Piece& piece, const std::string& name)
+  {
+    std::vector<LayerPiece> alike;
+    for (const std::vector<Piece>* pieces : {&pieces_, &base_})
+      for (const Piece& other : *pieces)
+        if (other.soil == piece.soil && other.zone == piece.zone && !other.pop && other.history == piece.history)
+          alike.push_back(layer_piece(other));
+    YieldGrid grid = yield_grid(section_, alike, layout_.cell);
+    files_.push_back({fmt::format("yield_stress_{}.csv", name), std::move(grid.csv)});
+    assumed_.push_back(sentence_on(grid, name));
+    return {fmt::format("yield_stress = {{ csv = {} }}", in_quotes(files_.back().first)),
+        fmt::format(
+            "yield stress of {} on a grid, from the states of the file", is_staged_ ? "all stages" : "this stage")};
+  }
+
+  /// x of the river's end of the part that is taken over; where the river may be at both, of the left one.
+  Real river_end() const { return river_.side == "right" ? layout_.high[0] - 1e-6 : layout_.low[0] + 1e-6; }
+
+  void make_flood()
+  {
+    if (!river_.doubt.empty()) doubts_.push_back(river_.doubt);
+    const Sentence no_verdict =
+        river_level_ ? Sentence{} : no_flood_because(section_, river_, river_end(), layout_.cell);
+    if (!no_verdict.empty()) {
+      assumed_.push_back(no_verdict);
+      if (options_.river) notes_.push_back(no_verdict);
+      if (water_stands_at(section_, river_end())) doubts_.push_back(no_verdict);  // finer cells would have one
+      return;
+    }
+    const Real level = river_level_.value_or(level_at_end(river_.side != "right"));
+    std::vector<CaseLine> lines;
+    if (!river_.side.empty()) lines.push_back({"river", in_quotes(river_.side), river_.origin});
+    lines.push_back(
+        {"water_level", number_text(level), river_level_ ? "m: that of the trigger" : "m: phreatic line at that end"});
+    if (level >= layout_.crest[1]) {
+      assumed_.push_back(river_above_crest(level, layout_.crest[1]));
+      lines.back().comment = assumed_.back().en;
+      notes_.push_back(assumed_.back());
+    }
+    text_.after.push_back({"[flood]", "Does the ground hold the river back? (docs/flood.md)", lines});
+  }
+
+  void make_loads()
+  {
+    LoadTexts loads = load_texts(stage_, is_staged_ ? &first_.stage() : nullptr, layout_);
+    std::ranges::move(loads.tables, std::back_inserter(text_.after));
+    std::ranges::move(loads.sets, std::back_inserter(stage_sets_));
+    std::ranges::move(loads.assumed, std::back_inserter(assumed_));
+    std::ranges::move(loads.left_out, std::back_inserter(left_out_));
+  }
+
+  void make_time()
+  {
+    if (strength_follows()) set_water_of_strength(situation_, stage_sets_);
+    const StagePlan plan{.first = is_staged_ ? scenario().stages.front().label : "",
+        .analysed = stage_.label,
+        .water = situation_,
+        .sets = stage_sets_,
+        .is_held = options_.is_held,
+        .trigger = trigger_};
+    if (options_.is_held) doubts_.push_back(held_sentence());
+    const std::vector<CaseTableText> stages = stage_tables(plan);
+    text_.before.push_back(time_table(stages.empty()));
+    text_.after.insert(text_.after.end(), stages.begin(), stages.end());
+    if (const auto before = earlier_ground(
+            project_, options_.scenario, options_.stage, {layout_.low[0], layout_.high[0]}, 0.25 * layout_.cell)) {
+      assumed_.insert(assumed_.begin(), before->sentence);
+      if (before->is_other) notes_.push_back(before->sentence);
+    }
+  }
+
+  void find_doubts()
+  {
+    const auto add = [&](std::vector<Sentence> more) { std::ranges::move(more, std::back_inserter(doubts_)); };
+    std::vector<LayerPiece> shansep;
+    for (const Piece& piece : pieces_)
+      if (is_shansep(project_.soils[piece.soil], piece.zone)) shansep.push_back(layer_piece(piece));
+    add(doubts_of_reading(project_, options_.scenario, options_.stage));
+    add(doubts_of_water(scenario(), options_.stage, !shansep.empty()));
+    add(doubts_of_datum(section_, !shansep.empty(), layout_.height));
+    add(doubts_of_numbers(section_));
+    add(section_.state_doubts());
+    add(doubts_of_preload(section_, shansep, layout_.cell));
+    if (river_.doubt.empty()) add(doubts_of_embankment(section_, river_.side, layout_));
+    add(doubts_of_outlines(clean_, drawn_, base_fill(layout_, clean_.regions), layout_.cell));
+    add(left_out_);
+  }
+
+  void make_trigger()
+  {
+    if (options_.trigger.kind == TriggerKind::strength) weaken();
+    if (options_.trigger.kind == TriggerKind::water) bring_river_to_the_crest();
+    if (options_.trigger.kind == TriggerKind::none && !options_.trigger.origin.empty())
+      trigger_notes_.push_back(options_.trigger.origin);
+    if (!trigger_.comment.empty()) trigger_notes_.push_back(trigger_.comment);
+  }
+  void weaken()
+  {
+    const std::string factor = number_text(options_.trigger.value);
+    trigger_ = {"weaker_soil",
+        fmt::format("Trigger: all strengths are divided by {}. {}", factor, options_.trigger.origin), "",
+        {"at_strength = " + factor}};
+  }
+
+  void bring_river_to_the_crest()
+  {
+    check_river_to_move(section_, river_, river_end());
+    const bool at_left = river_.side == "left";
+    const RaisedRiver raised = raise_river(section_,
+        {.at_left = at_left,
+            .ends = {layout_.low[0], layout_.high[0]},
+            .level = level_at_end(at_left),
+            .inland = level_at_end(!at_left),
+            .crest = layout_.crest[1],
+            .height = layout_.height},
+        options_.trigger.value);
+    const StixProject project = with_stage(project_, options_.scenario, options_.stage, raised.stage);
+    const StixSection section(project, options_.scenario, options_.stage + 1, options_.basis);
+    add_water(water_text(section, layout_, "water_raised", true), "[[water.situation]]",
+        "The river at the level of the trigger", {{"name", in_quotes(raised_water), ""}});
+    river_level_ = raised.level;
+    trigger_ = {"raised_river", raised.comment, raised_water, {}};
+    set_water_of_strength(raised_water, trigger_.sets);
+  }
+
+  void set_water_of_strength(const std::string& water, std::vector<std::string>& sets) const
+  {
+    for (const auto& [key, use] : uses_)
+      if (const std::string path = strength_water_key(use); !path.empty())
+        sets.push_back(fmt::format("\"{}\" = {}", path, in_quotes(water)));
+  }
+
+  std::string report() const
+  {
+    std::vector<std::string> geometry = describe(clean_, drawn_, cleaning_);
+    geometry.insert(geometry.end(), geometry_.begin(), geometry_.end());
+    std::vector<std::string> left = in_english(left_out_);
+    for (const StixRemark& remark : project_.remarks) left.push_back(fmt::format("{}: {}", remark.where, remark.what));
+    return text_of(FolderReport{.title = text_.title,
+        .head = text_.head,
+        .weights = weights_,
+        .sections = {{"In doubt", in_english(doubts_)}, {"Geometry: what moved", geometry}, {"Water", water_notes_},
+            {"Trigger: what makes the section fail", trigger_notes_},
+            {"Stored slices beside what the file gives", slices_in_words(project_, options_.scenario, options_.stage)},
+            {"Assumed", in_english(assumed_)}, {"Left out, or not understood", left}}});
+  }
+
+  const StixProject& project_;
+  const FolderOptions& options_;
+  StixSection section_, first_;
+  const StixStage& stage_;
+  std::vector<DrawnRegion> drawn_;
+  std::vector<std::size_t> layers_;  ///< of the stage, by drawn region
+  std::vector<DrawnExcavation> pits_;
+  SectionLayout layout_;
+  CleaningOptions cleaning_;
+  CleanSection clean_;
+  bool is_staged_ = false;
+  std::string situation_, part_;
+  StixRiver river_;
+  TriggerStage trigger_;
+  std::optional<Real> river_level_;  ///< of the trigger [m]
+  std::vector<Vec<2>> phreatic_;
+  std::vector<Piece> pieces_, base_;  ///< of the file; below its base
+  std::map<std::string, SoilUse> uses_;
+  std::set<std::string> names_;
+  std::map<std::string, SoilSum> weights_;
+  SectionText text_;
+  std::vector<std::pair<std::string, std::string>> files_;
+  std::vector<Sentence> doubts_;  ///< what speaks against the case
+  std::vector<Sentence> notes_, assumed_, left_out_;
+  std::vector<std::string> geometry_, water_notes_, stage_sets_, trigger_notes_;
+};
+
+}  // namespace
+
+CaseFolder case_folder_of(const StixProject& project, const FolderOptions& options)
+{
+  if (!options.river) return FolderMaker(project, options, nullptr).make();
+  const RiverLevel moved = with_river_level(project, options.scenario, options.stage, options.basis, *options.river);
+  FolderOptions there = options;
+  there.stage = moved.stage;
+  return FolderMaker(moved.project, there, &moved).make();
+}
+
+}  // namespace terp

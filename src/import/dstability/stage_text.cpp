@@ -1,0 +1,95 @@
+// A case gets stages only if it has an earlier stage, a trigger, or soil that is held at first. What holds the soil is
+// the stage before the analysed one, and the analysed one gives the strengths back. Where an earlier stage exists it
+// comes to rest with strong damping. The next one then has weak damping, and its displacements count from zero.
+
+#include "import/dstability/stage_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
+
+namespace terp {
+namespace {
+
+CaseLine ramp() { return {"ramp", "10.0", "s: slow beside the vibrations of the section; nothing drains meanwhile"}; }
+
+/// A stage that ends at rest. longest: [s].
+CaseTableText stage_until_rest(const std::string& name, const std::string& comment, const char* longest)
+{
+  return {
+      "[[stage]]", comment, {{"name", in_quotes(name), ""}, {"until", "\"at_rest\"", ""}, {"at_most", longest, "s"}}};
+}
+
+void add_sets(const std::vector<std::string>& sets, CaseTableText& stage)
+{
+  if (!sets.empty()) stage.lines.push_back({"set", fmt::format("{{ {} }}", fmt::join(sets, ", ")), ""});
+}
+
+/// The search for equilibrium then takes soil without any limit to its strength (docs/stability.md).
+void hold(CaseTableText& stage)
+{
+  stage.comment += (stage.comment.empty() ? "" : ". ") +
+                   std::string("The soil would not stand: its strengths are doubled until the next stage begins");
+  const std::string held = "at_strength = 0.5";
+  for (CaseLine& line : stage.lines)
+    if (line.key == "set") return void(line.value.insert(line.value.size() - 2, ", " + held));
+  add_sets({held}, stage);
+}
+
+CaseTableText analysed_stage(const StagePlan& plan, const std::string& name)
+{
+  CaseTableText stage = stage_until_rest(name, fmt::format("Stage {} of the file", in_quotes(plan.analysed)), "30.0");
+  const std::vector<std::string> released{"at_strength = 1.0"};
+  if (plan.first.empty()) {
+    if (plan.is_held) add_sets(released, stage);
+    return stage;
+  }
+  stage.lines.insert(stage.lines.begin() + 1, ramp());
+  if (!plan.water.empty()) stage.lines.insert(stage.lines.begin() + 1, {"water", in_quotes(plan.water), ""});
+  std::vector<std::string> sets{"\"forces.damping.local\" = 0.05"};
+  sets.insert(sets.end(), plan.sets.begin(), plan.sets.end());
+  if (plan.is_held) sets.insert(sets.end(), released.begin(), released.end());
+  add_sets(sets, stage);
+  stage.lines.push_back({"reset_displacement", "true", ""});
+  return stage;
+}
+
+CaseTableText trigger_stage(const TriggerStage& trigger, const std::string& name)
+{
+  CaseTableText stage = stage_until_rest(name, trigger.comment, "30.0");
+  stage.lines.insert(stage.lines.begin() + 1, {"trigger", "true", "the verdict is not that of the section as it is"});
+  if (!trigger.water.empty())
+    stage.lines.insert(stage.lines.begin() + 2, {{"water", in_quotes(trigger.water), ""}, ramp()});
+  add_sets(trigger.sets, stage);
+  stage.lines.push_back({"reset_displacement", "true", ""});
+  return stage;
+}
+
+}  // namespace
+
+std::vector<CaseTableText> stage_tables(const StagePlan& plan)
+{
+  const bool is_triggered = !plan.trigger.name.empty();
+  if (plan.first.empty() && !is_triggered && !plan.is_held) return {};
+  std::vector<CaseTableText> tables;
+  std::set<std::string> used;
+  const auto own_name = [&](const std::string& name) {
+    std::string own = name;
+    for (int k = 2; !used.insert(own).second; ++k) own = fmt::format("{}_{}", name, k);
+    return own;
+  };
+  if (!plan.first.empty()) {
+    tables.push_back(stage_until_rest(own_name(key_of_name(plan.first, "stage")),
+        fmt::format("Stage {} of the file", in_quotes(plan.first)), "20.0"));
+    add_sets({"\"forces.damping.local\" = 0.5"}, tables.back());
+  } else if (plan.is_held) {
+    tables.push_back(stage_until_rest(own_name("held"), "", "20.0"));
+  }
+  if (plan.is_held) hold(tables.back());
+  tables.push_back(analysed_stage(plan, own_name(key_of_name(plan.analysed, "stage"))));
+  if (is_triggered) tables.push_back(trigger_stage(plan.trigger, own_name(plan.trigger.name)));
+  return tables;
+}
+
+}  // namespace terp

@@ -1,0 +1,166 @@
+// A situation takes what it leaves out from the water at the start. So each one is checked only for the lines that its
+// own table gives. Otherwise a fault of the start would be reported with every situation. Whether a key was given is
+// seen in the tree, not in the values. Drainage and the parts of a soil are checked in a case without [water], too.
+
+#include "math/closest.hpp"
+#include "io/case/check_case.hpp"
+#include "io/case/key_text.hpp"
+#include "model/water/water_pressure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace terp {
+namespace {
+
+/// Where two reference lines cross [m]; none if one lies above the other at every x. Both are straight between the
+/// places of either.
+std::optional<Real> crossing_of(const ReferenceLine& a, const ReferenceLine& b)
+{
+  std::vector<Real> places;
+  for (const ReferenceLine* line : {&a, &b})
+    for (const Vec<2>& x : line->places) places.push_back(x[0]);
+  std::ranges::sort(places);
+  Real x_before = 0.0, before = 0.0;  // the last place where they are apart
+  for (const Real x : places) {
+    const Real above = elevation_at(a.places, x) - elevation_at(b.places, x);
+    if (above * before < 0.0) return x_before + (x - x_before) * before / (before - above);
+    if (above != 0.0) x_before = x, before = above;
+  }
+  return std::nullopt;
+}
+
+/// given: the list of reference lines, and the table of head lines, that the situation has itself. It takes others from
+/// the start, where they are checked.
+void check_heads(const WaterSituation& situation, const std::string& path, const Node* given, Findings& findings)
+{
+  const bool own_lines = given != nullptr && find_item(*given, "reference_lines") != nullptr;
+  const Node* own_heads = given != nullptr ? find_item(*given, "head_lines") : nullptr;
+  std::vector<std::string> names{std::string(phreatic_head)};
+  for (const HeadLine& line : situation.head_lines) names.push_back(line.name);
+  const auto is_unknown_key = [&](const Problem& problem) {  // it may be the table of heads, misspelt
+    return problem.key.starts_with(path + '.') && problem.what.starts_with("unknown key");
+  };
+  if (std::ranges::any_of(findings.problems, is_unknown_key)) return;
+  const auto& lines = situation.reference_lines;
+  for (std::size_t k = 0; own_lines && k < lines.size(); ++k) {
+    const std::string here = fmt::format("{}.reference_lines[{}]", path, k);
+    for (const std::string& head : {lines[k].head, lines[k].head_bottom}) {
+      if (head.empty() || std::ranges::find(names, head) != names.end()) continue;
+      findings.problems.push_back({here, fmt::format("there is no head line `{}`", head),
+          did_you_mean(head, names) + fmt::format("Head lines of this water: {}", plain_list(names)),
+          "water.reference_lines", false, {path + ".reference_lines"}});
+      break;
+    }
+    for (std::size_t other = 0; other < k; ++other)
+      if (const auto x = crossing_of(lines[k], lines[other]))
+        findings.problems.push_back({here, fmt::format("the reference lines {} and {} cross", other, k),
+            fmt::format("One is above the other on one side of x = {:.4g} m, below it on the other. Give each layer "
+                        "its own line from one end to the other.",
+                *x),
+            "water.reference_lines", false, {path + ".reference_lines"}});
+  }
+  for (const HeadLine& line : situation.head_lines)
+    if (own_heads != nullptr && find_item(*own_heads, line.name) != nullptr &&
+        std::ranges::none_of(
+            lines, [&](const ReferenceLine& r) { return r.head == line.name || r.head_bottom == line.name; }))
+      findings.warnings.push_back({join_path(path + ".head_lines", line.name),
+          fmt::format("no reference line uses the head line `{}`", line.name),
+          fmt::format("Give reference_lines = [{{ line = [[x, y], ...], head = \"{}\" }}].", line.name),
+          "water.reference_lines", true, {path + ".head_lines", "water"}});
+}
+
+void check_situation(const WaterSituation& situation, const Node* table, const std::string& path, Findings& findings)
+{
+  const auto has = [&](const char* key) { return table != nullptr && find_item(*table, key) != nullptr; };
+  for (const char* all : {"pressure", "head"})
+    for (const char* key : {"phreatic_line", "head_lines", "reference_lines", "head"})
+      if (has(all) && has(key) && std::string_view(key) != all)
+        findings.problems.push_back({path + '.' + key, fmt::format("`{}` does not go with `{}`", key, all),
+            fmt::format("`{}` says what the water is everywhere. Remove one of the two.", all), "water.pressure",
+            true});
+  check_heads(situation, path, table, findings);
+}
+
+void check_times(const WaterCase& water, Findings& findings)
+{
+  const auto& list = water.situations;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const std::string path = fmt::format("water.situation[{}]", k);
+    if (std::isnan(list[k].time) && list[k].name.empty())
+      findings.problems.push_back({path, "a water situation needs a `time` or a `name`",
+          "Give time = T, in s, at which this water is reached; or a name by which something else asks for it.",
+          "water.situation", true});
+    if (list[k].name == name_of_start)
+      findings.problems.push_back({path + ".name", "`start` is the name of the water of [water]",
+          "Stages and strengths ask for that of t = 0 by it. Give this situation another name.", "water.situation"});
+    for (std::size_t other = 0; other < k; ++other) {
+      if (list[k].time == list[other].time)
+        findings.problems.push_back({path + ".time", "two water situations have the same `time`",
+            fmt::format(
+                "Both hold at {} s. The pressure runs linearly from one to the next: give each its own.", list[k].time),
+            "water.situation"});
+      if (!list[k].name.empty() && list[k].name == list[other].name)
+        findings.problems.push_back(
+            {path + ".name", fmt::format("two water situations have the name `{}`", list[k].name), "Give each its own.",
+                "water.situation"});
+    }
+  }
+}
+
+bool is_hydrostatic(const WaterCase& water)
+{
+  const auto is = [](const WaterSituation& s) { return !s.formula || s.formula_gives_head; };
+  return is(water.start) || std::ranges::any_of(water.situations, is);
+}
+
+void check_parts(const Case& values, Findings& findings)
+{
+  for (const MaterialCase& material : values.materials) {
+    if (material.zone == Zone::below && values.water.start.phreatic_line.empty())
+      findings.problems.push_back(
+          {join_path("material", material.soil), "soil below and above the phreatic line needs that line",
+              "Give [water] with phreatic_line = [[x, y], ...], or one density and one model.", "water", true});
+    if (material.zone != Zone::all)
+      for (const MaterialCase& other : values.materials)
+        if (other.zone == Zone::all && other.name == material.name)
+          findings.problems.push_back({join_path("material", other.name),
+              fmt::format("the material `{}` has the name of a part of `{}`", other.name, material.soil),
+              "The parts are called NAME below and NAME above. Give this one another name.", "material", true});
+  }
+}
+
+}  // namespace
+
+void check_water(const Node& root, const Case& values, Findings& findings)
+{
+  check_drainage(root, values, findings);
+  check_parts(values, findings);
+  const Node* table = find_item(root, "water");
+  if (table == nullptr || table->kind != NodeKind::table) return;
+  const WaterCase& water = values.water;
+  const bool read =
+      std::ranges::none_of(findings.problems, [](const Problem& problem) { return problem.key.starts_with("water"); });
+  if (!water.is_given() && read)
+    findings.problems.push_back({"water", "[water] has no `phreatic_line`",
+        "Give phreatic_line = [[x, y], ...] in m, or pressure = \"a formula of x, y and t\" in Pa.", "water", true});
+  if (!water.is_given()) return;
+  check_situation(water.start, table, "water", findings);
+  const Node* list = find_item(*table, "situation");
+  for (std::size_t k = 0; k < water.situations.size(); ++k)
+    check_situation(water.situations[k], list != nullptr ? &list->items[k] : nullptr,
+        fmt::format("water.situation[{}]", k), findings);
+  check_times(water, findings);
+  const Vec<2> g = values.forces.gravity;
+  if (g[0] != 0.0 && is_hydrostatic(water))
+    findings.problems.push_back({"water.phreatic_line", "the lines of water need gravity along y",
+        fmt::format("Gravity is [{}, {}] m/s^2, and the pressure grows downwards in y. Turn the section instead of "
+                    "gravity,\nor give pressure = \"a formula of x, y and t\".",
+            g[0], g[1]),
+        "water", false, {"water", "forces.gravity"}});
+}
+
+}  // namespace terp

@@ -1,0 +1,167 @@
+// Every field is asked at every point to be, before the run: where it leaves its range, and its mean. The mean becomes
+// the value of the parameter in the description, so that whatever takes one number of a soil finds one. A parameter
+// that follows from a wrong one is not reported as well.
+
+#include "model/soils/settle_fields.hpp"
+
+#include "math/errors.hpp"
+#include "model/meshes/mesh_error.hpp"
+#include "model/soils/overburden.hpp"
+#include "model/soils/point_parameters.hpp"
+#include "model/bodies/setup_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+struct FieldRange {
+  Real sum = 0.0;
+  Index n = 0, n_outside = 0;  // points; those where the value is outside its range
+  Real worst = 0.0;            // the value farthest outside, or none at all
+  Vec<2> where{0.0, 0.0};
+
+  void add(Real value, const Range& range, Vec<2> x)
+  {
+    ++n;
+    sum += value;
+    if (std::isfinite(value) && range.contains(value)) return;
+    const auto beyond = [&](Real v) { return std::isnan(v) ? INFINITY : std::max(range.low - v, v - range.high); };
+    if (++n_outside == 1 || beyond(value) > beyond(worst)) worst = value, where = x;
+  }
+};
+
+Problem outside_its_range(const MaterialCase& material, const ParameterInfo& info, const FieldRange& found)
+{
+  const bool is_number = !std::isnan(found.worst);
+  const std::string got =
+      is_number
+          ? fmt::format("It is {:.6g} {} at {} m, where it is worst,", found.worst, info.unit, place_text(found.where))
+          : fmt::format("There is no value at {} m, or what it is made of is out of range there. It is wrong",
+                place_text(found.where));
+  return {parameter_key(material, info.name),
+      fmt::format("`{}` {} in part of the soil", info.name, is_number ? "is out of range" : "has no value"),
+      fmt::format("{} at {} of {} points of `{}`; allowed: {} {}{}{}.{}", got, found.n_outside, found.n, material.name,
+          info.range.low_open ? "more than" : "at least", info.range.low,
+          info.unit == "-" ? "" : fmt::format(" {}", info.unit),
+          std::isfinite(info.range.high) ? fmt::format(", up to {}", info.range.high) : "",
+          found.worst <= info.range.low ? "\nGive it a least value: max(..., ...) in a formula, `minimum` in shansep."
+                                        : ""),
+      "material." + std::string(info.name), false, {"water", parameter_key(material, "model")}};
+}
+
+bool is_in(const FieldCover& cover, Vec<2> x)
+{
+  constexpr Real round_off = 1e-9;  // [m]
+  return x[0] >= cover.low[0] - round_off && x[0] <= cover.high[0] + round_off && x[1] >= cover.low[1] - round_off &&
+         x[1] <= cover.high[1] + round_off;
+}
+
+std::string cover_text(const FieldCover& cover)
+{
+  return fmt::format("Its places lie in x = {} to {} m, y = {} to {} m", coordinate_text(cover.low[0]),
+      coordinate_text(cover.high[0]), coordinate_text(cover.low[1]), coordinate_text(cover.high[1]));
+}
+
+/// Calls visit(material number, place in the soil) for each point to be of the bodies that are there.
+template <class Visit>
+void for_each_new_point(const Model& model, Visit visit)
+{
+  for (const auto& batch : make_points(model))
+    for (const NewPoint& point : batch)
+      if (model.description.bodies[static_cast<std::size_t>(point.body)].is_there)
+        visit(point.key.material, PlaceInSoil{point.x, model.ground_with(point.body)});
+}
+
+/// Whether the parameter that a field is found from is wrong somewhere: then that is reported, and not what follows.
+bool follows_a_wrong_one(
+    const MaterialCase& material, const ParameterField& field, const std::vector<FieldRange>& found)
+{
+  for (std::size_t f = 0; field.follows && f < found.size(); ++f)
+    if (material.fields[f].parameter == *field.follows) return found[f].n_outside > 0;
+  return false;
+}
+
+void check_covers(const MaterialCase& material, const ParameterField& field, const std::vector<Index>& n_covered)
+{
+  for (std::size_t c = 0; c < n_covered.size(); ++c)
+    if (n_covered[c] == 0)
+      throw InputError(Problem{parameter_key(material, material.type()->parameters[field.parameter].name),
+          fmt::format("the table `{}` covers none of the soil", field.needs.covers[c].file),
+          fmt::format("{}, where there is no `{}`. Are x and y in m, and in the axes of the case?",
+              cover_text(field.needs.covers[c]), material.name),
+          "material"});
+}
+
+}  // namespace
+
+void settle_fields(Model& model)
+{
+  std::vector<MaterialCase>& materials = model.description.materials;
+  if (std::ranges::all_of(materials, [](const MaterialCase& m) { return m.fields.empty(); })) return;
+  TERP_ASSERT(model.ground != nullptr);
+  std::vector<std::vector<FieldRange>> found(materials.size());
+  std::vector<std::vector<std::vector<Index>>> n_covered(materials.size());  // of each material, field and file
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    found[m].resize(materials[m].fields.size());
+    for (const ParameterField& field : materials[m].fields) n_covered[m].emplace_back(field.needs.covers.size());
+  }
+  for_each_new_point(model, [&](Index m, const PlaceInSoil& x) {
+    const MaterialCase& material = materials[m];
+    for (std::size_t f = 0; f < material.fields.size(); ++f) {
+      const ParameterField& field = material.fields[f];
+      found[m][f].add(field.value_at(x), model.materials[m].type->parameters[field.parameter].range, x);
+      for (std::size_t c = 0; c < field.needs.covers.size(); ++c) n_covered[m][f][c] += is_in(field.needs.covers[c], x);
+    }
+  });
+  std::vector<Problem> problems;
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    for (std::size_t f = 0; f < found[m].size(); ++f) {
+      const ParameterField& field = materials[m].fields[f];
+      const FieldRange& values = found[m][f];
+      if (values.n == 0) continue;
+      check_covers(materials[m], field, n_covered[m][f]);
+      const ParameterInfo& info = model.materials[m].type->parameters[field.parameter];
+      if (values.n_outside > 0 && !follows_a_wrong_one(materials[m], field, found[m]))
+        problems.push_back(outside_its_range(materials[m], info, values));
+      materials[m].parameters[field.parameter] = values.sum / static_cast<Real>(values.n);
+    }
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    if (!materials[m].fields.empty()) {
+      const MaterialType& type = *model.materials[m].type;
+      model.materials[m].law = type.make_varying(materials[m].parameters, varying_parameters(materials[m], type));
+    }
+}
+
+void find_uncovered_soil(const Model& model, const StepState& state, std::vector<Problem>& warnings)
+{
+  for (std::size_t m = 0; m < model.materials.size(); ++m)
+    for (const ParameterField& field : model.description.materials[m].fields)
+      for (const FieldCover& cover : field.needs.covers) {
+        Index n = 0, n_outside = 0;
+        Real farthest = 0.0;
+        for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+          if (block.material != static_cast<Index>(m)) return;
+          ++n;
+          const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
+          if (is_in(cover, x)) return;
+          ++n_outside;
+          const auto beyond = [&](int d) { return std::max({cover.low[d] - x[d], x[d] - cover.high[d], 0.0}); };
+          farthest = std::max(farthest, std::hypot(beyond(0), beyond(1)));
+        });
+        if (n_outside == 0) continue;
+        const MaterialCase& material = model.description.materials[m];
+        warnings.push_back({parameter_key(material, model.materials[m].type->parameters[field.parameter].name),
+            fmt::format("the table `{}` does not cover all of the soil", cover.file),
+            fmt::format("{}; {} of {} points of `{}` lie outside, by up to {:.3g} m. They take the value of the "
+                        "nearest places.",
+                cover_text(cover), n_outside, n, material.name, farthest),
+            "material"});
+      }
+}
+
+}  // namespace terp

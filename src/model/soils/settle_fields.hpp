@@ -1,0 +1,21 @@
+// Parameters that vary, looked at over all points at once before a run: where they leave their range, their means, and
+// whether files cover the soil. Not for: the value of a point (point_parameters.hpp).
+#pragma once
+
+#include "math/errors.hpp"
+#include "model/parts/model.hpp"
+#include "mpm/step/step_state.hpp"
+
+#include <vector>
+
+namespace terp {
+
+/// Where parameters vary: gives the laws, and the description, the mean over the points as the value of each. Throws
+/// InputError where a field leaves its range, with the place where it is worst, and where the file of a field covers
+/// none of its soil. Of a model whose mesh, materials and ground are set.
+void settle_fields(Model& model);
+
+/// Fields from files that do not cover all of their soil.
+void find_uncovered_soil(const Model& model, const StepState& state, std::vector<Problem>& warnings);
+
+}  // namespace terp

@@ -1,0 +1,41 @@
+// Kinds of fields: how a value may follow from the place, the depth, or the effective vertical stress there.
+// docs/strength.md. Not for: how a case file writes them (io/case/field_kinds).
+#pragma once
+
+#include "soil/laws/material.hpp"
+#include "model/bodies/values_csv.hpp"
+#include "model/case/parameter_field.hpp"
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// Linear in the depth below the highest soil at that x, in m downwards; constant beyond both ends. line: (depth,
+/// value), depth ascending. Not a number where there is no soil.
+FieldValue by_depth(std::vector<Vec<2>> line);
+
+/// The same in the elevation y [m].
+FieldValue by_elevation(std::vector<Vec<2>> line);
+
+/// The same in the effective vertical stress [Pa] that a water situation gives; its name, empty: that of the start.
+FieldValue by_stress(std::vector<Vec<2>> line, std::string water);
+
+FieldValue by_map(ValueMap map);
+
+/// S_u = S sigma'_v (sigma'_p / sigma'_v)^m, at least `minimum`. sigma'_p = sigma'_v,daily + pop, or ocr times
+/// sigma'_v,daily, or yield_stress: exactly one of the three is given.
+struct Shansep {
+  FieldValue S, m;                                   ///< [-]
+  FieldValue pop = {}, ocr = {}, yield_stress = {};  ///< [Pa], [-], [Pa]
+  FieldValue minimum = {};                           ///< [Pa]; may be empty
+  std::string water = {}, daily = {};                ///< situations of sigma'_v and of sigma'_v,daily; empty: the start
+};
+FieldValue by_shansep(const Shansep& soil);
+/// sigma'_p of it [Pa].
+FieldValue yield_stress_of(const Shansep& soil);
+
+/// Not a number where the value does not lie in the range.
+FieldValue within(Range range, FieldValue value);
+
+}  // namespace terp

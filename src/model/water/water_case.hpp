@@ -1,0 +1,61 @@
+// Water as the user describes it, in plain numbers: lines of heads, a formula, or values on a grid.
+// Not for: the pressure that follows from it (water_pressure.hpp).
+#pragma once
+
+#include "math/types.hpp"
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace terp {
+
+inline constexpr std::string_view phreatic_head = "phreatic";  ///< name of the head of the phreatic line
+inline constexpr std::string_view name_of_start = "start";     ///< name of the water of [water]
+
+/// The head of a layer: elevation to which its water rises, over x.
+struct HeadLine {
+  std::string name;
+  std::vector<Vec<2>> places;  ///< x ascending, constant beyond both ends [m]
+};
+
+/// A line in the soil at which the water has a head of its own. Names: of head lines, or phreatic_head.
+struct ReferenceLine {
+  std::vector<Vec<2>> places;     ///< as in HeadLine [m]
+  std::string head, head_bottom;  ///< names of the heads just above the line and just below it
+};
+
+/// Pressure at a place and a time [Pa]; more than zero where there is water.
+using PressureFormula = std::function<Real(Vec<2>, Real)>;
+
+/// Water at one moment: lines, or a formula; a grid of values is a formula, too.
+struct WaterSituation {
+  std::string name = {};
+  Real time = std::numeric_limits<Real>::quiet_NaN();  ///< at which it is reached, linearly from the one before [s]
+  std::vector<Vec<2>> phreatic_line = {};              ///< as in HeadLine [m]
+  std::vector<HeadLine> head_lines = {};
+  std::vector<ReferenceLine> reference_lines = {};
+  PressureFormula formula = {};
+  std::string formula_text = {};
+  bool formula_changes = false;     ///< it speaks of the time
+  bool formula_gives_head = false;  ///< its values are heads [m]; else pressures [Pa]
+  std::string grid_file = {};       ///< that the formula takes its values from; empty: none
+  Vec<2> grid_low{}, grid_high{};   ///< box about its places; beyond it the values of its edge hold [m]
+
+  bool is_given() const { return !phreatic_line.empty() || formula; }
+};
+
+struct WaterCase {
+  Real unit_weight = 9810.0;               ///< of water [N/m^3]
+  Real suction = 0.0;                      ///< largest tension in the water above the phreatic line [Pa]
+  WaterSituation start;                    ///< at t = 0
+  std::vector<WaterSituation> situations;  ///< others, in the order of the file
+  std::optional<std::size_t> standing;     ///< number of the situation that always holds; none: they have times
+
+  bool is_given() const { return start.is_given(); }
+};
+
+}  // namespace terp

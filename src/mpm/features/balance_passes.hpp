@@ -1,0 +1,75 @@
+// The acceleration of the cells for the slope of their pressure (mpm/schemes/pressure_balance.hpp), within the step:
+//
+//   m_i a_i = R_i - sum_K k_K,i (a_K - g),   a_K = sum_j m_j^K a_j / sum_j m_j^K
+//
+// R: all other forces without damping; m_j^K: what cell K gives to the mass of its corner j, so that a light node of a
+// part-filled cell counts little. Shortened to 1.2 g: waves in a stiff body are faster than any slide, and the term
+// with a_K alone is not symmetric, so that it would feed them (decision 0068).
+#pragma once
+
+#include "mpm/step/node_passes.hpp"
+
+namespace terp {
+
+/// Largest acceleration of a cell that its pressure follows, in parts of gravity.
+inline constexpr Real most_followed = 1.2;
+
+/// What the sweeps need of a node.
+inline void start_balance(const StepModel& model, const StepState& state, Index i, Workspace& work)
+{
+  const NodeGather sum = sum_cells(model, state, work, i);
+  BalanceNode& node = work.balance_node[i];
+  node = {};
+  if (!(sum.mass >= mass_limit(model, i))) return;
+  node.mass = sum.mass;
+  for (int d = 0; d < 2; ++d) {
+    node.v[d] = sum.momentum[d] / sum.mass;
+    node.force[d] = sum.mass * work.gravity[d] - sum.internal_force[d];
+  }
+  for (const OuterForces& kind : work.outer) {
+    if (!kind.acts) continue;
+    const Vec<2> outer = sum_outer(model, state, kind, i);
+    for (int d = 0; d < 2; ++d) node.force[d] += outer[d];
+  }
+}
+
+/// Acceleration of a node, without damping, by the accelerations of the cells of the sweep before.
+inline void accelerate_for_balance(const StepModel& model, const StepState& state, Index i, Workspace& work)
+{
+  BalanceNode& node = work.balance_node[i];
+  if (node.mass == 0.0) return;
+  Vec<2> force = sum_balance(model, state, work, i);
+  for (int d = 0; d < 2; ++d) force[d] += node.force[d];
+  if (work.settling) {
+    const Real held = 1.0 - work.search.share;
+    if (work.search.share == 0.0)
+      force = {0.0, 0.0};  // all is held in this step
+    else
+      for (int d = 0; d < 2; ++d) force[d] += held * work.search.held[i][d];
+  }
+  Vec<2> v;
+  for (int d = 0; d < 2; ++d) v[d] = node.v[d] + force[d] / node.mass * model.dt;
+  if (model.boundary.at(i) != nullptr) model.boundary.constrain(i, node.mass, model.dt, v);
+  if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.footings[k].hold(v);
+  for (int d = 0; d < 2; ++d) node.acceleration[d] = (v[d] - node.v[d]) / model.dt;
+}
+
+/// Acceleration of a cell from its corners.
+inline void set_cell_acceleration(const StepModel& model, const StepState& state, Index slot, Workspace& work)
+{
+  const Index cell = state.points.occupied()[slot];
+  const PerCorner<Quad4>& mass = work.corners[slot].mass;
+  Vec<2> a{0.0, 0.0};
+  Real all = 0.0;
+  for (int i = 0; i < Quad4::n_corners; ++i) {
+    const Vec<2>& of_node = work.balance_node[model.mesh->cells[cell][i]].acceleration;
+    all += mass[i];
+    for (int d = 0; d < 2; ++d) a[d] += mass[i] * of_node[d];
+  }
+  const auto squared = [](const Vec<2>& v) { return v[0] * v[0] + v[1] * v[1]; };
+  const Real most = most_followed * most_followed * squared(work.gravity) * all * all, size = squared(a);
+  const Real part = size > most ? std::sqrt(most / size) : 1.0;
+  for (int d = 0; d < 2; ++d) work.balance[slot].acceleration[d] = part * a[d] / all;
+}
+
+}  // namespace terp

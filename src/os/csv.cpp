@@ -1,0 +1,36 @@
+#include "os/csv.hpp"
+
+namespace terp {
+
+std::string csv_cell(std::string_view text)
+{
+  std::string cell;
+  for (const char c : text) {
+    if (c == '"') cell += '"';
+    if (c == '\n')
+      cell += "; ";
+    else if (c != '\r')
+      cell += c;
+  }
+  return cell.find_first_of(",\"") == std::string::npos ? cell : '"' + cell + '"';
+}
+
+std::vector<std::string> csv_cells(std::string_view line)
+{
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const char c = line[k];
+    if (c == '"' && quoted && k + 1 < line.size() && line[k + 1] == '"')
+      cells.back() += line[++k];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  }
+  return cells;
+}
+
+}  // namespace terp

@@ -1,0 +1,45 @@
+// The points, places and fields of a run that a report shows, as codes; made smaller until they fit.
+// Not for: texts, tables, the mesh (payload, backdrop).
+#pragma once
+
+#include "page/codec.hpp"
+#include "io/results/run_results.hpp"
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// A field that the page can colour by.
+struct ShownField {
+  std::string name, symbol, label, unit;
+  std::string kind;            ///< "sequential", "diverging" or "category"
+  Real low = 0.0, high = 1.0;  ///< of the colour scale, before the reader changes it
+  Scale scale = {};
+  std::vector<Codes> frames = {};  ///< one if it never changes
+  int shares = -1;                 ///< the field whose codes it has, with another scale; -1: its own
+};
+
+struct ShownRun {
+  std::int64_t n_points = 0;            ///< of the run
+  std::vector<std::uint32_t> ids = {};  ///< of the points shown, ascending
+  std::size_t n_frames_in_run = 0;
+  std::vector<std::size_t> frames = {};           ///< which of them are shown
+  std::vector<Real> times = {};                   ///< of those [s]
+  Scale x = {}, y = {};                           ///< [m]
+  std::vector<Codes> x_codes = {}, y_codes = {};  ///< by frame; `no_value` in both: there is no soil of the point
+  std::vector<ShownField> fields = {};            ///< the first is shown first
+  Real point_size = 0.0;                          ///< typical distance of the points shown [m]
+  std::array<Real, 4> bounds{};  ///< of the points shown in all frames: low x, low y, high x, high y [m]
+};
+
+/// Reads what is shown. n_most: points, by chance but always the same, if the run has more.
+ShownRun read_shown(const Frames& frames, std::int64_t n_most);
+
+/// Size of the codes of the runs after gzip, from a part of the points [bytes].
+std::size_t estimate_bytes(const std::vector<ShownRun>& runs);
+
+/// Coarsens values, then leaves out frames, then points, as little as brings the codes to `most_bytes`.
+void fit(std::vector<ShownRun>& runs, std::size_t most_bytes);
+
+}  // namespace terp

@@ -1,0 +1,171 @@
+// enter_next_stage: what was dug away leaves; then stored stress, laws, parameters, carried pressures and bodies
+// change. The difference of energy counts as energy of the start. Loads find their ground after that. The counters of
+// the stage move last; only then displacement may begin anew.
+
+#include "run/loop/stages.hpp"
+
+#include "math/errors.hpp"
+#include "mpm/points/moved.hpp"
+#include "model/parts/change_soil.hpp"
+#include "mpm/step/stored_energy.hpp"
+#include "model/loads/loads.hpp"
+#include "run/loop/placed_bodies.hpp"
+#include "model/soils/point_parameters.hpp"
+#include "model/parts/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+/// After each step in which nothing changes any more: enters where the soil is, at times, and compares with where it
+/// was `rest.steps` before.
+bool rests_by_mean(const RestRule& rest, State& state)
+{
+  RestMarks& marks = state.rest_marks;
+  const std::int64_t every = rest.steps / RestMarks::n, step = marks.steps++;
+  if (step % every != 0) return false;
+  const std::size_t n = state.x_initial.size();
+  marks.places.resize(static_cast<std::size_t>(RestMarks::n) * n);
+  const std::span<Real> mark(marks.places.data() + static_cast<std::size_t>(step / every % RestMarks::n) * n, n);
+  const bool rests = step >= rest.steps && find_moved(state.points, mark, rest.distance).volume < rest.volume;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    for (std::size_t d = 0; d < 2; ++d) mark[2 * id + d] = block.row(Rows::x + static_cast<int>(d))[lane];
+  });
+  return rests;
+}
+
+/// Displacement and strain are counted from now on.
+void reset_displacement(State& state)
+{
+  state.moved_before.resize(static_cast<std::size_t>(state.n_ids()), 0.0);
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    state.moved_before[id] = farthest_way(block, lane, state.x_initial, state.moved_before);
+    for (int d = 0; d < 2; ++d) state.x_initial[2 * id + d] = block.row(Rows::x + d)[lane];
+    for (int k = 0; k < n_sym<2>; ++k) block.row(Rows::strain + k)[lane] = 0.0;
+  });
+}
+
+/// Loads of which there was nothing take their place on the ground as it is now. So do those that stand on what the
+/// stage digs away.
+void place_new_loads(const Model& before, const Model& model, State& state)
+{
+  for (std::size_t k = 0; k < model.loads.size(); ++k) {
+    const Load& load = model.loads[k];
+    const bool is_new = load.is_permanent() && !(before.loads[k].pressure > 0.0) && load.pressure > 0.0;
+    if (!is_new && (!(load.pressure > 0.0) || !stands_on_what_goes(model, load, state))) continue;
+    if (const std::string why = place_load(model, load, state); !why.empty())
+      throw RunError(fmt::format("t = {:.4f} s: there is no ground under the load `{}`, which the stage `{}` {}\n  {}",
+          state.time, load.name, model.stage.name, is_new ? "puts on" : "digs the ground away from", why));
+  }
+}
+
+/// What does not follow from the case.
+void keep_rest_of(const Model& before, Model& model)
+{
+  model.followers = before.followers;
+  model.history_ids = before.history_ids;
+  model.bodies = before.bodies;
+}
+
+}  // namespace
+
+std::int64_t last_step_of_stage(const Model& model, const State& state)
+{
+  return state.stage_start + model.stage.steps;
+}
+
+std::int64_t last_step_of_run(const Model& model, const State& state)
+{
+  return last_step_of_stage(model, state) + model.stage.steps_after;
+}
+
+bool has_ended(const Model& model, const State& state)
+{
+  const RestRule& rest = model.stage.rest;
+  if (!model.stage.name.empty()) return std::ssize(state.stages_done) > state.stage;
+  return state.step >= last_step_of_stage(model, state) || (rest.steps > 0 && state.quiet_steps >= rest.steps);
+}
+
+void watch_rest(const Model& model, const Workspace& work, State& state)
+{
+  const RestRule& rest = model.stage.rest;
+  if (rest.steps == 0) return;
+  const Real changes_until = std::max(rest.last_change, model.ramp.start + model.ramp.duration);
+  const bool may_rest = state.time > changes_until;
+  if (rest.by_mean)
+    state.quiet_steps = may_rest && rests_by_mean(rest, state) ? rest.steps : 0;
+  else
+    state.quiet_steps = may_rest && work.fastest_node < rest.speed ? state.quiet_steps + 1 : 0;
+}
+
+bool ends_now(const Model& model, const Workspace& work, State& state)
+{
+  const RestRule& rest = model.stage.rest;
+  const bool at_rest = rest.steps > 0 && state.quiet_steps == rest.steps;
+  if (!at_rest && state.step != last_step_of_stage(model, state)) return false;
+  if (model.stage.name.empty() && rest.steps == 0) return true;
+  state.stages_done.push_back({.start = model.time_of(state.stage_start),
+      .end = state.time,
+      .steps = state.step - state.stage_start,
+      .at_rest = at_rest,
+      .fastest = rest.steps > 0 ? work.fastest_node : std::numeric_limits<Real>::quiet_NaN()});
+  return true;
+}
+
+Model model_for(Model model, const State& state)
+{
+  const auto number = static_cast<std::size_t>(state.stage);
+  if (number != model.stage.number) {
+    Model other = build_stage(model, number);
+    keep_rest_of(model, other);
+    model = std::move(other);
+  }
+  model.first_step = state.first_step;
+  model.first_time = state.first_time;
+  model.ramp.start = model.time_of(state.stage_start);
+  return model;
+}
+
+void enter_next_stage(Model& model, State& state, Workspace& work)
+{
+  Model next = build_stage(model, model.stage.number + 1);
+  keep_rest_of(model, next);
+  TERP_ASSERT(next.dt == model.dt);  // or the clock would jump
+  next.ramp.start = model.time_of(state.step);
+  remove_held_bodies(model, state);
+  const Real before = kinetic_and_stored_energy(model, state);
+  const auto is_of_material = [](const auto& change) {
+    return change.first.starts_with("material") || change.first == "at_strength";
+  };
+  const bool sets_parameters = std::ranges::any_of(model.description.stages[next.stage.number].changes, is_of_material);
+  // Points of a file are read again for them: not in a stage that changes loads or water alone.
+  const bool needs_seeds = sets_parameters || stores_other_stress(model, next) || next.held_row >= 0;
+  const Seeds seeds = needs_seeds ? seeds_of(make_points(next)) : Seeds{};
+  const std::vector<Real> carried = carried_pressures(model, state);
+  if (stores_other_stress(model, next)) change_stored_stress(model, next, seeds, state);
+  if (!have_same_materials(model, next)) change_materials(next, seeds, carried, state);
+  if (sets_parameters) set_point_parameters(next, seeds, state);
+  keep_carried_pressures(next, carried, state);
+  change_bodies(next, seeds, state);
+  state.start_energy += kinetic_and_stored_energy(next, state) - before;
+  place_new_loads(model, next, state);
+  ++state.stage;
+  state.stage_start = state.step;
+  state.quiet_steps = 0;
+  state.rest_marks = {};
+  model = model_for(std::move(next), state);
+  if (model.description.stages[model.stage.number].reset_displacement) {
+    for (const ActiveFollower& active : state.followers) active.follower->count_displacement_anew(model, state);
+    reset_displacement(state);
+  }
+  work.damping_local = model.damping.local;
+  work.forget_water();
+  work.fit(model, state);
+}
+
+}  // namespace terp

@@ -1,0 +1,260 @@
+// Whether the ground still holds the water between river and land, at each ledger row and at the end. Definitions:
+// docs/flood.md. Not for: how the ground is measured (model/ground/barrier), nor for water that flows over it.
+
+#include "run/measure/crest.hpp"
+#include "run/measure/followers.hpp"
+#include "model/water/free_water.hpp"
+#include "model/ground/ground_section.hpp"
+#include "run/report/ledger_context.hpp"
+#include "run/report/mesh_frame.hpp"
+#include "mpm/step/node_passes.hpp"
+#include "run/report/state_arrays.hpp"
+#include "run/report/summary.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr Real never = std::numeric_limits<Real>::quiet_NaN();
+constexpr Real round_off = 1e-9;   // of heights and widths [m]
+constexpr Real slid_share = 0.05;  // of the square of the relief: a small slide of a toe or a berm
+
+std::optional<Real> known(Real value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
+
+/// The end of the section at which the river is: as the case or the water says, or where the ground lies below the
+/// level if that at the other end does not.
+std::optional<Facing> river_side(const FloodLevel& level, const StandingGround& ground)
+{
+  if (level.river) return level.river;
+  const auto stands = [](Real height) { return std::isfinite(height); };
+  const auto left = std::ranges::find_if(ground.heights, stands);
+  const auto right = std::find_if(ground.heights.rbegin(), ground.heights.rend(), stands);
+  if (left == ground.heights.end() || (*left >= ground.level) == (*right >= ground.level)) return std::nullopt;
+  return *left < ground.level ? Facing::left : Facing::right;
+}
+
+std::string criterion_text(const FloodCase& flood, Real level, const RiverBeforeTrigger& river)
+{
+  std::string text = fmt::format(
+      "it floods where no ground between river and land stands at {:g} m or higher", level + flood.smallest_freeboard);
+  if (river.n_stages > 0 && std::isfinite(river.level))
+    text += fmt::format(" (before the trigger: {:g} m)", river.level + flood.smallest_freeboard);
+  if (flood.smallest_freeboard > 0.0)
+    text += fmt::format(", {:g} m over the water at {:g} m", flood.smallest_freeboard, level);
+  if (flood.smallest_width > 0.0)
+    text += fmt::format(", or where the ground is less than {:g} m wide at {:g} m", flood.smallest_width, level);
+  return text;
+}
+
+/// Whether two models judge the same ground against the same water by the same criterion.
+bool is_judged_alike(const Model& a, const Model& b)
+{
+  const FloodCase &of_a = a.description.flood, &of_b = b.description.flood;
+  return a.flood_level.is_known() && a.flood_level.value == b.flood_level.value &&
+         a.flood_level.river == b.flood_level.river && of_a.smallest_freeboard == of_b.smallest_freeboard &&
+         of_a.smallest_width == of_b.smallest_width && of_a.intact_below == of_b.intact_below;
+}
+
+/// Level of the river in the water of a stage [m]; none: the stage has no water of its own, or none of lines.
+std::optional<Real> river_of(const Case& c, const StageCase& stage, std::optional<Facing> river)
+{
+  const auto is_named = [&](const WaterSituation& water) { return water.name == stage.water; };
+  const auto found = std::ranges::find_if(c.water.situations, is_named);
+  if (stage.water.empty() || found == c.water.situations.end() || found->phreatic_line.empty()) return std::nullopt;
+  return river == Facing::right ? found->phreatic_line.back()[1] : found->phreatic_line.front()[1];
+}
+
+/// The first stage so far that is there to make the section fail, or from which on strengths are divided. A stage that
+/// holds the soil for those after it is none.
+std::optional<std::size_t> trigger_stage(const Case& c, std::size_t now)
+{
+  std::optional<std::size_t> first;
+  bool is_weaker = true;  // from here to the present stage
+  for (std::size_t k = now + 1; k-- > 0;) {
+    const Real divided_by = c.stages[k].changed->at_strength;
+    is_weaker = is_weaker && (divided_by > 1.0 || (divided_by < 1.0 && now + 1 == c.stages.size()));
+    if (is_weaker || c.stages[k].trigger) first = k;
+  }
+  return first;
+}
+
+/// What makes the section fail so far. times: from which on it is damaged and floods; NaN: it does not [s].
+std::optional<FloodTrigger> trigger_of(
+    const Case& c, const State& state, std::optional<Facing> river, const std::array<Real, 2>& times)
+{
+  FloodTrigger trigger{.at_strength = c.at_strength};
+  if (c.stages.empty()) return c.at_strength != 1.0 ? std::optional(trigger) : std::nullopt;
+  const auto now = static_cast<std::size_t>(state.stage);
+  const std::optional<std::size_t> first = trigger_stage(c, now);
+  if (!first) return std::nullopt;
+  trigger.stage = c.stages[*first].name;
+  for (std::size_t k = *first; k <= now; ++k)
+    if (const auto level = river_of(c, c.stages[k], river); c.stages[k].trigger && level) trigger.river = level;
+  if (*first == 0) return trigger;
+  const StageRecord& before = state.stages_done[*first - 1];
+  if (times[1] <= before.end)
+    trigger.before = FloodVerdict::floods;
+  else if (before.at_rest)
+    trigger.before = times[0] <= before.end ? FloodVerdict::damaged : FloodVerdict::stands;
+  return trigger;
+}
+
+/// Where soil moves fastest at the end, and which soil lies nearest to there.
+void find_fastest(const Model& model, const State& state, FloodSummary& flood)
+{
+  const NodeMotion motion = map_motion(model, state);
+  Real most = -1.0, nearest = std::numeric_limits<Real>::infinity();
+  for (Index i = 0; i < std::ssize(motion.mass); ++i) {
+    const Real speed = std::hypot(motion.velocity[2 * i], motion.velocity[2 * i + 1]);
+    if (!(motion.mass[i] >= part_of_full_mass(model, i, part_that_rests)) || !(speed > most)) continue;
+    most = speed;
+    flood.fastest_x = model.mesh->nodes[i][0], flood.fastest_y = model.mesh->nodes[i][1];
+  }
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const Real away =
+        std::hypot(block.row(Rows::x)[lane] - flood.fastest_x, block.row(Rows::x + 1)[lane] - flood.fastest_y);
+    if (!(away < nearest)) return;
+    nearest = away;
+    flood.fastest_soil = model.materials[block.material].name;
+  });
+}
+
+/// A verdict is one of all stages: it stays where displacement is counted anew.
+class Flood : public Follower {
+  ColumnRange range_;          ///< of the ground that counts
+  Real first_height_ = never;  ///< of the barrier at t = 0 [m]
+  Real settles_ = 0.0;         ///< fall of the barrier from which on the ground is damaged [m]
+  Real slides_ = 0.0;          ///< volume of ground that moved, from which on it is [m^2]
+  std::optional<Facing> river_;
+  std::optional<RiverBeforeTrigger> before_;        ///< follows from the model: looked for once
+  Real time_damaged_ = never, time_below_ = never;  ///< the first ones; but for slides [s]
+  Real fastest_node_ = never;                       ///< in the last row [m/s]
+
+  void start(const Model& model, const State& state) override
+  {
+    const StandingGround ground = standing_ground(model, state.points);
+    range_ = columns_of_barrier(ground, model.flood_level.river);
+    first_height_ = find_barrier(ground, range_).height;
+    const Real height = relief(first_section(model, state.points, ground_of(model)));
+    settles_ = standing_tolerance(height);
+    slides_ = slid_share * height * height;
+    river_ = river_side(model.flood_level, ground);
+    time_damaged_ = time_below_ = never;
+    before_.reset();
+  }
+
+  Barrier look(const Model& model, const State& state, Real level) const
+  {
+    return find_barrier(standing_ground(model, state.points, level), range_);
+  }
+
+  void row(const LedgerContext& context, std::span<Real> values) override
+  {
+    const FloodCase& flood = context.model.description.flood;
+    const FloodLevel& level = context.model.flood_level;
+    if (!level.is_known()) return;
+    if (!before_) before_ = river_before_trigger(context.model);
+    const Barrier barrier = look(context.model, context.state, level.value);
+    const bool is_before = static_cast<std::size_t>(context.state.stage) < before_->n_stages;
+    const Real river = is_before ? before_->level : level.value;
+    const Barrier judged = is_before ? look(context.model, context.state, river) : barrier;
+    values[0] = barrier.height, values[1] = barrier.width, values[2] = barrier.intact_width;
+    fastest_node_ = context.fastest_node;
+    const auto keep_first = [&](bool so, Real& time) {
+      if (so && std::isnan(time)) time = context.state.time;
+    };
+    keep_first(
+        judged.height < river + flood.smallest_freeboard - round_off || judged.width < flood.smallest_width - round_off,
+        time_below_);
+    const Real moved = context.totals.moved.volume + volume_that_left(context.state);
+    keep_first(judged.height < first_height_ - settles_ || judged.intact_width < flood.smallest_width - round_off ||
+                   moved > slides_,
+        time_damaged_);
+  }
+
+  void summarise(const Model& model, const State& state, Summary& s) const override
+  {
+    const FloodLevel& level = model.flood_level;
+    const Barrier barrier = look(model, state, level.value);
+    s.residual_height = known(barrier.height);
+    if (!level.is_known() || state.has_no_start) return;
+    FloodSummary& f = s.flood.emplace();
+    f.water_level = level.value;
+    f.water_level_origin = level.origin;
+    f.river = river_;
+    f.residual_height = barrier.height;
+    f.freeboard = barrier.height - f.water_level;
+    f.width_at_level = barrier.width;
+    f.intact_width = barrier.intact_width;
+    f.first_time_below = known(time_below_);
+    f.first_time_damaged =  // the slopes are asked before
+        known(std::fmin(time_damaged_, s.first_slide_time.value_or(never)));
+    f.stage_damaged = stage_at(s.stages, f.first_time_damaged);
+    f.stage_below = stage_at(s.stages, f.first_time_below);
+    f.stage = s.stages.empty() ? "" : s.stages.back().name;
+    f.fastest_node = known(fastest_node_);
+    const StageRecord* last = state.stages_done.empty() ? nullptr : &state.stages_done.back();
+    const bool was_to_rest = last != nullptr && std::isfinite(last->fastest);
+    f.still_moves = !(last != nullptr && last->at_rest) && f.fastest_node &&
+                    (was_to_rest || *f.fastest_node * time_to_look_ahead(model, state) > settles_);
+    if (f.still_moves) find_fastest(model, state, f);
+    f.verdict = f.first_time_below     ? FloodVerdict::floods
+                : f.still_moves        ? FloodVerdict::moving
+                : f.first_time_damaged ? FloodVerdict::damaged
+                                       : FloodVerdict::stands;
+    const Real margin = f.freeboard - model.description.flood.smallest_freeboard;
+    if (f.verdict == FloodVerdict::damaged && margin < settles_) f.margin = margin;
+    f.trigger = trigger_of(model.description, state, river_, {f.first_time_damaged.value_or(never), time_below_});
+    f.criterion = criterion_text(model.description.flood, level.value, before_.value_or(river_before_trigger(model)));
+  }
+
+  /// As long again as the run took; after a short one the time of a free fall through the relief [s].
+  Real time_to_look_ahead(const Model& model, const State& state) const
+  {
+    const Real g = std::hypot(model.gravity[0], model.gravity[1]), height = std::sqrt(slides_ / slid_share);
+    return g > 0.0 ? std::max(state.time, std::sqrt(2.0 * height / g)) : state.time;
+  }
+
+  void save(ArrayWriter& arrays) const override
+  {
+    arrays.copy("columns", std::vector<std::int64_t>{range_.first, range_.last});
+    arrays.copy("ground", std::vector<Real>{first_height_, settles_, slides_});
+    arrays.copy("river", std::vector<std::int64_t>{!river_ ? 0 : static_cast<std::int64_t>(outwards(*river_))});
+    arrays.copy("times", std::vector<Real>{time_damaged_, time_below_});
+    arrays.copy("speed", std::vector<Real>{fastest_node_});
+  }
+  void load(const Model&, const State&, const ArrayReader& arrays) override
+  {
+    const auto &ground = arrays.reals("ground", 3), &times = arrays.reals("times", 2);
+    const auto& columns = arrays.wholes("columns", 2);
+    range_ = {static_cast<Index>(columns[0]), static_cast<Index>(columns[1])};
+    first_height_ = ground[0], settles_ = ground[1], slides_ = ground[2];
+    const std::int64_t river = arrays.wholes("river", 1)[0];
+    river_ = river == 0 ? std::nullopt : std::optional(river > 0 ? Facing::right : Facing::left);
+    time_damaged_ = times[0], time_below_ = times[1];
+    fastest_node_ = arrays.reals("speed", 1)[0];
+  }
+
+  /// What the other run counted holds if it was judged against the same. Else only the ground of t = 0 is looked at,
+  /// and times begin here.
+  void begin_from(const Model& before, const Model& model, const State& first) override
+  {
+    const Real damaged = time_damaged_, below = time_below_;
+    start(model, first);
+    if (is_judged_alike(before, model)) time_damaged_ = damaged, time_below_ = below;
+  }
+};
+
+}  // namespace
+
+const FollowerType flood_follower{.name = "flood",
+    .columns = {{"residual_height", "m", "highest ground",
+                    "height of the highest ground between river and land; of cases with `[flood]` (docs/flood.md)"},
+        {"width_at_level", "m", "width at the water level", "width of the ground at the water level of `[flood]`"},
+        {"intact_width", "m", "intact width at the water level", "of that, with eps_eq_p below `flood.intact_below`"}},
+    .make = make_follower<Flood>};
+
+}  // namespace terp

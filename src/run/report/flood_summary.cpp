@@ -1,0 +1,80 @@
+// Nothing is judged here: run/measure/flood.cpp finds the numbers, and this file puts them into one clause. Each phrase
+// brings its own separator and is empty where there is nothing to say. So the clause stays one sentence, whichever of
+// the numbers a run has.
+
+#include "run/report/flood_summary.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace terp {
+
+namespace {
+
+/// "after strengths were divided by 1.12 (before that: stands): "
+std::string trigger_phrase(const std::optional<FloodTrigger>& trigger)
+{
+  if (!trigger) return "";
+  return trigger_words(*trigger) +
+         (trigger->before ? fmt::format(" (before that: {}): ", info_of(*trigger->before).words) : ": ");
+}
+
+/// "; it began in the stage `daily`, before `flood`": a slide in daily water is no flood of the river.
+std::string stage_phrase(const FloodSummary& flood)
+{
+  const std::string& began = flood.stage_damaged.empty() ? flood.stage_below : flood.stage_damaged;
+  if (began.empty()) return "";
+  if (!flood.stage_below.empty() && flood.stage_below != began)
+    return fmt::format("; the damage began in the stage `{}`, the flood in `{}`", began, flood.stage_below);
+  return fmt::format(
+      "; it began in the stage `{}`{}", began, flood.stage != began ? fmt::format(", before `{}`", flood.stage) : "");
+}
+
+}  // namespace
+
+std::string trigger_words(const FloodTrigger& trigger)
+{
+  std::string words;
+  if (trigger.at_strength != 1.0) words = fmt::format("after strengths were divided by {:g}", trigger.at_strength);
+  if (trigger.river)
+    words += fmt::format("{} the river {}brought to {:.2f} m", words.empty() ? "after" : " and",
+        words.empty() ? "was " : "", *trigger.river);
+  return words.empty() ? fmt::format("after the stage `{}`", trigger.stage) : words;
+}
+
+std::string motion_words(const FloodSummary& flood)
+{
+  return fmt::format("`{}` moves with {:.2g} m/s at x = {:.1f}, y = {:.1f} m", flood.fastest_soil,
+      flood.fastest_node.value_or(FloodSummary::none), flood.fastest_x, flood.fastest_y);
+}
+
+void withhold_verdict(FloodSummary& flood)
+{
+  if (flood.verdict != FloodVerdict::floods) flood.verdict.reset();
+}
+
+std::string flood_clause(const FloodSummary& flood)
+{
+  const bool floods = flood.verdict == FloodVerdict::floods;
+  const auto from = [](const char* what, const std::optional<Real>& time) {
+    return time ? fmt::format(", {} {:.2f} s on", what, *time) : std::string();
+  };
+  const std::string verdict =
+      trigger_phrase(flood.trigger) +
+      std::string(flood.verdict ? info_of(*flood.verdict).words : "no verdict before the end of the run");
+  const std::string since =
+      floods ? from("from", flood.first_time_below) : from("damaged from", flood.first_time_damaged);
+  if (!std::isfinite(flood.residual_height))
+    return fmt::format("{}{}: no ground remains{}", verdict, since, stage_phrase(flood));
+  const std::string width = flood.width_at_level > 0.0
+                                ? fmt::format("; the ground is {:.2f} m wide there, {:.2f} m of it intact",
+                                      flood.width_at_level, flood.intact_width)
+                                : "";
+  const std::string motion = flood.verdict == FloodVerdict::moving ? "; " + motion_words(flood) : "";
+  return fmt::format("{}{}: {} the highest ground stands at {:.2f} m, {:.2f} m {} the water at {:.2f} m{}{}{}", verdict,
+      since, flood.verdict ? "at the end" : "so far", flood.residual_height, std::abs(flood.freeboard),
+      flood.freeboard < 0.0 ? "below" : "above", flood.water_level, width, motion, stage_phrase(flood));
+}
+
+}  // namespace terp

@@ -1,0 +1,34 @@
+// The table of interfaces: a new one is a file like umat.cpp, a line here, and a word in LawInterface.
+
+#include "soil/libraries/interface.hpp"
+
+#include <algorithm>
+
+namespace terp {
+
+std::optional<LawVariables> describe_native(void* symbol);
+
+namespace {
+
+std::optional<LawVariables> say_nothing(void*) { return std::nullopt; }
+
+constexpr std::string_view native_symbols[] = {"terp_law"};
+constexpr std::string_view umat_symbols[] = {"umat_", "umat", "UMAT"};
+constexpr std::string_view esm_symbols[] = {"esm_", "esm", "ESM"};
+
+constexpr InterfaceInfo interfaces[] = {
+    {"native", native_symbols, "Terp's own, in C, on blocks of points (terp_law.h)", &describe_native, &make_native},
+    {"umat", umat_symbols, "user material of Abaqus/Standard, in plane strain", &say_nothing, &make_umat},
+    {"esm", esm_symbols, "external soil model of Anura3D, in plane strain", &say_nothing, &make_esm},
+};
+
+}  // namespace
+
+std::span<const InterfaceInfo> law_interfaces() { return interfaces; }
+
+bool keeps(const LibraryCase& library, std::string_view kinematics)
+{
+  return std::ranges::find(library.kinematics, kinematics) != library.kinematics.end();
+}
+
+}  // namespace terp

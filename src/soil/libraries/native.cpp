@@ -1,0 +1,232 @@
+// Terp's own interface (terp_law.h): one call for a block of points. Where the law asks for a smaller step, all points
+// of the block are taken in halves of the step, then quarters.
+
+#include "math/errors.hpp"
+#include "os/guarded_call.hpp"
+#include "soil/libraries/interface.hpp"
+#include "soil/libraries/terp_law.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr int most_halvings = 12;
+static_assert(smallest_part == 1.0 / (1 << most_halvings));
+constexpr int most_parameters = 1000, most_state = 100, rows_behind = 28;
+
+/// What the library is given beside the points. Behind the rows of the state there are others, all of the same numbers,
+/// and behind the parameters there are some, too.
+struct NativeArrays {
+  Real* increment;  ///< of the part, 4 rows
+  Real* behind;     ///< a row
+  const Real* parameters;
+  std::array<Real*, most_state + rows_behind> state;
+};
+
+class NativeCalls final : public LawCalls {
+ public:
+  NativeCalls(const terp_law_description& law, const LibraryCase& library)
+      : update_(law.update), n_state_(library.state.size())
+  {
+    for (const NamedNumber& number : library.parameters) parameters_.push_back(number.value);
+  }
+
+  /// The start of the part, 4 rows of stress and those of the state, the increment of the part, a row that stands
+  /// behind the state, and the parameters with what stands behind them.
+  std::size_t n_scratch() const override
+  {
+    return (9 + n_state_) * most_points_of_call + parameters_.size() + n_numbers_beyond;
+  }
+
+  void run(LawPoints& points) const override
+  {
+    const int n = points.n;
+    Real *start = points.scratch.data(), *increment = start + (4 + n_state_) * most_points_of_call;
+    const NativeArrays arrays = arrays_of(points, increment);
+    const auto for_each_row = [&](auto&& f) {
+      for (std::size_t k = 0; k < 4 + n_state_; ++k)
+        f(start + k * most_points_of_call, k < 4 ? points.sigma[k].data() : points.state[k - 4]);
+    };
+    int done = 0, halvings = 0;  // parts done, of 2^halvings
+    while (done < (1 << halvings)) {
+      const Real part = 1.0 / (1 << halvings);
+      for_each_row([n](Real* kept, const Real* row) { std::copy_n(row, n, kept); });
+      for (int k = 0; k < 4; ++k)
+        for (int p = 0; p < n; ++p) increment[k * most_points_of_call + p] = part * points.d_eps[k][p];
+      const int answer = call(points, arrays, part, done);
+      if (points.failed) return;
+      if (answer == TERP_LAW_OK) {
+        ++done;
+        continue;
+      }
+      if (halvings == most_halvings) {
+        points.cure = smaller_steps;
+        return points.fail("the law asks for parts of the step smaller than 1/{} of it", 1 << most_halvings);
+      }
+      for_each_row([n](const Real* kept, Real* row) { std::copy_n(kept, n, row); });
+      done *= 2, ++halvings;
+    }
+  }
+
+ private:
+  NativeArrays arrays_of(LawPoints& points, Real* increment) const
+  {
+    Real *behind = increment + 4 * most_points_of_call, *parameters = behind + most_points_of_call;
+    std::ranges::copy(parameters_, parameters);
+    std::fill_n(parameters + parameters_.size(), n_numbers_beyond, std::bit_cast<Real>(points.beyond.parameters));
+    std::fill_n(behind, most_points_of_call, std::bit_cast<Real>(points.beyond.state));
+    NativeArrays arrays{.increment = increment, .behind = behind, .parameters = parameters, .state = {}};
+    arrays.state.fill(behind);
+    std::ranges::copy(points.state, arrays.state.begin());
+    return arrays;
+  }
+
+  int call(LawPoints& points, const NativeArrays& arrays, Real part, int done) const
+  {
+    terp_law_points given{};
+    given.n = points.n;
+    given.time = points.time + done * part * points.dt;
+    given.dt = part * points.dt;
+    given.parameters = arrays.parameters;
+    for (int k = 0; k < 4; ++k) {
+      given.stress[k] = points.sigma[k].data();
+      given.strain_increment[k] = arrays.increment + k * most_points_of_call;
+    }
+    given.state = arrays.state.data();
+    static constexpr LawPoints::Row<Real> no_spin{};
+    given.spin = done == 0 ? points.d_spin.data() : no_spin.data();
+    given.turned = points.turned;
+    given.x = points.x[0].data(), given.y = points.x[1].data();
+    given.cell_size = points.cell_size.data();
+    points.at = LawPoints::unknown;
+    const int answer = update_(&given);
+    for (int p = 0; p < most_points_of_call && !points.failed; ++p) {
+      if (std::bit_cast<std::uint64_t>(arrays.behind[p]) == points.beyond.state) continue;
+      points.cure = "a larger n_state in the description that the library gives of itself";
+      points.fail("the law writes beyond its state, of {} numbers", n_state_);
+    }
+    if (answer == TERP_LAW_OK || points.failed) return answer;
+    points.at = std::clamp(given.point, 0, points.n - 1);
+    if (answer != TERP_LAW_SMALLER_STEP)
+      points.fail("the law says: {:.200}", given.message == nullptr ? "nothing, but that it failed" : given.message);
+    return answer;
+  }
+
+  int (*update_)(terp_law_points*);
+  std::size_t n_state_;
+  std::vector<Real> parameters_;
+};
+
+[[noreturn]] void refuse(const std::string& what, const std::string& detail)
+{
+  throw InputError(Problem{"", what, detail, "library"});
+}
+
+/// Looks at what the library says of itself, which may be anywhere.
+template <class T>
+void ask_guarded(void (*look)(T&), T& asked)
+{
+  struct Call {
+    void (*look)(T&);
+    T& asked;
+  } call{look, asked};
+  const std::string fault = call_guarded([](void* c) { static_cast<Call*>(c)->look(static_cast<Call*>(c)->asked); },
+      [](void*, const char* why, char* text, std::size_t n) {
+        std::snprintf(text, n, "the library %s when it was asked to describe its law", why);
+      },
+      &call);
+  if (!fault.empty()) refuse("the library failed when it was asked to describe its law", "It " + fault + '.');
+}
+
+terp_law_description description_of(void* symbol)
+{
+  struct Asked {
+    const terp_law_description* (*function)();
+    bool found;
+    terp_law_description law;
+  } asked{reinterpret_cast<const terp_law_description* (*)()>(symbol), false, {}};
+  ask_guarded<Asked>(
+      [](Asked& a) {
+        const terp_law_description* law = a.function();
+        a.found = law != nullptr;
+        if (a.found) a.law = *law;
+      },
+      asked);
+  const terp_law_description* law = &asked.law;
+  if (!asked.found) refuse("the library returns no description of its law", "Its function returned NULL.");
+  if (law->version != TERP_LAW_VERSION)
+    refuse("the library was built for another version of the interface",
+        fmt::format(
+            "Its description has version {}, this Terp has {}. Build it again with the terp_law.h of this Terp.",
+            law->version, TERP_LAW_VERSION));
+  if (law->update == nullptr || law->n_parameters < 0 || law->n_state < 0 ||
+      (law->n_parameters > 0 && law->parameters == nullptr) || (law->n_state > 0 && law->state == nullptr))
+    refuse("the description of the law is not complete",
+        "It needs `update`, and tables of as many `parameters` and `state` as it says.");
+  if (law->n_parameters > most_parameters || law->n_state > most_state)
+    refuse(
+        "the law has too many variables", fmt::format("It has {} parameters and {} state variables; at most {} and {}.",
+                                              law->n_parameters, law->n_state, most_parameters, most_state));
+  return asked.law;
+}
+
+/// A text of the library up to the end of `to`.
+template <std::size_t size>
+void copy_text(const char* from, std::array<char, size>& to)
+{
+  std::size_t k = 0;
+  for (; from != nullptr && k + 1 < size && from[k] != '\0'; ++k) to[k] = from[k];
+  to[k] = '\0';
+}
+
+std::vector<LawVariables::Variable> variables_of(const terp_law_variable* table, int n)
+{
+  struct Copy {
+    std::array<char, 128> name, unit;
+    std::array<char, 512> meaning;
+    double initial;
+  };
+  struct Asked {
+    const terp_law_variable* table;
+    std::vector<Copy> copies;
+  } asked{table, std::vector<Copy>(static_cast<std::size_t>(n))};
+  ask_guarded<Asked>(
+      [](Asked& a) {
+        for (std::size_t k = 0; k < a.copies.size(); ++k) {
+          copy_text(a.table[k].name, a.copies[k].name);
+          copy_text(a.table[k].unit, a.copies[k].unit);
+          copy_text(a.table[k].meaning, a.copies[k].meaning);
+          a.copies[k].initial = a.table[k].initial;
+        }
+      },
+      asked);
+  std::vector<LawVariables::Variable> list;
+  for (const Copy& copy : asked.copies)
+    list.push_back({copy.name.data(), copy.unit.data(), copy.meaning.data(), copy.initial});
+  return list;
+}
+
+}  // namespace
+
+std::optional<LawVariables> describe_native(void* symbol)
+{
+  const terp_law_description law = description_of(symbol);
+  LawVariables said{
+      variables_of(law.parameters, law.n_parameters), variables_of(law.state, law.n_state), law.thread_safe != 0};
+  for (const LawVariables::Variable& variable : said.state)
+    if (!std::isfinite(variable.initial))
+      refuse(fmt::format("the state variable `{}` of the library begins with no number", variable.name),
+          fmt::format("Its `initial` is {}.", variable.initial));
+  return said;
+}
+
+std::unique_ptr<LawCalls> make_native(void* symbol, const LibraryCase& library, const std::string&, int)
+{
+  return std::make_unique<NativeCalls>(description_of(symbol), library);
+}
+
+}  // namespace terp

@@ -1,0 +1,61 @@
+#include "coarse_column.hpp"
+#include "import/drawing/dxf_file.hpp"
+#include "model/bodies/polygon.hpp"
+
+namespace section_export_test {
+
+TEST(SectionExport, DrawsTheGroundAndTheOutlinesOfARun)
+{
+  const ScratchFolder scratch;
+  const std::string run = scratch.path() + "/run", dxf = scratch.path() + "/after.dxf",
+                    csv = scratch.path() + "/after.csv";
+  succeeded(test::run_column(run));
+  EXPECT_EQ(succeeded(test::terp({"export", run, "--dxf", dxf, "--profile", csv})).out,
+      "section in " + dxf + "\nsection in " + csv + "\n");
+  const DxfDrawing drawing = read_dxf(dxf);
+  ASSERT_GE(drawing.lines.size(), 3u);
+  EXPECT_EQ(drawing.lines[0].layer, "ground_start");
+  EXPECT_EQ(drawing.lines[1].layer, "ground_end");
+  Real area = 0.0;
+  for (const DxfLine& line : drawing.lines)
+    if (line.closed) area += signed_area(line.places);
+  EXPECT_NEAR(area, 16.0, 1.0);  // the column is 8 by 2 m
+  EXPECT_THAT(text_of(csv), StartsWith("x,start,end\n"));
+}
+
+TEST(SectionExport, HasNothingOfABodyThatWasDugAway)
+{
+  const std::string box = "material = \"soil\"\npoints_per_cell = 6\nbox = ";
+  const ScratchFolder scratch;
+  const std::string run = scratch.path() + "/run", dxf = scratch.path() + "/after.dxf",
+                    csv = scratch.path() + "/after.csv", file = scratch.path() + "/a.toml";
+  std::ofstream(file) << "initial.stress = \"k0\"\n[mesh]\nsize = [4.0, 4.0]\ncell = 0.5\n"
+                         "[[body]]\n" +
+                             box +
+                             "[[0.0, 0.0], [4.0, 1.0]]\n"
+                             "[[body]]\nname = \"fill\"\n" +
+                             box +
+                             "[[0.0, 1.0], [4.0, 3.0]]\n"
+                             "[material.soil]\nmodel = \"linear_elastic\"\ndensity = 1800.0\nshear_modulus = 5.0e6\n"
+                             "poisson_ratio = 0.3\n[forces]\ngravity = [0.0, -9.81]\n"
+                             "[boundary]\nleft = \"roller\"\nright = \"roller\"\nbottom = \"fixed\"\n"
+                             "[[stage]]\nname = \"before\"\nduration = 0.02\n"
+                             "[[stage]]\nname = \"dig\"\nduration = 0.02\nremove = [\"fill\"]\n";
+  EXPECT_EQ(test::terp({"run", file, "-o", run, "-j", "1"}).status, 0);
+  succeeded(test::terp({"export", run, "--dxf", dxf, "--profile", csv}));
+  Real area = 0.0;
+  for (const DxfLine& line : read_dxf(dxf).lines)
+    if (line.closed) area += signed_area(line.places);
+  EXPECT_NEAR(area, 4.0, 0.5);  // of 12 m^2 before
+  std::istringstream profile(text_of(csv));
+  std::string row;
+  std::getline(profile, row);
+  for (int n = 0; std::getline(profile, row) || n == 0; ++n) {
+    Real x = 0.0, start = 0.0, end = 0.0;
+    ASSERT_EQ(std::sscanf(row.c_str(), "%lf,%lf,%lf", &x, &start, &end), 3) << row;
+    EXPECT_NEAR(start, 3.0, 0.2);
+    EXPECT_NEAR(end, 1.0, 0.2);
+  }
+}
+
+}  // namespace section_export_test

@@ -1,0 +1,181 @@
+#include "archives.hpp"
+#include "import/dstability/section.hpp"
+
+namespace read_stix_test {
+
+TEST(ReadStix, GivesWhatAFileOfDataModel2Holds)
+{
+  const StixProject project = read_stix(sample_path(berm));
+  ASSERT_THAT(project.scenarios, SizeIs(1));
+  const StixScenario& scenario = project.scenarios[0];
+  ASSERT_THAT(scenario.stages, SizeIs(1));
+  const StixStage& stage = scenario.stages[0];
+  ASSERT_THAT(stage.layers, SizeIs(2));
+  EXPECT_EQ(project.soils[*stage.layers[1].soil].name, "Clay with silt");
+  EXPECT_EQ(project.soils[*stage.layers[1].soil].ratio.value, 0.22);
+  EXPECT_EQ(project.soils[*stage.layers[1].soil].ratio.deviation, 0.03);
+  EXPECT_EQ(project.soils[*stage.layers[0].soil].weight_above, 19300.0);
+  EXPECT_EQ(stage.water.unit_weight, 9810.0);
+  EXPECT_EQ(stage.loads[0].magnitude, 10000.0);
+  EXPECT_THAT(stage.state_points, SizeIs(2));
+  EXPECT_EQ(scenario.calculations[0].kind, StixCalculationKind::deterministic);
+  EXPECT_NEAR(scenario.calculations[0].result->factor_of_safety, 0.8401, 5e-5);
+  EXPECT_EQ(scenario.calculations[0].result->name, "bishopbruteforce/bishopbruteforceresult");
+  EXPECT_THAT(remarks_of(project), IsEmpty());
+}
+
+TEST(ReadStix, GivesTheStagesOfDataModel1AsOneScenario)
+{
+  const StixProject project = read_stix(sample_path("tutorial-2022.01-v1"));
+  ASSERT_THAT(project.scenarios, SizeIs(1));
+  ASSERT_THAT(project.scenarios[0].stages, SizeIs(8));
+  EXPECT_EQ(project.scenarios[0].stages[5].label, "Improvement");
+  EXPECT_THAT(project.scenarios[0].stages[5].excavations, SizeIs(1));
+  EXPECT_THAT(project.scenarios[0].stages[5].added_layers, SizeIs(2));
+  const StixCalculation& design = project.scenarios[0].calculations[3];
+  EXPECT_EQ(design.stage, 3U);
+  EXPECT_EQ(design.kind, StixCalculationKind::design);
+  EXPECT_NEAR(design.result->factor_of_safety, 1.0150, 5e-5);
+  EXPECT_NEAR(design.result->slices[30].su, 30402.284, 1e-3);  // SuOutput, as there is no SuInput
+}
+
+TEST(ReadStix, OrdersStagesByTheirIdsAndNotByTheNamesOfMembers)
+{
+  Members members = members_of_sample("example-2020.03-v1");
+  for (auto& [name, text] : members) {
+    if (name == "stages/stage.json") name = "stages/stage_2.json";
+    if (name == "stages/stage_1.json") name = "stages\\stage_10.json";
+  }
+  const StixProject project = read_stix_bytes(zip_of(members), "x.stix");
+  EXPECT_EQ(project.scenarios[0].stages[0].label, "Stage 1");
+  EXPECT_EQ(project.scenarios[0].stages[1].label, "Stage 2");
+}
+
+TEST(ReadStix, TellsWhatHasNoPlaceInAContinuum)
+{
+  EXPECT_THAT(remarks_of(read_stix(sample_path("all-result-kinds-stale"))),
+      AllOf(Contains(HasSubstr("scenario 1, stage 1: Forbidden lines")), Contains(HasSubstr("Geotextiles")),
+          Contains(HasSubstr("Nails")), Contains(HasSubstr("Line loads: 1. Left out.")),
+          Contains(HasSubstr("Trees: 1.")), Contains(HasSubstr("The reference line"))));
+}
+
+TEST(ReadStix, TellsOfKeysMembersVersionsAndModelsThatItDoesNotKnow)
+{
+  const std::string text = "\"UnitWeightWater\":9.81";
+  EXPECT_THAT(remarks_of(read_changed("waternets/waternets.json", text, text + ",\"SalinityOfWater\":3")),
+      ElementsAre("waternets/waternets.json, SalinityOfWater: This key is not known to Terp and was not used."));
+  Members members = compact_sample(berm);
+  members.emplace_back("frost/frost.json", "{}");
+  EXPECT_THAT(remarks_of(read_stix_bytes(zip_of(members), "x.stix")),
+      ElementsAre("frost/frost.json: This member is not known to Terp and was not read."));
+  EXPECT_THAT(remarks_of(read_changed("soils.json", "\"ContentVersion\":\"2\"", "\"ContentVersion\":\"3\"")),
+      ElementsAre("soils.json: ContentVersion is \"3\"; Terp knows 1 and 2. It was read as 2."));
+  EXPECT_THAT(remarks_of(read_changed("soils.json", "\"MohrCoulombAdvanced\"", "\"HoekBrown\"")),
+      ElementsAre(HasSubstr("The strength model `HoekBrown` of the soil `Embankment new` is not known to Terp")));
+}
+
+TEST(ReadStix, TakesAByteOrderMarkAndEmptyNumbers)
+{
+  Members members = compact_sample(berm);
+  for (auto& [name, text] : members)
+    if (name == "soils.json") text = "\xEF\xBB\xBF" + text;
+  members = changed(members, "soils.json", "\"Dilatancy\":0.0", "\"Dilatancy\":\"-\"");
+  EXPECT_TRUE(std::isnan(read_stix_bytes(zip_of(members), "x.stix").soils[0].advanced.dilatancy.value));
+}
+
+TEST(ReadStix, SaysWhichLinkLeadsNowhere)
+{
+  EXPECT_THAT(refusal_after("scenarios/scenario.json", "\"GeometryId\":\"", "\"GeometryId\":\"9"),
+      AllOf(HasSubstr("dike.stix, scenarios/scenario.json, Stages[0].GeometryId: names what is not in the file"),
+          HasSubstr("The file is not complete: save it anew in D-Stability.")));
+  EXPECT_THAT(refusal_after("soillayers/soillayers.json", "\"SoilId\":\"", "\"SoilId\":\"999"),
+      HasSubstr("Stages[0].SoilLayersId: leads to a soil that is not in soils.json"));
+  EXPECT_THAT(refusal_after("waternets/waternets.json", "\"PhreaticLineId\":\"", "\"PhreaticLineId\":\"999"),
+      HasSubstr("PhreaticLineId: names a head line that is not there"));
+}
+
+TEST(ReadStix, SaysWhatIsOfTheWrongKind)
+{
+  EXPECT_THAT(refusal_after("waternets/waternets.json", "9.81", "\"much\""),
+      HasSubstr("dike.stix, waternets/waternets.json, UnitWeightWater: needs a number\n  Got the text \"much\"."));
+  EXPECT_THAT(refusal_after("geometries/geometry.json", "\"Layers\":[", "\"Layers\":[7,"),
+      HasSubstr("geometries/geometry.json, Layers[0]: is not an object\n  Got the number 7."));
+  EXPECT_THAT(refusal_after("loads/loads.json", "\"UniformLoads\":[", "\"UniformLoads\":5,\"X\":["),
+      HasSubstr("UniformLoads: is not a list"));
+  EXPECT_THAT(refusal_after("loads/loads.json", "\"Spread\":0", "\"Spread\":9"), Not(HasSubstr("Spread")));
+  EXPECT_THAT(refusal_after("loads/loads.json", "\"Spread\":0", "\"Spread\":90"),
+      HasSubstr("UniformLoads[0].Spread: is out of range\n  Got 90"));
+  EXPECT_THAT(refusal_after("geometries/geometry.json", "\"X\":20.0", "\"X\":1e9"),
+      HasSubstr("Points[0].X: is out of range\n  Got 1000000000 m, at most 1e+07 m either way."));
+}
+
+TEST(ReadStix, RefusesAnIdThatIsThereTwice)
+{
+  Members members = compact_sample(berm);
+  for (const auto& [name, text] : Members(members))
+    if (name == "states/states.json") members.emplace_back("states/states_1.json", text);
+  EXPECT_THAT(refusal_of(members), AllOf(HasSubstr("states/states_1.json, Id: is there twice"),
+                                       HasSubstr("which is also the id of states/states.json.")));
+}
+
+TEST(ReadStix, RefusesAFileWithoutSoilLayersOrOfAnotherProgram)
+{
+  EXPECT_THAT(refusal<InputError>([] { read_stix(sample_path("empty-2023")); }),
+      HasSubstr("has no soil layer in any stage\n  There is nothing to read."));
+  EXPECT_THAT(refusal_of({{"document.xml", "<a/>"}}),
+      HasSubstr("soils.json: is missing\n  This is no file of D-Stability, or one of another program."));
+}
+
+TEST(ReadStix, CollectsTenFaultsAtMost)
+{
+  Members members = compact_sample(berm);
+  for (auto& [name, text] : members)
+    for (std::size_t at = 0; name == "soils.json" && (at = text.find("\"Name\":", at)) != std::string::npos; at += 8)
+      text.replace(at, 7, "\"Name\":7,\"Title\":");
+  try {
+    read_stix_bytes(zip_of(members), "x.stix");
+    ADD_FAILURE() << "was read";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.problems().size(), 10U);  // of 12 soils
+    EXPECT_EQ(error.problems()[1].key, "x.stix, soils.json, Soils[1].Name");
+    EXPECT_EQ(error.problems()[1].what, "is not a text");
+  }
+}
+
+TEST(ReadStix, ReadsEverySampleButTheEmptyOne)
+{
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("tests/import/dstability/samples"))) {
+    if (entry.path().extension() != ".stix" || entry.path().stem() == "empty-2023") continue;
+    EXPECT_EQ(refusal([&] { read_stix(entry.path().string()); }), "") << entry.path();
+  }
+}
+
+TEST(ReadStix, RefusesIdsThatAreThereTwice)
+{
+  EXPECT_THAT(refusal_after("scenarios/scenario.json", "\"Stages\":[{\"Id\":\"1\"", "\"Stages\":[{\"Id\":\"0\""),
+      HasSubstr("scenario 1, stage 1: has the id 0, which scenario 1 has\n"));
+  EXPECT_THAT(
+      refusal_after("scenarios/scenario.json", "\"Calculations\":[{\"Id\":\"2\"", "\"Calculations\":[{\"Id\":\"1\""),
+      HasSubstr("scenario 1, calculation 1: has the id 1, which scenario 1, stage 1 has\n"));
+}
+
+TEST(ReadStix, TellsOfALayerWithTwoStatePoints)
+{
+  const StixProject project =
+      read_changed("states/states.json", "\"Id\":\"25\",\"LayerId\":\"17\"", "\"Id\":\"25\",\"LayerId\":\"16\"");
+  EXPECT_THAT(
+      remarks_of(project), ElementsAre("scenario 1, stage 1: The layer with the id 16 has two state points. This stage "
+                                       "and later ones cannot be computed."));
+  EXPECT_THAT(refusal<InputError>([&] { StixSection(project, 0, 0, StixBasis::deterministic); }),
+      HasSubstr("the layer with the id 16 has two state points\n  Which one holds cannot be known."));
+}
+
+TEST(ReadStix, SaysThatTheFolderWasZippedAsAWhole)
+{
+  Members members = compact_sample(berm);
+  for (auto& [name, text] : members) name = "berm/" + name;
+  EXPECT_THAT(
+      refusal_of(members), HasSubstr("soils.json: is missing\n  All members lie in a folder. Zip the files in it"));
+}
+
+}  // namespace read_stix_test
