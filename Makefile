@@ -65,7 +65,7 @@ wheel: build     ## a wheel of the Python package with its compiled part
 	@packaging/make_wheel $(BUILD)
 
 verify: build    ## all cases with a known answer, or CASE="name name"; writes build/ and docs/verification.md
-	@$(TERP) verify $(CASE) --markdown $(BUILD)/verification.md --overview docs/verification.md
+	@$(PYTHON) -m terp.verify $(CASE) --terp $(TERP) --markdown $(BUILD)/verification.md --overview docs/verification.md
 
 physics: build   ## the table of sound physics: rest, slides, energy; ARGS="--seed 2 --rows level_clay" (tests/physics)
 	@/usr/bin/python3 tests/physics/table.py --terp $(TERP) $(ARGS)

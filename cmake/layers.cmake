@@ -59,8 +59,7 @@ target_include_directories(terp_io SYSTEM PRIVATE ${HDF5_INCLUDE_DIRS})
 add_layer(import LEFT io LIBRARIES ${ZIP_LIBRARY})
 add_layer(page LEFT io)
 add_layer(batch LEFT page LIBRARIES ${CMAKE_DL_LIBS})
-add_layer(verify LEFT io)
-set(TERP_LAYERS math os soil mpm model run io import page batch verify)
+set(TERP_LAYERS math os soil mpm model run io import page batch)
 
 # All of them, for whoever wants Terp and not a layer: the program, the module of Python, a program elsewhere.
 add_library(terp_core INTERFACE)

@@ -31,6 +31,8 @@ void declare_solvers(CLI::App& app, CommandLine& line)
   run->add_flag("--force", line.options.force, "replace the results of an earlier run");
   run->add_flag("--report", line.options.report, "write the page of the run at its end: DIR/report.html");
   add_language(run, line.options.language);
+  run->add_flag("--exact-fields", line.options.exact_fields,
+      "write the fields of the frames with 64 bits per number\n(default: 32); not kept by terp resume");
 
   CLI::App* resume = add_command(app, "resume", "Solve",
       "go on from the newest checkpoint of a run folder\nor from the checkpoint file that is named. The case in the "
@@ -209,27 +211,6 @@ void declare_viewers(CLI::App& app, CommandLine& line)
   add_option(exported, "--profile FILE", line.exported.profile, "instead: the ground before and after, as a table");
 }
 
-void declare_verify(CLI::App& app, VerifyOptions& options)
-{
-  CLI::App* verify = add_command(app, "verify", "Understand",
-      "solve problems with a known answer\nPrints what came out (docs/verification_cases.md); without a name all of "
-      "them.",
-      "  terp verify infinite_slope\n  terp verify --short --markdown ledger.md\n");
-  add_option(verify, "CASE", options.names, "names of cases");
-  verify->add_flag("--list", options.list, "names and titles");
-  CLI::Option* only_short =
-      verify->add_flag("--short", options.only_short, "only those that take seconds")->option_text(" ");
-  CLI::Option* only_long = verify->add_flag("--long", options.only_long, "only those that take minutes");
-  only_long->option_text(" ")->excludes(only_short);
-  add_option(verify, "--markdown FILE", options.markdown, "write the ledger as a page");
-  add_option(verify, "--overview FILE", options.overview,
-      "write one line per case, and what does not agree;\nan old page keeps the cases that are not solved")
-      ->excludes(only_short)
-      ->excludes(only_long);
-  add_option(verify, "--cases DIR", options.cases, "folder of the cases");
-  add_threads(verify, options.threads);
-}
-
 void declare_guides(CLI::App& app, CommandLine& line)
 {
   CLI::App* check = add_command(app, "check", "Understand",
@@ -306,7 +287,6 @@ void declare(CLI::App& app, CommandLine& line)
   declare_watch(app, line.watch);
   declare_viewers(app, line);
   declare_guides(app, line);
-  declare_verify(app, line.verify);
   declare_import(app, line.imported);
   declare_assess(app, line.assess);
 }

@@ -15,7 +15,6 @@ struct CommandLine {
   RunOptions options;
   StabilityOptions stability;
   std::vector<double> stability_cells;  ///< of stability: sizes [m]
-  VerifyOptions verify;
   ConvergeOptions converge;
   StudyCommand study;
   std::string topic;

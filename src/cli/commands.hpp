@@ -34,6 +34,7 @@ struct RunOptions {
   long steps = 100, warm_steps = 50;  ///< of bench: in each of five trials, and before them
   bool json = false;                  ///< of bench
   bool report = false;                ///< write the page of the run at its end
+  bool exact_fields = false;          ///< of run: fields of the frames in double precision
   std::string language = "en";        ///< of that page
   std::string picture;                ///< of check: SVG file of the section; empty: none
   std::vector<double> profiles;       ///< of check: x of vertical lines [m]
@@ -52,14 +53,6 @@ struct ConvergeOptions {
   double tolerance = 0.02;
   bool estimate = false;      ///< say what it would cost, and end
   bool what_decides = false;  ///< change inputs one at a time, and say which of them give another outcome
-};
-
-struct VerifyOptions {
-  std::vector<std::string> names;  ///< of cases; empty: all
-  std::string cases;               ///< folder of the cases; empty: that beside the program
-  std::string markdown, overview;  ///< pages to write; empty: none
-  int threads = 0;                 ///< 0: what this job may use
-  bool list = false, only_short = false, only_long = false;
 };
 
 struct ReportCommand {
@@ -143,7 +136,6 @@ int converge_case(const ConvergeOptions& options);
 int study_case(const StudyCommand& command);
 int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);
-int verify_cases(const VerifyOptions& options);
 int report_runs(const ReportCommand& command);
 int compare_folders(const ReportCommand& command);
 int export_run(const ExportCommand& command);

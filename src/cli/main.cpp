@@ -64,7 +64,6 @@ int call(const CLI::App& app, const terp::CommandLine& line)
   if (app.got_subcommand("assess")) return terp::assess_reach(line.assess);
   if (app.got_subcommand("watch")) return terp::watch_run(line.watch);
   if (app.got_subcommand("bench")) return terp::bench_case(line.options);
-  if (app.got_subcommand("verify")) return terp::verify_cases(line.verify);
   if (app.got_subcommand("schema")) return fmt::print("{}", terp::case_schema()), terp::solved;
   fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());
   return terp::solved;

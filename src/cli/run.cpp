@@ -418,10 +418,10 @@ int run_case(const RunOptions& options)
     warn_of_missing_threads(options, simulation.model.threads);
     if (is_alone(options))
       fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
-    const auto writer =
-        RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
-                             record_text(make_case_record(file, *simulation.model.mesh)), file.inputs, all_tables()},
-            options.force);
+    const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
+                                             record_text(make_case_record(file, *simulation.model.mesh)), file.inputs,
+                                             all_tables(), options.exact_fields},
+        options.force);
     return solve_and_show(simulation, *writer, options, folder);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));

@@ -40,27 +40,6 @@ Real order_of(Real quotient, Real r21, Real r32)
 
 }  // namespace
 
-Real log_slope(const std::vector<Real>& x, const std::vector<Real>& y)
-{
-  Real mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0;
-  const auto n = static_cast<Real>(x.size());
-  for (std::size_t k = 0; k < x.size(); ++k) mean_x += std::log(x[k]) / n, mean_y += std::log(y[k]) / n;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    xx += std::pow(std::log(x[k]) - mean_x, 2);
-    xy += (std::log(x[k]) - mean_x) * (std::log(y[k]) - mean_y);
-  }
-  return xx > 0.0 ? xy / xx : nan;
-}
-
-Real observed_order(const std::vector<Real>& x, const std::vector<Real>& y)
-{
-  const auto runs = from_fine_to_coarse(x, y);
-  std::vector<Real> sizes, steps;
-  for (std::size_t k = 0; k + 1 < runs.size(); ++k)
-    sizes.push_back(runs[k].first), steps.push_back(std::abs(runs[k + 1].second - runs[k].second));
-  return log_slope(sizes, steps);
-}
-
 RefinementEstimate estimate_limit(const std::vector<Real>& x, const std::vector<Real>& y)
 {
   RefinementEstimate estimate{Trend::unknown, nan, nan, nan};
@@ -86,26 +65,6 @@ RefinementEstimate estimate_limit(const std::vector<Real>& x, const std::vector<
     estimate.uncertainty = (estimate.order_is_usable() ? safety_of_limit : safety_of_bounded_order) * std::abs(rest);
   }
   return estimate;
-}
-
-Limit extrapolate(const std::vector<Real>& x, const std::vector<Real>& y)
-{
-  const RefinementEstimate estimate = estimate_limit(x, y);
-  if (estimate.trend == Trend::unchanged) {
-    const auto runs = from_fine_to_coarse(x, y);
-    if (runs[2].second != runs[1].second) return {runs[0].second, 0.0};
-  }
-  if (estimate.trend != Trend::monotone) return {nan, nan};
-  const Real finest = from_fine_to_coarse(x, y)[0].second;
-  return {estimate.limit, safety_of_limit * std::abs(estimate.limit - finest)};
-}
-
-Limit extrapolate_by(Real order, const std::vector<Real>& x, const std::vector<Real>& y)
-{
-  if (x.size() < 2) return {nan, nan};
-  const auto runs = from_fine_to_coarse(x, y);
-  const Real rest = (runs[0].second - runs[1].second) / (std::pow(runs[1].first / runs[0].first, order) - 1.0);
-  return {runs[0].second + rest, safety_of_limit * std::abs(rest)};
 }
 
 }  // namespace terp

@@ -1,5 +1,5 @@
-// Results of several runs with refined cells or steps: order of convergence, the limit to which they tend, and how far
-// from it they may be.
+// Results of several runs with refined cells: order of convergence, the limit to which they tend, and how far from it
+// they may be.
 #pragma once
 
 #include "math/types.hpp"
@@ -7,13 +7,6 @@
 #include <vector>
 
 namespace terp {
-
-/// Slope of the straight line through (log x, log y) with the least squares [-]; NaN with fewer than two different x.
-Real log_slope(const std::vector<Real>& x, const std::vector<Real>& y);
-
-/// Order at which y tends to an unknown limit: slope of log |differences of successive y| over log x, refined by one
-/// factor [-].
-Real observed_order(const std::vector<Real>& x, const std::vector<Real>& y);
 
 /// How the results on the three finest sizes follow each other.
 enum class Trend {
@@ -47,17 +40,5 @@ struct RefinementEstimate {
 /// oscillates the uncertainty is half of its range (F. Stern et al., J. Fluids Eng. 123 (2001) 793-802). x: positive
 /// and different; y: finite.
 RefinementEstimate estimate_limit(const std::vector<Real>& x, const std::vector<Real>& y);
-
-/// Limit of y as x tends to 0, and its uncertainty.
-struct Limit {
-  Real value, uncertainty;
-};
-
-/// The limit of estimate_limit, with safety_of_limit times its distance from the finest run as its uncertainty; NaN
-/// with fewer than three runs, or where the differences do not fall.
-Limit extrapolate(const std::vector<Real>& x, const std::vector<Real>& y);
-
-/// The same of the two finest runs by an order that is not observed; NaN with fewer than two.
-Limit extrapolate_by(Real order, const std::vector<Real>& x, const std::vector<Real>& y);
 
 }  // namespace terp

@@ -33,15 +33,14 @@ TEST(Help, NamesTheCommandsAndExitStatuses)
 TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
 {
   const std::vector<std::pair<std::string, std::vector<std::string>>> commands{
-      {"run", {"--output", "--threads", "--set", "--force", "--report", "--quiet", "--verbose", "--from RUN[:STAGE]",
-                  "RUN, a folder, with its newest checkpoint", "runs/NAME"}},
+      {"run", {"--output", "--threads", "--set", "--force", "--report", "--quiet", "--verbose", "--exact-fields",
+                  "--from RUN[:STAGE]", "RUN, a folder, with its newest checkpoint", "runs/NAME"}},
       {"resume", {"--threads", "--report", "--quiet"}},
       {"stability", {"--from", "--to", "--tolerance", "--damping", "--rest", "--failure", "--windows", "--output",
                         "--json", "--set"}},
       {"converge", {"--cells", "--variant", "--tolerance", "--estimate", "--output", "--force", "--report", "--json"}},
       {"check", {"--set", "--picture"}}, {"bench", {"--steps", "--warm", "--json", "--set"}}, {"report", {"--output"}},
       {"compare", {"--json"}}, {"export", {"--field", "--frames", "--output"}}, {"watch", {"--every", "--once"}},
-      {"verify", {"--list", "--short", "--long", "--markdown", "--overview", "--cases", "--threads"}},
       {"study", {"mpirun", "--part", "--keep"}}, {"assess", {"--estimate"}}, {"import", {"--slices"}},
       {"explain", {"TOPIC"}}, {"list", {}}};
   for (const auto& [command, options] : commands) {
@@ -60,7 +59,7 @@ TEST(Help, OffersNothingThatACommandDoesNotDo)
     EXPECT_THAT(test::terp({command, "--help"}).out, Not(HasSubstr("--verbose"))) << "there are no passes to be timed";
     EXPECT_EQ(test::terp({command, "-v"}).status, 2);
   }
-  EXPECT_THAT(test::terp({"verify", "--help"}).out, Not(HasSubstr("Excludes")));
+  EXPECT_THAT(test::terp({"stability", "--help"}).out, Not(HasSubstr("Excludes")));
 }
 
 TEST(Help, IsWhatTerpAloneSays) { EXPECT_EQ(succeeded(test::terp({})).out, test::terp({"--help"}).out); }
@@ -92,7 +91,7 @@ TEST(CommandLine, NamesAWordThatIsNoCommandAndTheNearestThatIs)
   EXPECT_EQ(f.out, "");
   EXPECT_EQ(f.err,
       "error: there is no command `rnu`\n  Did you mean `run`?\n  Commands: run, resume, stability, converge, study, "
-      "watch, report, compare, export, check, explain, list, schema, bench, verify, import, assess\n"
+      "watch, report, compare, export, check, explain, list, schema, bench, import, assess\n"
       "Usage: terp COMMAND [options]; see terp --help\n");
   EXPECT_THAT(test::terp({"bogus"}).err, StartsWith("error: there is no command `bogus`\n  Commands: run, "));
   EXPECT_THAT(test::terp({"cases/a.toml"}).err, HasSubstr("  To solve that case: terp run cases/a.toml\n"));

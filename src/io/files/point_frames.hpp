@@ -9,13 +9,18 @@ namespace terp {
 
 class PointFrameWriter {
  public:
-  explicit PointFrameWriter(FrameSeries series) : series_(std::move(series)) {}
+  /// exact_fields: they have double precision, not single.
+  explicit PointFrameWriter(FrameSeries series, bool exact_fields = false)
+      : series_(std::move(series)), exact_fields_(exact_fields)
+  {
+  }
 
   /// The frame is there when its last part is.
   void append(const Frame& frame);
 
  private:
   FrameSeries series_;
+  bool exact_fields_;
 };
 
 }  // namespace terp

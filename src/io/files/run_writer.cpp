@@ -99,7 +99,7 @@ void keep_as_checkpoint(const std::string& stage, const std::string& folder, std
 RunWriter::RunWriter(RunWriterSettings settings, FolderLock lock, FrameSeries points, FrameSeries mesh)
     : settings_(std::move(settings)),
       lock_(std::move(lock)),
-      points_(std::move(points)),
+      points_(std::move(points), settings_.exact_fields),
       mesh_(std::move(mesh)),
       background_(most_waiting)
 {

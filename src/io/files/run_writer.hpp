@@ -25,6 +25,7 @@ struct RunWriterSettings {
   std::string case_record = {};                              ///< what the run began with, for its checkpoints
   std::vector<InputFile> inputs = {};                        ///< files that the case names
   std::vector<std::shared_ptr<const RunTable>> tables = {};  ///< that the run may write
+  bool exact_fields = false;                                 ///< fields of the frames in double precision
 };
 
 /// A checkpoint, and what the other files of the run must hold up to there.

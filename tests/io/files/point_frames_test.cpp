@@ -52,6 +52,14 @@ TEST_F(PointFrames, KeepPlacesToTheBitAndFieldsInSinglePrecision)
   EXPECT_THAT(std::vector<Real>(v.begin() + 3, v.begin() + 6), ElementsAre(2010.4f, 2010.5f, 0.0));
 }
 
+TEST_F(PointFrames, KeepFieldsToTheBitWhereTheyAreToBeExact)
+{
+  PointFrameWriter({folder, point_frames, ""}, true).append(sample_frame(2));
+  const Hdf5File file(path_in(folder, frame_file(point_frames, 0)), Hdf5File::Mode::read);
+  EXPECT_EQ(file.read<Real>("/VTKHDF/PointData/su"), sample_frame(2).fields[0].values);
+  EXPECT_NE(sample_frame(2).fields[0].values, as_single(sample_frame(2).fields[0].values));
+}
+
 TEST_F(PointFrames, StateUnitsAndComponents)
 {
   const Hdf5File file(write_frames(folder, 0), Hdf5File::Mode::read);
