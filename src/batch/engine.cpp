@@ -1,15 +1,13 @@
-// How it thinks: workers take the next number, solve it, and give the result to one thread (of processes, ranks.hpp:
-// the one that hands out), which appends it to the store and looks whether the rule is met. Which numbers are in the
-// table follows from the numbers alone (TableCounter): workers may finish in any order.
+// How it thinks: workers take the next number, solve it, and give the result to one thread, which appends it to the
+// store and looks whether the rule is met. Which numbers are in the table follows from the numbers alone
+// (TableCounter): workers may finish in any order. A part looks at the rows of all parts from time to time: the rule is
+// one of the whole study.
 
 #include "batch/engine.hpp"
 
 #include "io/files/run_folder.hpp"
 #include "os/background.hpp"
 #include "os/threads.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <chrono>
 #include <exception>
@@ -25,6 +23,7 @@ class Team {
   Team(const Study& study, const std::string& folder, const EngineOptions& options, const std::atomic<bool>& stop,
       const std::vector<Index>& numbers, std::function<Draw(Index)> draw, Realisations& rows)
       : study_(study),
+        folder_(folder),
         options_(options),
         stop_(stop),
         draw_(std::move(draw)),
@@ -40,7 +39,7 @@ class Team {
   {
     table_.take(rows_);
     if (table_.rule_met() || todo_.empty()) return StudyEnd::rule_met;
-    options_.ranks != nullptr ? hand_out() : use_threads();
+    use_threads();
     if (stop_.load()) return StudyEnd::stopped;
     return out_of_time_.load() ? StudyEnd::out_of_time : StudyEnd::rule_met;
   }
@@ -63,20 +62,6 @@ class Team {
     if (error_) std::rethrow_exception(error_);
   }
 
-  void hand_out()
-  {
-    const bool adaptive = info_of(study_.settings.estimator).adaptive;
-    options_.ranks->solve({.goes_on = [this] { return may_go_on(); },
-        .is_stopped = [this] { return stop_.load(); },
-        .next = [this]() -> std::optional<Index> {
-          const std::size_t k = next_.fetch_add(1);
-          return k < todo_.size() ? std::optional(todo_[k]) : std::nullopt;
-        },
-        .inputs_of = [this, adaptive](
-                         Index n) { return adaptive ? fmt::format("{}", fmt::join(draw_(n).inputs, " ")) : ""; },
-        .take = [this](const Realisation& newest) { take(newest); }});
-  }
-
   void work()
   {
     try {
@@ -97,12 +82,23 @@ class Team {
   {
     store_.append(newest);
     rows_.emplace(newest.number, newest);
-    if (study_.settings.stop.cov > 0.0 && options_.part.n_all == 1) table_.take(rows_);
-    if (table_.rule_met()) enough_ = true;
+    if (study_.settings.stop.cov > 0.0) look_at_rule();
     if (options_.show) options_.show(newest, rows_);
   }
 
+  void look_at_rule()
+  {
+    if (options_.part.n_all > 1) {
+      if (std::chrono::duration<double>(Clock::now() - last_look_).count() < options_.look_every) return;
+      last_look_ = Clock::now();
+      rows_.merge(read_store(study_, folder_).rows);
+    }
+    table_.take(rows_);
+    if (table_.rule_met()) enough_ = true;
+  }
+
   const Study& study_;
+  const std::string& folder_;
   const EngineOptions& options_;
   const std::atomic<bool>& stop_;
   std::function<Draw(Index)> draw_;
@@ -110,6 +106,7 @@ class Team {
   StoreWriter store_;
   TableCounter table_;
   std::vector<Index> todo_;
+  Clock::time_point last_look_ = Clock::now();
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> enough_{false}, out_of_time_{false}, failed_{false};
   std::exception_ptr error_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "batch/estimates.hpp"
-#include "batch/ranks.hpp"
+#include "batch/store.hpp"
 
 #include <chrono>
 #include <functional>
@@ -12,7 +12,7 @@ namespace terp {
 struct EngineOptions {
   int threads = 1;
   StudyPart part = {};
-  RankServer* ranks = nullptr;  ///< whose workers solve; null: threads of this process
+  double look_every = 60.0;  ///< [s] of a part with a rule: the time between looks at what the others have solved
   std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();  ///< from which `stop.time` counts
   /// Called after each realisation, by one thread at a time. all: with what was there before.
   std::function<void(const Realisation& newest, const Realisations& all)> show = {};

@@ -64,4 +64,7 @@ std::optional<Realisation> realisation_of(std::string_view line, std::size_t n_i
 std::string check_that_bits_agree(
     const Study& study, const std::string& folder, const StoredStudy& stored, const std::atomic<bool>& stop);
 
+/// A warning where parts that ran at one time had instruction sets that give other bits; empty: none had.
+std::string why_bits_differ(const StoredStudy& stored);
+
 }  // namespace terp

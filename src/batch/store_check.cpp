@@ -52,4 +52,16 @@ std::string check_that_bits_agree(
   return notes;
 }
 
+std::string why_bits_differ(const StoredStudy& stored)
+{
+  for (const SolvedUnder& solver : stored.solvers)
+    if (const StoreHead& first = stored.solvers.front().head; same_bits(first, solver.head) == SameBits::no)
+      return fmt::format(
+          "warning: parts of this study were solved with {} and with {}, which give other bits\n  The table is not "
+          "that "
+          "of one process. Begin anew with TERP_INSTRUCTIONS=sse2 on all machines.\n",
+          first.instructions, solver.head.instructions);
+  return "";
+}
+
 }  // namespace terp

@@ -50,6 +50,12 @@ bool is_read_from_copy(const Study& study, const std::string& folder)
   return fs::path(source.path).filename() == study_copy && lies_in(source.path, folder) && is_copy(source.text);
 }
 
+/// Where the lock of that name lies in a study folder.
+std::string lock_folder_of(const std::string& folder, const std::string& lock)
+{
+  return path_in(folder, fmt::format("locks/{}", lock));
+}
+
 constexpr std::array<std::string_view, 6> result_files = {
     study_results, study_numbers, study_report, fragility_table, fragility_of_slides, fragility_of_floods};
 
@@ -88,11 +94,6 @@ void check_study_folder(const Study& study, const std::string& folder)
   for (const std::string_view name : result_files)
     if (fs::exists(path_in(folder, name), none)) refuse(fmt::format("a {} of something else", name));
   if (fs::exists(path_in(folder, case_file), none)) refuse(fmt::format("a {} of something else", case_file));
-}
-
-std::string lock_folder_of(const std::string& folder, const std::string& lock)
-{
-  return path_in(folder, fmt::format("locks/{}", lock));
 }
 
 StudyPlace::StudyPlace(std::string folder, const std::string& lock)

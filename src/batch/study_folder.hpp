@@ -31,9 +31,6 @@ std::string folder_of_study(const std::string& path, const std::string& output, 
 /// things lie under the names of results. Makes nothing.
 void check_study_folder(const Study& study, const std::string& folder);
 
-/// Where the lock of that name lies in a study folder.
-std::string lock_folder_of(const std::string& folder, const std::string& lock);
-
 /// A study folder in which this process may write: it holds a lock of that name. Files come from a folder of the lock
 /// under their own names, so that no two processes write to one file.
 class StudyPlace {
@@ -41,7 +38,6 @@ class StudyPlace {
   /// Makes the folder. Throws FileError where another process holds the lock.
   StudyPlace(std::string folder, const std::string& lock);
   const std::string& folder() const { return folder_; }
-  const std::string& lock_folder() const { return own_; }
   /// Replaces a file, whole or not at all; one that has this content is left.
   void write(const std::string& name, const std::string& content) const;
   /// Removes the store, what was said of it and runs of --keep, but for the copies of study and case.

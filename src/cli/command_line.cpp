@@ -148,8 +148,9 @@ void declare_study(CLI::App& app, StudyCommand& command)
       "on.\n\nACTION\n"
       "  check   what would run, how long, on what\n"
       "  sample  what would be drawn: histograms of the input\n"
-      "  run     solve, or go on; results go to runs/NAME/. Under mpirun or srun all\n"
-      "          processes solve one study, each on -j threads (default there: 1)\n"
+      "  run     solve, or go on; results go to runs/NAME/. Under mpirun, srun or an\n"
+      "          array of Slurm each process makes its part, on -j threads (default\n"
+      "          of mpirun and srun: 1), and the last one writes the results\n"
       "  status  what the realisations that are solved say\n"
       "  report  the same, with the page report.html and the table results.csv",
       "  terp study check cases/dike_study/dike_study.toml\n  terp study run cases/dike_study/dike_study.toml -j 2\n"
@@ -159,8 +160,8 @@ void declare_study(CLI::App& app, StudyCommand& command)
       ->check(CLI::IsMember({"check", "sample", "run", "status", "report"}));
   add_option(study, "STUDY", command.path, "study file (.toml), or the folder of a study")->required();
   add_output(study, command.output, "folder of the study (default: runs/NAME)");
-  add_option(
-      study, "--part K/N", command.part, "of run: every N-th realisation, from the K-th; for\narrays of batch systems");
+  add_option(study, "--part K/N", command.part,
+      "of run: every N-th realisation, from the K-th; for\nother batch systems than those above");
   add_option(study, "--keep A,B", command.keep,
       "of run: solve these realisations once more, with all\nthe files of a run, in DIR/kept; counted from 0")
       ->delimiter(',');

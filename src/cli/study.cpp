@@ -1,4 +1,4 @@
-// Under a launcher the worker of a rank begins before the study is opened, and all but solving is done by rank 0 alone.
+// Of several processes that a launcher started the first one warns and shows how far it is; they would say the same.
 // The check times the case without draws, then sets up the first realisation: only there do all draws meet. A
 // realisation that is kept must have the outcomes of the store to the bit. Where events end realisations, its run with
 // files goes on beyond them; then it is solved once more as the study does.
@@ -145,6 +145,7 @@ int report_study(const Study& study, const std::string& folder, bool writes)
   if (stored.n_files == 0)
     throw FileError(fmt::format("{}: there are no results of this study yet\n  Begin with: terp study run", folder));
   fmt::print("{}", study_text(study, stored.rows));
+  fmt::print(stderr, "{}", why_bits_differ(stored));
   if (stored.n_broken > 0)
     fmt::print(
         "  note: in the store {} lines were cut or altered; their realisations are made again\n", stored.n_broken);
@@ -219,25 +220,23 @@ int keep(const Study& study, const std::string& folder, Index number, const Stud
 
 int study_case(const StudyCommand& command)
 {
-  const Launched launched = find_launch([](const char* name) { return std::getenv(name); });
-  std::optional<Children> worker;
-  if (!launched.is_alone()) {
-    const bool solves = command.action == "run" && command.keep.empty();
-    if (!solves && launched.rank > 0) return solved;  // rank 0 answers
-    if (solves)
-      if (const auto status = begin_worker(command, launched, worker.emplace(1))) return *status;
-  }
+  const bool takes_part = command.action == "run" && command.part.empty() && command.keep.empty();
+  const Launched launched = takes_part ? find_launch([](const char* name) { return std::getenv(name); }) : Launched{};
   const Study study = open_study(command.path);
   const std::string folder = folder_of_study(command.path, command.output, study);
-  fmt::print(stderr, "{}{}", render_warnings(study.base), render_warnings(find_doubts(study), study.settings.source));
-  const int threads = command.threads > 0 ? command.threads : available_processors();
+  if (!launched.is_silent)
+    fmt::print(stderr, "{}{}", render_warnings(study.base), render_warnings(find_doubts(study), study.settings.source));
+  const int threads = command.threads > 0 ? command.threads : launched.shares_machine ? 1 : available_processors();
   if (command.action == "check") return check_study(study, threads);
   if (command.action == "sample") return sample_study(study, folder, command);
   if (command.action == "status") return report_study(study, folder, false);
   if (command.action == "report") return report_study(study, folder, true);
   int status = solved;
   for (const int number : command.keep) status = std::max(status, keep(study, folder, number, command));
-  return command.keep.empty() ? run_study(study, folder, command, launched) : status;
+  if (!command.keep.empty()) return status;
+  StudyCommand own = command;
+  own.threads = threads, own.quiet |= launched.is_silent;
+  return run_study(study, folder, own, launched);
 }
 
 }  // namespace terp

@@ -15,10 +15,10 @@
 
 namespace terp {
 
-StudyProgress::StudyProgress(const Study& study, const StudyPart& part, std::function<int()> n_at_a_time, bool quiet)
+StudyProgress::StudyProgress(const Study& study, const StudyPart& part, int n_at_a_time, bool quiet)
     : study_(study),
       part_(part),
-      n_at_a_time_(std::move(n_at_a_time)),
+      n_at_a_time_(n_at_a_time),
       quiet_(quiet),
       terminal_(is_terminal(stdout)),
       shows_p_(info_of(study.settings.estimator).counts_alike && !study.settings.fragility),
@@ -67,7 +67,7 @@ void StudyProgress::show(const Realisation& newest, const Realisations& all)
   }
   if (!adaptive)
     line += fmt::format("  ETA {}{}", study_.settings.stop.cov > 0.0 ? "at most " : "",
-        readable_duration(seconds_left() / n_at_a_time_()));
+        readable_duration(seconds_left() / n_at_a_time_));
   terp::show(stdout, terminal_ ? "\r\033[K" + line : line + '\n');
   open_ = terminal_;
 }

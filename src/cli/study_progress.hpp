@@ -6,14 +6,13 @@
 
 #include <array>
 #include <chrono>
-#include <functional>
 
 namespace terp {
 
 class StudyProgress {
  public:
   /// n_at_a_time: realisations that are solved at once.
-  StudyProgress(const Study& study, const StudyPart& part, std::function<int()> n_at_a_time, bool quiet);
+  StudyProgress(const Study& study, const StudyPart& part, int n_at_a_time, bool quiet);
   void show(const Realisation& newest, const Realisations& all);
   void finish();
 
@@ -23,7 +22,7 @@ class StudyProgress {
 
   const Study& study_;
   StudyPart part_;
-  std::function<int()> n_at_a_time_;
+  int n_at_a_time_;
   bool quiet_, terminal_, shows_p_, open_ = false;
   Clock::time_point start_ = Clock::now();
   /// Of one level; the fine one, or the only one, first.

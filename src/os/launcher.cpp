@@ -1,6 +1,9 @@
 #include "os/launcher.hpp"
 
+#include "math/errors.hpp"
+
 #include <charconv>
+#include <fmt/format.h>
 #include <optional>
 #include <string_view>
 
@@ -10,11 +13,11 @@ namespace {
 /// Names of variables; an mpirun within a job of Slurm sets its own, and they count first. Slurm gives the number of
 /// tasks of a job to the batch script, too, which is one process: only that of a step is one of launched processes.
 constexpr struct {
-  const char *rank, *size, *job, *step;
+  const char *rank, *size;
 } launchers[] = {
-    {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "PMIX_NAMESPACE", ""},
-    {"PMI_RANK", "PMI_SIZE", "PMI_JOBID", ""},
-    {"SLURM_PROCID", "SLURM_STEP_NUM_TASKS", "SLURM_JOB_ID", "SLURM_STEP_ID"},
+    {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
+    {"PMI_RANK", "PMI_SIZE"},
+    {"SLURM_PROCID", "SLURM_STEP_NUM_TASKS"},
 };
 
 std::optional<int> number_in(const char* text)
@@ -26,21 +29,36 @@ std::optional<int> number_in(const char* text)
   return result.ec == std::errc() && result.ptr == word.data() + word.size() ? std::optional(value) : std::nullopt;
 }
 
+/// Slurm numbers the tasks as the user asked: --array=3-9:2 has 3, 5, 7 and 9.
+Launched place_in_array(int task, int n, int first, int step)
+{
+  const int place = step > 0 ? (task - first) / step : -1;
+  if (place < 0 || place >= n || first + place * step != task)
+    throw FileError(
+        fmt::format("SLURM_ARRAY_TASK_ID is {}, of {} tasks: the array has gaps, and this task has no place in it\n"
+                    "  Number the tasks evenly, as --array=1-{}, or say which part each makes: --part K/N",
+            task, n, n));
+  return {.rank = place, .size = n};
+}
+
 }  // namespace
 
 Launched find_launch(const std::function<const char*(const char*)>& environment)
 {
-  const auto word = [&](const char* name) {
-    const char* text = environment(name);
-    return std::string(text != nullptr ? text : "");
-  };
+  const auto number = [&](const char* name) { return number_in(environment(name)); };
+  Launched found;
   for (const auto& launcher : launchers) {
-    const auto rank = number_in(environment(launcher.rank)), size = number_in(environment(launcher.size));
+    const auto rank = number(launcher.rank), size = number(launcher.size);
     if (!rank || !size || *rank < 0 || *rank >= *size) continue;
-    const std::string job = word(launcher.job);
-    return {.rank = *rank, .size = *size, .job = job.empty() ? job : job + '.' + word(launcher.step)};
+    found = {.rank = *rank, .size = *size, .shares_machine = *size > 1, .is_silent = *rank > 0};
+    break;
   }
-  return {};
+  const auto task = number("SLURM_ARRAY_TASK_ID"), n = number("SLURM_ARRAY_TASK_COUNT");
+  if (!task || !n) return found;
+  const Launched array = place_in_array(
+      *task, *n, number("SLURM_ARRAY_TASK_MIN").value_or(1), number("SLURM_ARRAY_TASK_STEP").value_or(1));
+  found.rank += array.rank * found.size, found.size *= array.size;
+  return found;
 }
 
 }  // namespace terp

@@ -37,6 +37,25 @@ TEST(Engine, PartsMakeTheWholeTable)
   EXPECT_EQ(study_csv(place.study, read_store(place.study, place.of("parts")).rows), table);
 }
 
+TEST(Engine, APartEndsWhereAllPartsTogetherMeetTheRule)
+{
+  const StudyWithStores place(changed(column_study, "number = 12", "number = 240\ncov = 0.3"));
+  const std::string table = study_csv(place.study, place.run("whole"));
+  place.run("other", {.part = {2, 2}});
+  const auto n_of_part_1 = [&](const std::string& store, double look_every) {
+    const std::string file = place.of(store) + "/part_2_of_2.rows";
+    place.run(store, {.part = {1, 2}, .look_every = look_every, .show = [&](const auto&, const auto&) {
+                        if (!std::filesystem::exists(file))
+                          std::filesystem::copy(place.of("other") + "/part_2_of_2.rows", file);
+                      }});
+    EXPECT_EQ(study_csv(place.study, read_store(place.study, place.of(store)).rows), table) << "cut by the rule";
+    return std::ranges::count(read_file(place.of(store) + "/part_1_of_2.rows"), '\n') - 1;
+  };
+  EXPECT_LT(std::ranges::count(table, '\n'), 60);
+  EXPECT_EQ(n_of_part_1("late", 1e6), 120);
+  EXPECT_LT(n_of_part_1("soon", 0.0), 120) << "64 at most are under way when the rule is met";
+}
+
 TEST(Engine, WhatAKillHasCutIsMadeAgain)
 {
   const StudyWithStores place(column_study);

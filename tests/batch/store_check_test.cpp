@@ -79,4 +79,15 @@ TEST(StoreCheck, AnotherInstructionSetIsRefusedWithoutATry)
           HasSubstr("TERP_INSTRUCTIONS=" + other)));
 }
 
+TEST(StoreCheck, PartsThatRanAtOneTimeWithOtherBitsAreNamed)
+{
+  StoredStudy stored;
+  for (const char* set : {"avx2", "avx512"}) stored.solvers.push_back({.head = {.build = "b", .instructions = set}});
+  EXPECT_EQ(why_bits_differ(stored), "");
+  stored.solvers.push_back({.head = {.build = "b", .instructions = "sse2"}});
+  EXPECT_EQ(why_bits_differ(stored),
+      "warning: parts of this study were solved with avx2 and with sse2, which give other bits\n"
+      "  The table is not that of one process. Begin anew with TERP_INSTRUCTIONS=sse2 on all machines.\n");
+}
+
 }  // namespace store_check_test

@@ -1,32 +1,50 @@
-// terp study run under a launcher: what mpirun and srun set, set by the test.
+// terp study run as one of several processes: what mpirun, srun and Slurm set, set by the test.
 #include "../study/samples.hpp"
 #include "io/files/run_folder.hpp"
-#include "os/instructions.hpp"
+#include "batch/reliability.hpp"
 #include "support/environment.hpp"
 #include "support/process.hpp"
 
+#include <fmt/format.h>
+
 #include <csignal>
+#include <deque>
 #include <thread>
 
 namespace study_run_test {
 
+using Setting = std::map<std::string, std::string>;
+
 constexpr int n_ranks = 4;
 
-std::unique_ptr<Process> start_rank(
-    int rank, const std::string& folder, const std::vector<std::string>& words, const std::string& launch = "1")
+Setting of_mpirun(int rank)
 {
-  const Variable number("OMPI_COMM_WORLD_RANK", std::to_string(rank)),
-      size("OMPI_COMM_WORLD_SIZE", std::to_string(n_ranks)), job("PMIX_NAMESPACE", launch);
-  return std::make_unique<Process>(words, folder);
+  return {{"OMPI_COMM_WORLD_RANK", std::to_string(rank)}, {"OMPI_COMM_WORLD_SIZE", std::to_string(n_ranks)}};
+}
+
+Setting of_array(int rank)
+{
+  return {{"SLURM_ARRAY_TASK_ID", std::to_string(10 + 5 * rank)}, {"SLURM_ARRAY_TASK_COUNT", std::to_string(n_ranks)},
+      {"SLURM_ARRAY_TASK_MIN", "10"}, {"SLURM_ARRAY_TASK_STEP", "5"}};
+}
+
+/// An array of two jobs, each with two ranks of srun.
+Setting of_both(int rank)
+{
+  return {{"SLURM_ARRAY_TASK_ID", std::to_string(rank / 2)}, {"SLURM_ARRAY_TASK_COUNT", "2"},
+      {"SLURM_ARRAY_TASK_MIN", "0"}, {"SLURM_PROCID", std::to_string(rank % 2)}, {"SLURM_STEP_NUM_TASKS", "2"}};
 }
 
 class Launch {
  public:
-  Launch(const std::string& folder, const std::vector<std::string>& words)
+  Launch(const std::string& folder, const std::vector<std::string>& words, Setting (*setting)(int) = of_mpirun)
   {
-    static int n_launches = 0;
-    const std::string launch = std::to_string(++n_launches);
-    for (int rank = 0; rank < n_ranks; ++rank) ranks_.push_back(start_rank(rank, folder, words, launch));
+    for (int rank = 0; rank < n_ranks; ++rank) {
+      const Setting all = setting(rank);  // a Variable takes no copy of its name
+      std::deque<Variable> variables;
+      for (const auto& [name, value] : all) variables.emplace_back(name.c_str(), value);
+      ranks_.push_back(std::make_unique<Process>(words, folder));
+    }
   }
   std::vector<Finished> wait()
   {
@@ -40,143 +58,104 @@ class Launch {
   std::vector<std::unique_ptr<Process>> ranks_;
 };
 
-/// The process that solves for a rank; 0: there is none yet.
-pid_t worker_of(const Process& rank)
-{
-  const std::string pid = std::to_string(rank.pid());
-  return std::atoi(text_of("/proc/" + pid + "/task/" + pid + "/children").c_str());
-}
+class StudyRun : public testing::Test {
+ protected:
+  ScratchFolder scratch_;
+  std::string folder = scratch_.path();
 
-/// Waits until the worker of a rank is connected to rank 0. On a busy machine the others begin long before.
-bool has_joined(const Process& rank)
-{
-  for (int k = 0; k < 3000; ++k) {
-    if (const pid_t worker = worker_of(rank); worker > 0) {
-      std::error_code gone;
-      for (const auto& file : std::filesystem::directory_iterator("/proc/" + std::to_string(worker) + "/fd", gone))
-        if (std::filesystem::read_symlink(file, gone).string().starts_with("socket:")) return true;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return false;
-}
-
-struct LongStudy {
-  ScratchFolder folder;
-  std::string path = write_study(folder.path(), changed(column_study, "number = 12", "number = 400"),
-      changed(column_case, "end = 0.8", "end = 3.0"));
-  std::string whole;
-  LongStudy()
+  std::string write(const std::string& text, const std::string& column = column_case)
   {
-    EXPECT_EQ(test::terp({"study", "run", path, "-q", "-j", "2", "-o", "whole"}, folder.path()).status, 0);
-    whole = table("whole");
+    const std::string path = write_study(folder, text, column);
+    succeeded(test::terp({"study", "run", path, "-q", "-j", "2", "-o", "one"}, folder));
+    return path;
   }
-  std::string table(const std::string& name) const { return text_of(folder.path() + '/' + name + "/results.csv"); }
-  std::string rows(const std::string& name) const { return text_of(folder.path() + '/' + name + "/part_1_of_1.rows"); }
-  void wait_for_rows(const std::string& name, std::ptrdiff_t n) const
-  {
-    for (int k = 0; k < 600 && std::ranges::count(rows(name), '\n') < n; ++k)
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
+  std::string of(const std::string& name) const { return text_of(folder + '/' + name); }
 };
 
-TEST(StudyRun, FourRanksMakeOneTableAndRankZeroSpeaks)
+TEST_F(StudyRun, EachProcessMakesItsPartAndTheLastOneTheTable)
 {
-  const ScratchFolder folder;
-  const std::string study = write_study(folder.path(), column_study);
-  succeeded(test::terp({"study", "run", study, "-q", "-o", "one"}, folder.path()));
-  const std::vector<Finished> all = Launch(folder.path(), {"study", "run", study}).wait();
-  EXPECT_THAT(all[0].out, AllOf(HasSubstr("12 realisations, 12 solved"), HasSubstr("page in runs/demo/report.html")));
-  for (int rank = 0; rank < n_ranks; ++rank) {
-    EXPECT_EQ(all[static_cast<std::size_t>(rank)].status, 0) << all[static_cast<std::size_t>(rank)].err;
-    EXPECT_EQ(all[static_cast<std::size_t>(rank)].err, "") << rank;
-    EXPECT_EQ(all[static_cast<std::size_t>(rank)].out.empty(), rank > 0) << rank;
+  const std::string study = write(column_study);
+  const struct {
+    Setting (*setting)(int);
+    std::set<int> silent;  // another one prints to the same terminal
+  } launches[] = {{of_mpirun, {1, 2, 3}}, {of_array, {}}, {of_both, {1, 3}}};
+  for (const auto& [setting, silent] : launches) {
+    std::filesystem::remove_all(folder + "/ranks");
+    const std::vector<Finished> all = Launch(folder, {"study", "run", study, "-o", "ranks"}, setting).wait();
+    for (int rank = 0; rank < n_ranks; ++rank) {
+      const Finished& one = all[static_cast<std::size_t>(rank)];
+      EXPECT_EQ(one.status, 0) << one.err;
+      EXPECT_EQ(one.err, "") << rank;
+      EXPECT_EQ(one.out.empty(), silent.contains(rank)) << rank << one.out;
+    }
+    EXPECT_EQ(of("ranks/results.csv"), of("one/results.csv"));
+    EXPECT_THAT(names_in(folder + "/ranks"),
+        ElementsAre("case.toml", "locks", "part_1_of_4.rows", "part_2_of_4.rows", "part_3_of_4.rows",
+            "part_4_of_4.rows", "report.html", "results.csv", "results.json", "study.toml"));
   }
-  EXPECT_EQ(text_of(folder.path() + "/runs/demo/results.csv"), text_of(folder.path() + "/one/results.csv"));
-  EXPECT_THAT(names_in(folder.path() + "/runs/demo"),
-      ElementsAre("case.toml", "locks", "part_1_of_1.rows", "report.html", "results.csv", "results.json", "study.toml"))
-      << "one store, whatever the number of ranks";
-  Launch status(folder.path(), {"study", "status", study});
-  const std::vector<Finished> said = status.wait();
-  EXPECT_THAT(said[0].out, HasSubstr("12 realisations"));
-  for (int rank = 1; rank < n_ranks; ++rank) EXPECT_EQ(said[static_cast<std::size_t>(rank)].out, "");
 }
 
-TEST(StudyRun, AWorkerThatIsKilledLosesItsRealisationAlone)
+TEST_F(StudyRun, AfterAnyKillTheSameCommandGoesOn)
 {
-  const LongStudy study;
-  Launch launch(study.folder.path(), {"study", "run", study.path, "-q", "-o", "ranks"});
-  for (const int rank : {0, 2}) ASSERT_TRUE(has_joined(launch.rank(rank))) << rank;
-  study.wait_for_rows("ranks", std::ranges::count(study.rows("ranks"), '\n') + 10);  // so rank 0 has read their hello
-  for (const int rank : {0, 2}) ::kill(worker_of(launch.rank(rank)), SIGKILL);
-  const std::vector<Finished> all = launch.wait();
-  for (const Finished& rank : all) EXPECT_EQ(rank.status, 0) << rank.err;
-  EXPECT_THAT(all[0].err, AllOf(ContainsRegex("warning: rank 0 on .* is lost; realisation [0-9]+ goes to another"),
-                              ContainsRegex("warning: rank 2 on .* is lost")));
-  EXPECT_EQ(all[2].err, "rank 2: its worker was ended by signal 9 (Killed)\n");
-  EXPECT_EQ(study.table("ranks"), study.whole);
-}
-
-TEST(StudyRun, AfterRankZeroWasKilledTheSameCommandGoesOn)
-{
-  const LongStudy study;
-  const std::vector<std::string> words{"study", "run", study.path, "-q", "-o", "ranks"};
+  const std::string study =
+      write(changed(column_study, "number = 12", "number = 400"), changed(column_case, "end = 0.8", "end = 3.0"));
+  const std::vector<std::string> words{"study", "run", study, "-q", "-o", "ranks"};
   {
-    Launch launch(study.folder.path(), words);
-    study.wait_for_rows("ranks", 20);
-    launch.rank(0).send(SIGKILL);
+    Launch launch(folder, words);
+    const auto send_after = [&](int rank, std::ptrdiff_t n_rows, int signal) {
+      const std::string rows = fmt::format("ranks/part_{}_of_4.rows", rank + 1);
+      for (int k = 0; k < 3000 && std::ranges::count(of(rows), '\n') < n_rows; ++k)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      launch.rank(rank).send(signal);
+    };
+    for (const int rank : {1, 3}) send_after(rank, 3, SIGSTOP);
+    for (const int rank : {0, 2}) send_after(rank, 10, SIGKILL);
+    EXPECT_THAT(error_with(1, test::terp({"study", "run", study, "-q", "-o", "ranks", "--part", "2/4"}, folder)),
+        HasSubstr("another terp is writing to the run folder ranks/locks/part_2_of_4"));
+    launch.rank(3).send(SIGTERM);
+    for (const int rank : {1, 3}) launch.rank(rank).send(SIGCONT);
     const std::vector<Finished> all = launch.wait();
-    for (int rank = 1; rank < n_ranks; ++rank) EXPECT_EQ(all[static_cast<std::size_t>(rank)].status, 0);
+    EXPECT_EQ(all[1].status, 0) << "a rank that is killed ends no other: " << all[1].err;
+    EXPECT_THAT(all[3].err, HasSubstr("stopped; what is solved is kept in ranks. Go on with the same command\n"));
   }
-  const std::string before = study.rows("ranks");
-  EXPECT_EQ(study.table("ranks"), "");
-  Launch launch(study.folder.path(), words);
-  for (const Finished& rank : launch.wait()) EXPECT_EQ(rank.status, 0) << rank.err;
-  EXPECT_EQ(study.table("ranks"), study.whole);
-  EXPECT_THAT(study.rows("ranks"), StartsWith(before.substr(0, before.rfind('\n')))) << "what was solved was kept";
+  EXPECT_EQ(of("ranks/results.csv"), "") << "not all is solved";
+  const std::string before = of("ranks/part_1_of_4.rows");
+  for (const Finished& rank : Launch(folder, words).wait()) EXPECT_EQ(rank.status, 0) << rank.err;
+  EXPECT_EQ(of("ranks/results.csv"), of("one/results.csv"));
+  EXPECT_THAT(of("ranks/part_1_of_4.rows"), StartsWith(before.substr(0, before.rfind('\n'))))
+      << "what was solved is kept";
 }
 
-TEST(StudyRun, AnotherTerpIsRefusedWhileRanksSolve)
+TEST_F(StudyRun, OtherNumbersOfProcessesGoOnWithOneStudy)
 {
-  const LongStudy study;
-  Launch launch(study.folder.path(), {"study", "run", study.path, "-q", "-o", "ranks"});
-  study.wait_for_rows("ranks", 10);
-  EXPECT_THAT(error_with(1, test::terp({"study", "run", study.path, "-q", "-o", "ranks"}, study.folder.path())),
-      HasSubstr("another terp is writing to the run folder ranks/locks/part_1_of_1"));
-  launch.rank(0).send(SIGTERM);
-  const std::vector<Finished> all = launch.wait();
-  EXPECT_EQ(all[0].status, 1);
-  EXPECT_THAT(all[0].err, HasSubstr("stopped; what is solved is kept in ranks. Go on with the same command\n"));
-  for (int rank = 1; rank < n_ranks; ++rank) EXPECT_EQ(all[static_cast<std::size_t>(rank)].status, 0);
+  const std::string study = write(column_study);
+  succeeded(test::terp({"study", "run", study, "-q", "-o", "ranks", "--part", "2/3"}, folder));
+  for (const Finished& rank : Launch(folder, {"study", "run", study, "-q", "-o", "ranks"}).wait())
+    EXPECT_EQ(rank.status, 0) << rank.err;
+  EXPECT_EQ(of("ranks/results.csv"), of("one/results.csv"));
 }
 
-TEST(StudyRun, ARankWithOtherBitsDoesNotTakePart)
+TEST_F(StudyRun, RefusesWhatPartsCannotDo)
 {
-  if (std::ranges::count(instruction_sets(), true, &InstructionSet::offered) < 2 || instructions() == "sse2")
-    GTEST_SKIP() << "this machine or build has one set";
-  const ScratchFolder folder;
-  const std::string study = write_study(folder.path(), column_study);
-  const auto rank_0 = start_rank(0, folder.path(), {"study", "run", study, "-q"});
-  std::unique_ptr<Process> rank_1;
-  {
-    const Variable other("TERP_INSTRUCTIONS", "sse2");
-    rank_1 = start_rank(1, folder.path(), {"study", "run", study, "-q"});
-  }
-  const Finished first = rank_0->wait(), second = rank_1->wait();
-  EXPECT_EQ(first.status, 0) << first.err;
-  EXPECT_EQ(second.status, 0) << "the others go on";
-  if (!second.err.empty()) {  // else the study was over before it came
-    EXPECT_THAT(first.err, ContainsRegex("warning: rank 1 on .* does not take part: it is build .* of terp with sse2"));
-  }
+  const std::string study = write_study(folder, column_study);
+  EXPECT_EQ(Launch(folder, {"study", "run", study, "--force"}).wait()[2].err,
+      "error: --force in part 3 of 4: a part does not begin anew, as it would remove what others solved\n"
+      "  Remove the folder once, before the parts begin: rm -r runs/demo\n");
+  const Variable task("SLURM_ARRAY_TASK_ID", "9"), count("SLURM_ARRAY_TASK_COUNT", "3");
+  EXPECT_EQ(error_with(1, test::terp({"study", "run", study}, folder)),
+      "error: SLURM_ARRAY_TASK_ID is 9, of 3 tasks: the array has gaps, and this task has no place in it\n"
+      "  Number the tasks evenly, as --array=1-3, or say which part each makes: --part K/N\n");
+  EXPECT_FALSE(std::filesystem::exists(folder + "/runs"));
+  succeeded(test::terp({"study", "run", study, "-q", "--part", "1/1"}, folder));
 }
 
-TEST(StudyRun, AWrongStudyIsRefusedOnce)
+TEST_F(StudyRun, AMethodThatChoosesItsRealisationsHasNoParts)
 {
-  const ScratchFolder folder;
-  const std::vector<Finished> all = Launch(folder.path(), {"study", "run", "none.toml"}).wait();
-  EXPECT_EQ(all[0].status, 2);
-  EXPECT_THAT(all[0].err, HasSubstr("none.toml: there is no such file"));
-  for (int rank = 1; rank < n_ranks; ++rank) EXPECT_EQ(all[static_cast<std::size_t>(rank)].err, "") << rank;
+  if (!has_openturns()) GTEST_SKIP() << "this build has no OpenTURNS";
+  const std::string study = write_study(folder, changed(column_study, "kind = \"monte_carlo\"", "kind = \"subset\""));
+  EXPECT_EQ(Launch(folder, {"study", "run", study}).wait()[1].err,
+      "error: part 2 of 4: `subset` chooses its realisations one after another, so it has no parts\n"
+      "  Start one process, without --part, mpirun, srun or an array, on the machine with the most processors.\n");
 }
 
 }  // namespace study_run_test

@@ -139,7 +139,7 @@ TEST_F(StudyCommand, BeginsAnewOnlyWhereNobodyElseWrites)
   }
   EXPECT_EQ(text_of(rows), before) << "the store of a study that runs stays";
   EXPECT_EQ(test::terp({"study", "run", study, "--force", "--part", "2/3"}, folder).err,
-      "error: --force with --part 2/3: a part does not begin anew, as it would remove what others solved\n"
+      "error: --force in part 2 of 3: a part does not begin anew, as it would remove what others solved\n"
       "  Remove the folder once, before the parts begin: rm -r runs/demo\n");
   succeeded(test::terp({"study", "run", "runs/demo", "-q", "--force"}, folder));
   EXPECT_THAT(names_in(folder + "/runs/demo"), ElementsAre("case.toml", "locks", "part_1_of_1.rows", "report.html",

@@ -50,10 +50,6 @@ def children_of(pid):
         return []
 
 
-def grandchildren_of(pid):
-    return [grandchild for child in children_of(pid) for grandchild in children_of(child)]
-
-
 def kill(pid):
     """True: it was there."""
     try:
@@ -104,7 +100,7 @@ class Trial:
         if self.table_in(name) != self.table:
             sys.exit(f"{self.folder}/{name}/results.csv is not that of one thread")
 
-    def round_until(self, name, number, one_round):
+    def round_until(self, name, number, one_round, last_round):
         """Rounds on a study, and on the next one where it is complete, until `number` says that there are enough."""
         wanted = number() + self.n_kills
         study = 0
@@ -113,7 +109,7 @@ class Trial:
             if self.solved_in(f"{name}_{study}") >= N_REALISATIONS:
                 study += 1
         for k in range(study + 1):
-            self.run("-o", f"{name}_{k}")
+            last_round(f"{name}_{k}")
             self.check(f"{name}_{k}")
 
     # Threads: the whole process.
@@ -123,39 +119,37 @@ class Trial:
         self.count("threads", process.poll() is None and kill(process.pid))
         process.wait()
 
-    # Ranks: workers, which must not matter; ranks above 0, with --enable-recovery and without; rank 0; mpirun itself.
+    # Ranks, with --enable-recovery and without; mpirun itself, and then the ranks that it leaves behind.
+    def mpirun(self, name, *words):
+        return ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(N_RANKS), *words,
+                *self.words("-o", name)]
+
     def kill_ranks(self, name):
-        recovers = self.chance.random() < 0.5
-        mpirun = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(N_RANKS),
-                  *(["--enable-recovery"] if recovers else [])]
-        process = self.start(*mpirun, *self.words("-o", name))
-        while process.poll() is None and not grandchildren_of(process.pid):  # seconds, on a machine with other work
+        process = self.start(*self.mpirun(name, *self.chance.choice([[], ["--enable-recovery"]])))
+        while process.poll() is None and len(children_of(process.pid)) < N_RANKS:
             time.sleep(0.1)
         for _ in range(self.chance.randint(1, 3)):
             time.sleep(self.chance.uniform(0.2, 1.0))
-            ranks, workers = sorted(children_of(process.pid)), grandchildren_of(process.pid)
-            if process.poll() is not None or not workers:
+            ranks = children_of(process.pid)
+            if process.poll() is not None or not ranks:
                 break
-            what = self.chance.choices(["worker", "rank", "rank 0", "mpirun"], [6, 2, 1, 1])[0]
-            victim = {"worker": workers, "rank": ranks[1:], "rank 0": ranks[:1], "mpirun": [process.pid]}[what]
-            self.count(what, bool(victim) and kill(self.chance.choice(victim)))
+            what = self.chance.choices(["rank", "mpirun"], [4, 1])[0]
+            self.count(what, kill(self.chance.choice(ranks) if what == "rank" else process.pid))
         process.wait()
-        self.wait_for_no_terp(name)
+        for pid in processes_with(f"^{self.terp} study run study.toml -q -o {name}$"):
+            self.count("rank left behind", kill(pid))
 
-    def wait_for_no_terp(self, name):
-        """An mpirun that was killed leaves ranks behind, which end by themselves."""
-        end = time.monotonic() + 30
-        while time.monotonic() < end:
-            if not processes_with(f"study run study.toml -q -o {name}$"):
-                return
-            time.sleep(0.1)
-        sys.exit(f"ranks of {name} do not end")
+    def end_ranks(self, name):
+        subprocess.run(self.mpirun(name), cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
 
     # Tasks of an array: killed, or put back into the queue by the batch system.
+    def submit(self, slurm, name):
+        task = " ".join(self.words("-j", "1", "-o", name))
+        slurm.call("sbatch", f"--array=5-{4 + 2 * N_TASKS}:2", "--output=/dev/null", "--requeue", "--wrap",
+                   f"exec {task}", folder=self.folder)
+
     def kill_tasks(self, slurm, name):
-        task = " ".join(self.words("-j", "1", "-o", name, "--part", f"$SLURM_ARRAY_TASK_ID/{N_TASKS}"))
-        slurm.call("sbatch", f"--array=1-{N_TASKS}", "--output=/dev/null", "--requeue", "--wrap", f"exec {task}",
-                   folder=self.folder)
+        self.submit(slurm, name)
         for _ in range(4):
             time.sleep(self.chance.uniform(0.3, 1.0))
             if self.chance.random() < 0.5:
@@ -165,26 +159,27 @@ class Trial:
                                           capture_output=True)
                     self.count("task put back", done.returncode == 0)
                 continue
-            found = processes_with(f"study run study.toml .*-o {name} --part")
+            found = processes_with(f"^{self.terp} study run study.toml -q -j 1 -o {name}$")
             self.count("task", bool(found) and kill(self.chance.choice(found)))
-        slurm.wait_for(lambda: not slurm.jobs(), "an end of the array", 120)
+        slurm.wait_for(lambda: not slurm.jobs(), "an end of the array", 300)
 
-    def workers_under(self, name):
-        ranks = processes_with(f"^{self.terp} study run study.toml -q -o {name}$")
-        return [worker for rank in ranks for worker in children_of(rank)]
+    def end_tasks(self, slurm, name):
+        self.submit(slurm, name)
+        slurm.wait_for(lambda: not slurm.jobs(), "an end of the array", 300)
 
     def kill_steps(self, slurm):
-        """Ranks of srun: a worker is killed in each job, unless it ends first."""
+        """Ranks of srun: one is killed in each job, unless it ends first; then the same command once more."""
         name = "srun"
-        while self.number_of("worker of srun") < 3:
-            process = subprocess.Popen(["srun", "-n", str(N_RANKS), *self.words("-o", name)], cwd=self.folder,
-                                       env=slurm.environment, stderr=subprocess.DEVNULL)
-            slurm.wait_for(lambda: process.poll() is not None or self.workers_under(name), "a worker of srun", 120)
+        words = ["srun", "-n", str(N_RANKS), *self.words("-o", name)]
+        while self.number_of("rank of srun") < 3:
+            process = subprocess.Popen(words, cwd=self.folder, env=slurm.environment, stderr=subprocess.DEVNULL)
+            own = f"^{self.terp} study run study.toml -q -o {name}$"
+            slurm.wait_for(lambda: process.poll() is not None or processes_with(own), "a rank of srun", 120)
             time.sleep(self.chance.uniform(0.0, 0.3))
-            workers = self.workers_under(name)
-            self.count("worker of srun", bool(workers) and kill(self.chance.choice(workers)))
-            if process.wait() != 0:
-                sys.exit("srun failed, though a worker alone was killed")
+            ranks = processes_with(own)
+            self.count("rank of srun", bool(ranks) and kill(self.chance.choice(ranks)))
+            process.wait()
+            subprocess.run(words, cwd=self.folder, env=slurm.environment, check=True)
             self.check(name)
             shutil.rmtree(self.folder / name)
 
@@ -201,14 +196,16 @@ def main():
     print(f"seed {options.seed}")
     with tempfile.TemporaryDirectory(prefix="terp_cluster_") as folder:
         trial = Trial(options.terp, folder, random.Random(options.seed), options.kills)
-        trial.round_until("threads", lambda: trial.number_of("threads"), trial.kill_threads)
+        trial.round_until("threads", lambda: trial.number_of("threads"), trial.kill_threads,
+                          lambda name: trial.run("-o", name))
         print(f"threads: {trial.n_done}", flush=True)
-        trial.round_until("ranks", lambda: trial.number_of("worker", "rank", "rank 0", "mpirun"), trial.kill_ranks)
+        trial.round_until("ranks", lambda: trial.number_of("rank", "mpirun"), trial.kill_ranks, trial.end_ranks)
         print(f"ranks of mpirun: {trial.n_done}", flush=True)
         with Slurm(Path(folder) / "slurm") as slurm:
             trial.kill_steps(slurm)
             trial.round_until("tasks", lambda: trial.number_of("task", "task put back"),
-                              lambda name: trial.kill_tasks(slurm, name))
+                              lambda name: trial.kill_tasks(slurm, name),
+                              lambda name: trial.end_tasks(slurm, name))
         print(f"in all {sum(trial.n_done.values())} kills: {trial.n_done}\nevery table has the bits of one thread")
 
 

@@ -39,6 +39,10 @@ alone = "belongs to files NAME_posix.cpp and NAME_win32.cpp alone"
 for header in ("unistd.h", "sys/mman.h", "windows.h"):
     assert complaints(run__a=f"#include <{header}>\n") == [f"src/run/a.hpp:1: <{header}> {alone}"], header
 
+for header in ("sys/socket.h", "winsock2.h"):
+    assert complaints(os__a_posix=f"#include <{header}>\n") == [
+        f"src/os/a_posix.hpp:1: <{header}>: Terp opens no connection (decision 0078)"], header
+
 right = "os may not include model: model stands to its right"
 for declaration in ("struct Model;", "class Model;", "  struct Model;", "template <int Dim> struct Model;"):
     assert complaints(os__a=f"\n{declaration}\n", model__model=MODEL) == [
