@@ -4,7 +4,7 @@
 // Not for: anything that knows what the numbers mean.
 #pragma once
 
-#include "math/pack_width.hpp"
+#include "math/number.hpp"
 
 #include <bit>
 #include <cmath>
@@ -272,7 +272,6 @@ inline Pack select(Mask m, Pack a, Pack b)
 {
   return detail::each_part<Pack>([&](int k) { return detail::choose(m.part[k], a.part[k], b.part[k]); });
 }
-inline Real select(bool m, Real a, Real b) { return m ? a : b; }
 inline Pack min(Pack a, Pack b)
 {
   return detail::each_part<Pack>([&](int k) { return detail::smaller(a.part[k], b.part[k]); });
@@ -281,9 +280,6 @@ inline Pack max(Pack a, Pack b)
 {
   return detail::each_part<Pack>([&](int k) { return detail::larger(a.part[k], b.part[k]); });
 }
-inline Real min(Real a, Real b) { return a < b ? a : b; }
-inline Real max(Real a, Real b) { return a > b ? a : b; }
-inline Real abs(Real a) { return a < 0 ? -a : a; }
 inline Pack abs(Pack a) { return max(a, -a); }
 
 /// Bit k is set where lane k is true.
@@ -299,7 +295,6 @@ inline bool any_of(Mask m)
   for (int k = 1; k < detail::n_registers; ++k) any = detail::Flags(any | m.part[k]);
   return detail::bits_of(any) != 0;
 }
-inline bool any_of(bool m) { return m; }
 
 /// Lane numbers 0 ... 7.
 inline Pack lane_numbers()
@@ -313,20 +308,11 @@ inline Pack fma(Pack a, Pack b, Pack c)
 {
   return detail::each_part<Pack>([&](int k) { return detail::fused(a.part[k], b.part[k], c.part[k]); });
 }
-inline Real fma(Real a, Real b, Real c)
-{
-#if defined(__FMA__)
-  return __builtin_fma(a, b, c);
-#else
-  return a * b + c;
-#endif
-}
 
 inline Pack sqrt(Pack a)
 {
   return detail::each_part<Pack>([&](int k) { return detail::root(a.part[k]); });
 }
-inline Real sqrt(Real a) { return std::sqrt(a); }
 
 /// Sum of the lanes, always as ((0+4)+(2+6)) + ((1+5)+(3+7)).
 inline Real sum(Pack a)
@@ -338,7 +324,6 @@ inline Real sum(Pack a)
     for (int k = 0; k < half; ++k) l[k] += l[k + half];
   return l[0];
 }
-inline Real sum(Real a) { return a; }
 
 namespace detail {
 /// 2^n for whole n held in the low bits of n + 1.5 2^52.

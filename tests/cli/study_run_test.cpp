@@ -1,5 +1,5 @@
 // terp study run as one of several processes: what mpirun, srun and Slurm set, set by the test.
-#include "../study/samples.hpp"
+#include "batch/samples.hpp"
 #include "io/files/run_folder.hpp"
 #include "batch/reliability.hpp"
 #include "support/environment.hpp"

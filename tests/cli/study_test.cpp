@@ -1,4 +1,4 @@
-#include "../study/samples.hpp"
+#include "batch/samples.hpp"
 #include "io/files/run_folder.hpp"
 #include "batch/study_folder.hpp"
 #include "support/process.hpp"

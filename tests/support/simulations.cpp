@@ -16,14 +16,26 @@ void make_steps(Simulation& s, std::int64_t n)
   for (std::int64_t k = 0; k < n; ++k) make_step(s.model, s.state, s.work);
 }
 
-std::vector<Problem> warnings_from(
-    void (*find)(const Model&, const State&, std::vector<Problem>&), const Case& description)
+template <class Find>
+static std::vector<Problem> warnings_of(Find find, const Case& description)
 {
   Model model = build_model(description, 1);
   const State state = build_state(model);
   std::vector<Problem> warnings;
   find(model, state, warnings);
   return warnings;
+}
+
+std::vector<Problem> warnings_from(
+    void (*find)(const Model&, const State&, std::vector<Problem>&), const Case& description)
+{
+  return warnings_of(find, description);
+}
+
+std::vector<Problem> warnings_from(
+    void (*find)(const Model&, const StepState&, std::vector<Problem>&), const Case& description)
+{
+  return warnings_of(find, description);
 }
 
 std::vector<Point> points_by_id(const State& state)

@@ -17,6 +17,8 @@ Simulation followed(const Case& description, int threads = 1);
 /// What one of the functions warns of that look at a case before its run.
 std::vector<Problem> warnings_from(
     void (*find)(const Model&, const State&, std::vector<Problem>&), const Case& description);
+std::vector<Problem> warnings_from(
+    void (*find)(const Model&, const StepState&, std::vector<Problem>&), const Case& description);
 
 /// Makes steps and nothing else: no start, no guards, no rows. For states that no case describes, or a test spoils.
 void make_steps(Simulation& s, std::int64_t n = 1);

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "math/types.hpp"
-#include "math/pack_width.hpp"
+#include "math/number.hpp"
 
 #include <cmath>
 

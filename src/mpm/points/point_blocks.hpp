@@ -5,7 +5,7 @@
 
 #include "math/types.hpp"
 #include "os/memory.hpp"
-#include "math/pack_width.hpp"
+#include "math/number.hpp"
 #include "soil/row_table.hpp"
 
 #include <compare>

@@ -62,7 +62,7 @@ ReachSection solved_section()
 TEST(Reach, ARecordIsReadAsItWasWritten)
 {
   const ScratchFolder scratch;
-  EXPECT_EQ(record_text(read_record(scratch.path())), record_text({}));
+  EXPECT_EQ(record_text(read_record(scratch.path())), record_text(SectionRecord{}));
   write_file_atomically(scratch.path() + "/section.json", record_text(sample_record()));
   EXPECT_EQ(record_text(read_record(scratch.path())), record_text(sample_record()));
   EXPECT_EQ(read_record(scratch.path()).fails, 1.12);

@@ -1,3 +1,4 @@
+#include "math/pack.hpp"
 #include "mpm/mesh/cell_geometry.hpp"
 #include "support/meshes.hpp"
 

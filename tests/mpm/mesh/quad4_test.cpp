@@ -1,3 +1,4 @@
+#include "math/pack.hpp"
 #include "mpm/mesh/quad4.hpp"
 #include "support/test.hpp"
 
