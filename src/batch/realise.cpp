@@ -68,17 +68,23 @@ Real displacement_of_volume(const Simulation& s, const Summary&, const EventRule
   return 0.0;
 }
 
-/// 1 where soil moves so fast at the end that, for as long again, it would go as far as the event asks, or far enough
-/// to change the verdict.
+/// 1 where soil moves so fast at the end, or that of a stage, that, for as long again, it would go as far as the event
+/// asks, or far enough to change the verdict.
 Real still_moves(const Simulation& s, const Summary& summary, const EventRule& event)
 {
-  if (!s.state.stages_done.empty() && s.state.stages_done.back().at_rest) return 0.0;
+  if (summary.flood && summary.flood->still_moves) return 1.0;
+  const auto& done = s.state.stages_done;
+  const auto& stages = s.model.description.stages;
+  for (std::size_t k = 0; k < done.size() && k < stages.size(); ++k)  // NaN: not looked at
+    if (!done[k].at_rest && done[k].fastest * done[k].end > event.displacement &&
+        !is_decided_later(s.model.description, k))
+      return 1.0;
+  if (!done.empty() && done.back().at_rest) return 0.0;
   const NodeMotion motion = map_motion(s.model, s.state);  // points move against each other at rest, too
   Real fastest = 0.0;                                      // [m/s]
   for (std::size_t k = 0; k < motion.mass.size(); ++k)
     fastest = std::max(fastest, std::hypot(motion.velocity[2 * k], motion.velocity[2 * k + 1]));
-  const bool of_verdict = summary.flood && summary.flood->still_moves;
-  return of_verdict || fastest * s.state.time > event.displacement ? 1.0 : 0.0;
+  return fastest * s.state.time > event.displacement ? 1.0 : 0.0;
 }
 
 template <Real FloodSummary::*member>

@@ -40,11 +40,12 @@ void warn_of_no_rest(const Summary& s, const Model& model, const std::string& fo
         why_not_at_rest(time, r.fastest));
   }
   const bool ends_at_rest = !s.stages.empty() && std::isfinite(s.stages.back().record.fastest);
-  if (!ends_at_rest && s.flood && s.flood->still_moves && s.flood->verdict != FloodVerdict::floods)
+  const auto& flood = s.flood;
+  if (!flood || !flood->still_moves || flood->verdict == FloodVerdict::floods) return;
+  if (const bool at_end = flood->moves_at_end(); !at_end || !ends_at_rest)
     fmt::print(stderr,
-        "warning: {}: at the end {}, so nothing is decided: end the run at rest, or later; see "
-        "docs/stages.md#at-rest\n",
-        folder, motion_words(*s.flood));
+        "warning: {}: {} {}, so nothing is decided: end {} at rest, or later; see docs/stages.md#at-rest\n", folder,
+        moving_when(*flood), motion_words(*flood), at_end ? "the run" : "that stage");
 }
 
 void warn_of_small_margin(const Summary& s, const std::string& folder)

@@ -86,6 +86,7 @@ void each(FloodSummary& flood, F&& f)
   f("stage_damaged", flood.stage_damaged), f("stage_below", flood.stage_below), f("stage", flood.stage);
   f("fastest_node", flood.fastest_node), f("fastest_x", flood.fastest_x), f("fastest_y", flood.fastest_y);
   f("fastest_soil", flood.fastest_soil), f("still_moves", flood.still_moves);
+  f("stage_moving", flood.stage_moving);
   f("margin", flood.margin);
   f("criterion", flood.criterion), f("trigger", flood.trigger);
 }

@@ -248,6 +248,7 @@ void add_flood(Measures& all, const std::vector<RunResults>& runs)
   time("first_time_damaged", "damaged from", [](const FloodSummary& f) { return f.first_time_damaged; });
   add_stage_of(all, runs, "stage_damaged", "stage in which it is damaged", &FloodSummary::stage_damaged);
   time("first_time_below", "floods from", [](const FloodSummary& f) { return f.first_time_below; });
+  add_stage_of(all, runs, "stage_moving", "stage at whose end soil moves", &FloodSummary::stage_moving);
   add_stage_of(all, runs, "stage_below", "stage in which it floods", &FloodSummary::stage_below);
 }
 

@@ -278,13 +278,17 @@ std::string words_of(Hint hint, const ReachSection& section, bool dutch)
 {
   const auto fastest = speed_at_end(section);
   const std::string speed = fastest ? decimal_sign(fmt::format(" ({:.2g} m/s)", *fastest), dutch) : "";
+  const auto& flood = section.summary.flood;
+  const std::string stage = flood && !flood->moves_at_end()
+                                ? fmt::format("{}`{}`", dutch ? " van fase " : " of the stage ", flood->stage_moving)
+                                : "";
   switch (hint) {
     case Hint::doubt:
       return fmt::format("{}{}", dutch ? "twijfel bij het inlezen: " : "in doubt since the import: ",
           fmt::join(dutch ? section.record.notes_nl : section.record.notes, " "));
     case Hint::ignored: return (dutch ? "niet toegepast (Engels): " : "") + section.record.ignored;
     case Hint::moves:
-      return (dutch ? "aan het eind niet in rust" : "not at rest at the end") + speed +
+      return (dutch ? "aan het eind" : "not at rest at the end") + stage + (dutch ? " niet in rust" : "") + speed +
              (!section.summary.flood ? ""
                  : dutch             ? ": het oordeel kan veranderen"
                                      : ": the verdict may change");

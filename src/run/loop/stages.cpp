@@ -91,6 +91,19 @@ bool has_ended(const Model& model, const State& state)
   return state.step >= last_step_of_stage(model, state) || (rest.steps > 0 && state.quiet_steps >= rest.steps);
 }
 
+bool is_decided_later(const Case& c, std::size_t number)
+{
+  const StageCase& stage = c.stages[number];
+  if (stage.changed && stage.changed->at_strength < 1.0) return true;
+  if (number + 1 == c.stages.size()) return false;
+  std::string water;
+  for (std::size_t k = 0; k <= number; ++k)
+    if (!c.stages[k].water.empty()) water = c.stages[k].water;
+  const StageCase& next = c.stages[number + 1];
+  return (next.water.empty() || next.water == water) && next.changes.empty() && next.place.empty() &&
+         next.remove.empty();
+}
+
 void watch_rest(const Model& model, const Workspace& work, State& state)
 {
   const RestRule& rest = model.stage.rest;

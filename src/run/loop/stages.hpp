@@ -16,6 +16,10 @@ std::int64_t last_step_of_run(const Model& model, const State& state);
 /// Whether the stage has ended, at rest or with its last step.
 bool has_ended(const Model& model, const State& state);
 
+/// Whether a later stage shows what the soil of this one would do: it holds the soil, or the next one goes on with the
+/// same soil, water and loads. Then it decides nothing that soil still moves at its end.
+bool is_decided_later(const Case& c, std::size_t stage);
+
 /// After a step: counts how long the soil has been at rest.
 void watch_rest(const Model& model, const Workspace& work, State& state);
 

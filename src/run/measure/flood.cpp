@@ -5,6 +5,7 @@
 #include "run/measure/followers.hpp"
 #include "model/water/free_water.hpp"
 #include "model/ground/ground_section.hpp"
+#include "run/loop/stages.hpp"
 #include "run/report/ledger_context.hpp"
 #include "run/report/mesh_frame.hpp"
 #include "mpm/step/node_passes.hpp"
@@ -81,9 +82,17 @@ std::optional<std::size_t> trigger_stage(const Case& c, std::size_t now)
   return first;
 }
 
-/// What makes the section fail so far. times: from which on it is damaged and floods; NaN: it does not [s].
+/// Where soil moves fastest.
+struct FastSoil {
+  Index stage = -1;                          ///< at the end of which that was; -1: of none
+  Real speed = never, x = never, y = never;  ///< [m/s], [m]
+  Index material = 0;
+};
+
+/// What makes the section fail so far. times: from which on it is damaged and floods; NaN: it does not [s]. moving: a
+/// stage at the end of which soil moved; -1: none.
 std::optional<FloodTrigger> trigger_of(
-    const Case& c, const State& state, std::optional<Facing> river, const std::array<Real, 2>& times)
+    const Case& c, const State& state, std::optional<Facing> river, const std::array<Real, 2>& times, Index moving)
 {
   FloodTrigger trigger{.at_strength = c.at_strength};
   if (c.stages.empty()) return c.at_strength != 1.0 ? std::optional(trigger) : std::nullopt;
@@ -97,13 +106,19 @@ std::optional<FloodTrigger> trigger_of(
   const StageRecord& before = state.stages_done[*first - 1];
   if (times[1] <= before.end)
     trigger.before = FloodVerdict::floods;
-  else if (before.at_rest)
+  else if (before.at_rest && (moving < 0 || moving >= static_cast<Index>(*first)))
     trigger.before = times[0] <= before.end ? FloodVerdict::damaged : FloodVerdict::stands;
   return trigger;
 }
 
-/// Where soil moves fastest at the end, and which soil lies nearest to there.
-void find_fastest(const Model& model, const State& state, FloodSummary& flood)
+bool is_of(const Model& model, const FastSoil& soil)
+{
+  return soil.stage >= 0 && soil.stage < std::ssize(model.description.stages) && soil.material >= 0 &&
+         soil.material < std::ssize(model.materials);
+}
+
+/// Speed and stage are known.
+void find_place(const Model& model, const State& state, FastSoil& soil)
 {
   const NodeMotion motion = map_motion(model, state);
   Real most = -1.0, nearest = std::numeric_limits<Real>::infinity();
@@ -111,14 +126,11 @@ void find_fastest(const Model& model, const State& state, FloodSummary& flood)
     const Real speed = std::hypot(motion.velocity[2 * i], motion.velocity[2 * i + 1]);
     if (!(motion.mass[i] >= part_of_full_mass(model, i, part_that_rests)) || !(speed > most)) continue;
     most = speed;
-    flood.fastest_x = model.mesh->nodes[i][0], flood.fastest_y = model.mesh->nodes[i][1];
+    soil.x = model.mesh->nodes[i][0], soil.y = model.mesh->nodes[i][1];
   }
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const Real away =
-        std::hypot(block.row(Rows::x)[lane] - flood.fastest_x, block.row(Rows::x + 1)[lane] - flood.fastest_y);
-    if (!(away < nearest)) return;
-    nearest = away;
-    flood.fastest_soil = model.materials[block.material].name;
+    const Real away = std::hypot(block.row(Rows::x)[lane] - soil.x, block.row(Rows::x + 1)[lane] - soil.y);
+    if (away < nearest) nearest = away, soil.material = block.material;
   });
 }
 
@@ -132,6 +144,7 @@ class Flood : public Follower {
   std::optional<RiverBeforeTrigger> before_;        ///< follows from the model: looked for once
   Real time_damaged_ = never, time_below_ = never;  ///< the first ones; but for slides [s]
   Real fastest_node_ = never;                       ///< in the last row [m/s]
+  FastSoil moving_;  ///< at the end of the first stage but the last in which soil still moved
 
   void start(const Model& model, const State& state) override
   {
@@ -143,6 +156,7 @@ class Flood : public Follower {
     slides_ = slid_share * height * height;
     river_ = river_side(model.flood_level, ground);
     time_damaged_ = time_below_ = never;
+    moving_ = {};
     before_.reset();
   }
 
@@ -173,6 +187,44 @@ class Flood : public Follower {
     keep_first(judged.height < first_height_ - settles_ || judged.intact_width < flood.smallest_width - round_off ||
                    moved > slides_,
         time_damaged_);
+    end_stage(context.model, context.state);
+  }
+
+  /// What soil that moves at the end of a stage would have done there, a later stage does not show.
+  void end_stage(const Model& model, const State& state)
+  {
+    const Stage& stage = model.stage;
+    const bool ends = !stage.name.empty() && !stage.is_last() && std::ssize(state.stages_done) > state.stage;
+    if (!ends || moving_.stage >= 0 || is_decided_later(model.description, stage.number)) return;
+    const bool is_slow = stage.rest.steps > 0 && !stage.rest.by_mean && fastest_node_ < stage.rest.speed;
+    if (is_slow || !moves(model, state)) return;
+    moving_.stage = static_cast<Index>(stage.number), moving_.speed = fastest_node_;
+    find_place(model, state, moving_);
+  }
+
+  /// At the end of a stage, or of the run.
+  bool moves(const Model& model, const State& state) const
+  {
+    const StageRecord* last = state.stages_done.empty() ? nullptr : &state.stages_done.back();
+    const bool was_to_rest = last != nullptr && std::isfinite(last->fastest);
+    return !(last != nullptr && last->at_rest) && std::isfinite(fastest_node_) &&
+           (was_to_rest || fastest_node_ * time_to_look_ahead(model, state) > settles_);
+  }
+
+  /// Which soil still moves at the end or, where that is not known to be damaged, moved at the end of a stage.
+  void say_what_moves(const Model& model, const State& state, FloodSummary& f) const
+  {
+    const bool at_end = moves(model, state);
+    f.still_moves = at_end || (is_of(model, moving_) && !f.first_time_damaged);
+    if (!f.still_moves) return;
+    FastSoil soil = moving_;
+    if (at_end) {
+      soil.speed = fastest_node_;
+      find_place(model, state, soil);
+    }
+    f.stage_moving = at_end ? f.stage : model.description.stages[static_cast<std::size_t>(soil.stage)].name;
+    f.fastest_node = soil.speed, f.fastest_x = soil.x, f.fastest_y = soil.y;
+    f.fastest_soil = model.materials[soil.material].name;
   }
 
   void summarise(const Model& model, const State& state, Summary& s) const override
@@ -196,18 +248,15 @@ class Flood : public Follower {
     f.stage_below = stage_at(s.stages, f.first_time_below);
     f.stage = s.stages.empty() ? "" : s.stages.back().name;
     f.fastest_node = known(fastest_node_);
-    const StageRecord* last = state.stages_done.empty() ? nullptr : &state.stages_done.back();
-    const bool was_to_rest = last != nullptr && std::isfinite(last->fastest);
-    f.still_moves = !(last != nullptr && last->at_rest) && f.fastest_node &&
-                    (was_to_rest || *f.fastest_node * time_to_look_ahead(model, state) > settles_);
-    if (f.still_moves) find_fastest(model, state, f);
+    say_what_moves(model, state, f);
     f.verdict = f.first_time_below     ? FloodVerdict::floods
                 : f.still_moves        ? FloodVerdict::moving
                 : f.first_time_damaged ? FloodVerdict::damaged
                                        : FloodVerdict::stands;
     const Real margin = f.freeboard - model.description.flood.smallest_freeboard;
     if (f.verdict == FloodVerdict::damaged && margin < settles_) f.margin = margin;
-    f.trigger = trigger_of(model.description, state, river_, {f.first_time_damaged.value_or(never), time_below_});
+    f.trigger = trigger_of(
+        model.description, state, river_, {f.first_time_damaged.value_or(never), time_below_}, moving_.stage);
     f.criterion = criterion_text(model.description.flood, level.value, before_.value_or(river_before_trigger(model)));
   }
 
@@ -225,6 +274,9 @@ class Flood : public Follower {
     arrays.copy("river", std::vector<std::int64_t>{!river_ ? 0 : static_cast<std::int64_t>(outwards(*river_))});
     arrays.copy("times", std::vector<Real>{time_damaged_, time_below_});
     arrays.copy("speed", std::vector<Real>{fastest_node_});
+    if (moving_.stage < 0) return;
+    arrays.copy("moving", std::vector<Real>{moving_.speed, moving_.x, moving_.y});
+    arrays.copy("moving_in", std::vector<std::int64_t>{moving_.stage, moving_.material});
   }
   void load(const Model&, const State&, const ArrayReader& arrays) override
   {
@@ -236,6 +288,11 @@ class Flood : public Follower {
     river_ = river == 0 ? std::nullopt : std::optional(river > 0 ? Facing::right : Facing::left);
     time_damaged_ = times[0], time_below_ = times[1];
     fastest_node_ = arrays.reals("speed", 1)[0];
+    moving_ = {};
+    if (!arrays.has("moving")) return;
+    const std::vector<Real>& at = arrays.reals("moving", 3);
+    const std::vector<std::int64_t>& in = arrays.wholes("moving_in", 2);
+    moving_ = {static_cast<Index>(in[0]), at[0], at[1], at[2], static_cast<Index>(in[1])};
   }
 
   /// What the other run counted holds if it was judged against the same. Else only the ground of t = 0 is looked at,
@@ -243,8 +300,26 @@ class Flood : public Follower {
   void begin_from(const Model& before, const Model& model, const State& first) override
   {
     const Real damaged = time_damaged_, below = time_below_;
+    const FastSoil moving = moving_;
     start(model, first);
-    if (is_judged_alike(before, model)) time_damaged_ = damaged, time_below_ = below;
+    if (!is_judged_alike(before, model)) return;
+    time_damaged_ = damaged, time_below_ = below;
+    moving_ = moving_in(before, model, moving);
+  }
+
+  /// The same stage and soil by the numbers of another model; of none where that has no such names.
+  static FastSoil moving_in(const Model& before, const Model& model, FastSoil soil)
+  {
+    if (!is_of(before, soil)) return {};
+    const auto &stages = model.description.stages, &stages_before = before.description.stages;
+    const auto stage =
+        std::ranges::find(stages, stages_before[static_cast<std::size_t>(soil.stage)].name, &StageCase::name);
+    const std::string& name = before.materials[soil.material].name;
+    const auto same =
+        std::ranges::find_if(model.materials, [&](const auto& material) { return material.name == name; });
+    soil.stage = static_cast<Index>(stage - stages.begin());
+    soil.material = static_cast<Index>(same - model.materials.begin());
+    return is_of(model, soil) ? soil : FastSoil{};
   }
 };
 

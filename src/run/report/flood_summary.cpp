@@ -43,6 +43,11 @@ std::string trigger_words(const FloodTrigger& trigger)
   return words.empty() ? fmt::format("after the stage `{}`", trigger.stage) : words;
 }
 
+std::string moving_when(const FloodSummary& flood)
+{
+  return flood.moves_at_end() ? "at the end" : fmt::format("at the end of the stage `{}`", flood.stage_moving);
+}
+
 std::string motion_words(const FloodSummary& flood)
 {
   return fmt::format("`{}` moves with {:.2g} m/s at x = {:.1f}, y = {:.1f} m", flood.fastest_soil,
@@ -71,7 +76,9 @@ std::string flood_clause(const FloodSummary& flood)
                                 ? fmt::format("; the ground is {:.2f} m wide there, {:.2f} m of it intact",
                                       flood.width_at_level, flood.intact_width)
                                 : "";
-  const std::string motion = flood.verdict == FloodVerdict::moving ? "; " + motion_words(flood) : "";
+  const std::string motion = flood.verdict != FloodVerdict::moving ? ""
+                             : flood.moves_at_end()                ? "; " + motion_words(flood)
+                                                    : fmt::format("; {} {}", moving_when(flood), motion_words(flood));
   return fmt::format("{}{}: {} the highest ground stands at {:.2f} m, {:.2f} m {} the water at {:.2f} m{}{}{}", verdict,
       since, flood.verdict ? "at the end" : "so far", flood.residual_height, std::abs(flood.freeboard),
       flood.freeboard < 0.0 ? "below" : "above", flood.water_level, width, motion, stage_phrase(flood));

@@ -53,17 +53,24 @@ struct FloodSummary {
   std::string stage_damaged = {};          ///< name of the stage in which the first of these times lies; empty: of none
   std::string stage_below = {};            ///< of the second
   std::string stage = {};                  ///< the last one so far, to whose end heights and widths belong
-  std::optional<Real> fastest_node;        ///< at the end [m/s]
-  Real fastest_x = none, fastest_y = none;  ///< where soil moves fastest at the end [m]; NaN: it does not move
+  std::optional<Real> fastest_node;        ///< at the end, or where `stage_moving` ended [m/s]
+  Real fastest_x = none, fastest_y = none;  ///< where soil moves fastest then [m]; NaN: it does not move
   std::string fastest_soil = {};            ///< which soil that is
-  /// It was to end at rest and did not, or, for as long again, the soil would go far enough to matter.
+  /// Where the run or a stage ended: it was to end at rest and did not, or, for as long again, the soil would go far
+  /// enough to matter.
   bool still_moves = false;
+  std::string stage_moving =
+      {};  ///< at the end of which it does: the last one, or the first one before; empty: of none
+  bool moves_at_end() const { return stage_moving.empty() || stage_moving == stage; }
   std::optional<Real> margin;  ///< of damaged ground over what floods, so small that the verdict is not sure [m]
   std::string criterion = {};  ///< by which it floods, in words
   std::optional<FloodTrigger> trigger;  ///< none: the verdict is that of the section as it is
 };
 
-/// What moves at the end, how fast and where.
+/// "at the end", or of which stage: where soil still moves.
+std::string moving_when(const FloodSummary& flood);
+
+/// What moves then, how fast and where.
 std::string motion_words(const FloodSummary& flood);
 
 /// A run that has not ended has a verdict only where that is for good: it floods.

@@ -48,6 +48,7 @@ Summary sample_summary()
       .fastest_y = 1.5,
       .fastest_soil = "clay",
       .still_moves = true,
+      .stage_moving = "high",
       .margin = 0.0625,
       .criterion = "why",
       .trigger = FloodTrigger{.stage = "weaker", .at_strength = 1.25, .river = 3.75, .before = FloodVerdict::stands}};
@@ -102,7 +103,7 @@ TEST_F(SummaryJson, HoldsEveryNumberUnderItsName)
     "width_at_level": 0.0, "intact_width": 0.0, "first_time_damaged": 0.75, "first_time_below": 1.25,
     "stage_damaged": "daily", "stage_below": "flood", "stage": "after",
     "fastest_node": 0.25, "fastest_x": 2.5, "fastest_y": 1.5, "fastest_soil": "clay",
-    "still_moves": true, "margin": 0.0625, "criterion": "why",
+    "still_moves": true, "stage_moving": "high", "margin": 0.0625, "criterion": "why",
     "trigger": {"stage": "weaker", "at_strength": 1.25, "river": 3.75, "before": "stands"}},
     "case_name": "model_2", "case": "title = \"column\"\n"})"));
 }

@@ -125,6 +125,11 @@ TEST(Reach, SaysWhereTheVerdictAndTheStoredFactorsOrTheMotionOfTheSoilDisagree)
   EXPECT_THAT(hints_on(section), testing::ElementsAre());
   flood.still_moves = true;
   EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::moves));
+  flood.stage = "after", flood.stage_moving = "high", flood.fastest_node = 0.25;
+  EXPECT_THAT(words_of(Hint::moves, section, false),
+      testing::StartsWith("not at rest at the end of the stage `high` (0.25 m/s)"));
+  EXPECT_THAT(words_of(Hint::moves, section, true),
+      testing::StartsWith("aan het eind van fase `high` niet in rust (0,25 m/s)"));
 }
 
 TEST(Reach, ComparesNoFactorOfOtherStrengthsThanThoseOfTheCase)

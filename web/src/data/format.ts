@@ -96,11 +96,12 @@ export interface Flood {
   stage_damaged?: string; // in which it became so; empty: of none
   stage_below?: string;
   stage?: string; // the last one, to whose end the numbers belong
-  fastest_node?: number | null; // m/s, at the end
+  fastest_node?: number | null; // m/s, at the end or where stage_moving ended
   fastest_x?: number | null; // m, where soil moves fastest at the end
   fastest_y?: number | null;
   fastest_soil?: string;
   still_moves?: boolean; // so fast that the verdict may change
+  stage_moving?: string; // at the end of which it did; empty: of none
   margin?: number | null; // m, over what floods, where it is so small that the verdict is not sure
   trigger?: Trigger | null; // null: the verdict is that of the section as it is
 }

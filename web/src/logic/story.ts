@@ -1,7 +1,7 @@
 // What happened in a run, in sentences: the numbers of summary.json and of the events, in the words of texts.ts.
 // Nothing is worked out here.
 
-import type { RunMeta, Slide, Trigger } from "../data/format";
+import type { Flood, RunMeta, Slide, Trigger } from "../data/format";
 import type { Run } from "../data/run";
 import { schemeLabel, soilName, spoken } from "./labels";
 import { columnPlace, fixed, metres, numberText, percent, withUnit } from "./numbers";
@@ -85,7 +85,14 @@ export function restDoubt({ meta }: Run): string[] {
   const last = stages[stages.length - 1];
   const flood = meta.events?.flood;
   const speed = last && isRestless(last) ? last.fastest_node : flood?.still_moves ? flood.fastest_node : null;
-  return typeof speed === "number" ? [say("note_rest", { speed: withUnit(speed, "m/s", 2) })] : [];
+  if (typeof speed !== "number") return [];
+  const values = { speed: withUnit(speed, "m/s", 2), stage: flood?.stage_moving ?? "" };
+  return [say(flood && movedBefore(flood) ? "note_rest_stage" : "note_rest", values)];
+}
+
+/** Soil still moved where a stage ended, and later ones do not show what it would have done. */
+export function movedBefore({ still_moves: moves, stage_moving: moving, stage }: Flood): boolean {
+  return Boolean(moves && moving) && moving !== stage;
 }
 
 function isRestless({ end, at_rest: rest, fastest_node: fastest }: StageOfSummary): boolean {

@@ -18,6 +18,10 @@ export const DIKE_TEXTS = {
     "{height}, {freeboard} over the water at {level}: whether it stays there is not known.",
   "Aan het einde beweegt “{soil}” met {speed} bij x = {x}, y = {y}. De resthoogte ligt op {height}, {freeboard} " +
     "boven het water op {level}: of dat zo blijft is niet bekend."],
+  moved_before_text: ["Where the stage “{stage}” ended, “{soil}” moved with {speed} at x = {x}, y = {y}. What it would " +
+    "have done is not known. At the end the highest ground stands at {height}, {freeboard} over the water at {level}.",
+  "Waar fase “{stage}” eindigde, bewoog “{soil}” met {speed} bij x = {x}, y = {y}. Wat de grond nog gedaan zou hebben " +
+    "is niet bekend. Aan het einde ligt de resthoogte op {height}, {freeboard} boven het water op {level}."],
   floods_below_text: ["It floods from {time} on. At the end the highest ground stands at {height}, {below} below the " +
     "water at {level}.",
   "Overstroming vanaf {time}. Aan het einde ligt de resthoogte op {height}, {below} onder het water op {level}."],
@@ -47,6 +51,8 @@ export const DIKE_TEXTS = {
     "De uitkomst blijft dezelfde als een van deze verandert: {others}."],
   note_rest: ["The soil had not come to rest at the end: its fastest node moved with {speed}.",
     "De grond was aan het einde niet tot rust gekomen: de snelste knoop bewoog met {speed}."],
+  note_rest_stage: ["The soil had not come to rest at the end of stage “{stage}”: its fastest node moved with {speed}.",
+    "De grond was aan het einde van fase “{stage}” niet tot rust gekomen: de snelste knoop bewoog met {speed}."],
   note_side: ["Soil came to the side “{side}” of the mesh at {time}, which acts on it from then on.",
     "Grond bereikte op {time} de rand “{side}” van het rekenrooster, die er vanaf dan op werkt."],
   note_side_rose: ["Soil rose at the side “{side}” of the mesh by {time}, which holds it back.",

@@ -6,7 +6,7 @@ import type { Run } from "../data/run";
 import { runLabels } from "../logic/labels";
 import { columnPlace, fixed, metres, withUnit } from "../logic/numbers";
 import { slidesBySlope } from "../logic/slides";
-import { byColumns, crestFrom, lastTime, seconds, sideOf, triggerWords, zoneText } from "../logic/story";
+import { byColumns, crestFrom, lastTime, movedBefore, seconds, sideOf, triggerWords, zoneText } from "../logic/story";
 import type { Store } from "../logic/store";
 import { doubts, kindOf, stageWords, type Kind } from "../logic/verdict";
 import { say, type TextKey } from "../logic/texts";
@@ -65,7 +65,8 @@ function sentence(run: Run, kind: Kind): string {
   if (kind === "stands") return say("stands_text", values);
   if (kind === "damaged") return say("damaged_text", { ...values, time: seconds(flood.first_time_damaged) });
   if (kind === "still_moving")
-    return say("still_moving_text", { ...values, soil: flood.fastest_soil ?? "", x: metres(flood.fastest_x),
+    return say(movedBefore(flood) ? "moved_before_text" : "still_moving_text", { ...values,
+      stage: flood.stage_moving ?? "", soil: flood.fastest_soil ?? "", x: metres(flood.fastest_x),
       y: metres(flood.fastest_y), speed: withUnit(flood.fastest_node ?? NaN, "m/s", 2) });
   const below = flood.freeboard ?? 0;
   return say(below < 0 ? "floods_below_text" : "floods_text",

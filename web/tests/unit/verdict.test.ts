@@ -71,6 +71,9 @@ describe("the verdict", () => {
     expect(plain(doubts(runWith("stands", true,
       { events: { slides: [], flood: { verdict: "stands", fastest_node: 0.5, still_moves: true } } })))).toEqual([
       "The soil had not come to rest at the end: its fastest node moved with 0.5 m/s."]);
+    expect(plain(doubts(runWith("damaged", true, { events: { slides: [], flood: { verdict: "damaged", fastest_node: 0.5,
+      still_moves: true, stage_moving: "high", stage: "after" } } })))).toEqual([
+      "The soil had not come to rest at the end of stage “high”: its fastest node moved with 0.5 m/s."]);
     expect(doubts(runWith("still_moving", true, {}, { stages: [{ name: "a", start: 0, end: 1, at_rest: false,
       fastest_node: 0.5 }] }))).toEqual([]);
     expect(rest({ at_rest: false, fastest_node: null })).toEqual([]); // it was not to end at rest

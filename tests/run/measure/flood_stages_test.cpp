@@ -1,0 +1,97 @@
+// A stage that ends while soil moves decides the verdict, whatever comes after it.
+#include "run/measure/flood_dike.hpp"
+
+namespace flood_stages_test {
+
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+
+/// The dike in stages, the water of the second one high, that of the third low.
+struct Staged : Drawn {
+  Staged()
+  {
+    for (const auto& [name, water] : {std::pair("daily", ""), {"high", "high"}, {"after", "start"}}) {
+      StageCase stage;
+      stage.name = name, stage.water = water;
+      model.description.stages.push_back(stage);
+    }
+    state.time = 1.0;
+  }
+
+  /// fastest: of the record; NaN: a stage of fixed duration.
+  Staged& end_stage(std::size_t number, bool at_rest, Real speed, Real fastest)
+  {
+    model.stage = {.name = model.description.stages[number].name, .number = number, .n_all = 3};
+    if (!std::isnan(fastest)) model.stage.rest = {.speed = 0.001, .steps = 10};
+    state.stage = static_cast<std::int64_t>(number);
+    state.stages_done.push_back({.start = state.time, .end = state.time + 1.0, .at_rest = at_rest, .fastest = fastest});
+    state.time += 1.0;
+    work.watches_rest = true, work.fastest_node = speed;
+    look();
+    return *this;
+  }
+  Staged& rest(std::size_t number) { return end_stage(number, true, 1e-5, 1e-5); }
+};
+
+TEST(FloodInStages, AStageThatEndsWhileSoilMovesLeavesTheVerdictOpen)
+{
+  Staged s;
+  s.rest(0).end_stage(1, false, 0.28, 0.28).rest(2);
+  const FloodSummary flood = s.flood();
+  EXPECT_EQ(flood.verdict, FloodVerdict::moving);
+  EXPECT_EQ(flood.stage_moving, "high");
+  EXPECT_EQ(flood.fastest_node, 0.28);
+  EXPECT_THAT(flood_clause(flood), HasSubstr("; at the end of the stage `high` `clay` moves with 0.28 m/s at x = "));
+}
+
+TEST(FloodInStages, SoDoesOneOfFixedDuration)
+{
+  Staged s;
+  s.rest(0).end_stage(1, false, 0.28, nan).rest(2);
+  EXPECT_EQ(s.flood().verdict, FloodVerdict::moving);
+  EXPECT_EQ(s.flood().stage_moving, "high");
+  Staged slow;
+  slow.rest(0).end_stage(1, false, 0.01, nan).rest(2);  // 0.03 m in as long again, limit 0.1 m
+  EXPECT_EQ(slow.flood().verdict, FloodVerdict::stands);
+}
+
+TEST(FloodInStages, SoilBelowTheLimitOfRestIsNotFast)
+{
+  Staged s;
+  s.rest(0).end_stage(1, false, 0.0009, 0.0009).rest(2);
+  EXPECT_EQ(s.flood().verdict, FloodVerdict::stands);
+}
+
+TEST(FloodInStages, DamageIsKnownHoweverItMoved)
+{
+  Staged s;
+  s.rest(0).end_stage(1, false, 0.28, 0.28);
+  s.become([](Vec<2> p) { return Vec<2>{p[0], p[1] > 1.0 ? 1.0 + 0.8 * (p[1] - 1.0) : p[1]}; });
+  s.rest(2);
+  EXPECT_EQ(s.flood().verdict, FloodVerdict::damaged);
+  EXPECT_FALSE(s.flood().still_moves);
+}
+
+TEST(FloodInStages, AStageThatGoesOnDecidesForTheOneBefore)
+{
+  Staged s;
+  s.model.description.stages[2].water = "";
+  s.rest(0).end_stage(1, false, 0.28, 0.28).rest(2);
+  EXPECT_EQ(s.flood().verdict, FloodVerdict::stands);
+  Staged held;
+  auto strong = std::make_shared<Case>();
+  strong->at_strength = 0.5;
+  held.model.description.stages[0].changed = strong;
+  held.end_stage(0, false, 0.28, 0.28).rest(1).rest(2);
+  EXPECT_EQ(held.flood().verdict, FloodVerdict::stands);
+}
+
+TEST(FloodInStages, ACheckpointRemembersTheStage)
+{
+  Staged s, other;
+  s.rest(0).end_stage(1, false, 0.28, 0.28);
+  other.restore(s.save());
+  other.rest(2);
+  EXPECT_EQ(other.flood().stage_moving, "high");
+}
+
+}  // namespace flood_stages_test
