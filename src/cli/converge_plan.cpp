@@ -20,6 +20,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <set>
 
 namespace terp {
@@ -59,6 +60,7 @@ class Sequences {
  public:
   std::vector<StudySequence> all{{"as given", {}, {}}};
   std::vector<double> turns{0.0};  ///< of each the direction of its cells against x [deg]; 0: as given
+  std::vector<std::string> not_varied = {};
 
   void add(const std::string& option, StudySequence sequence, double turn = 0.0)
   {
@@ -73,11 +75,14 @@ class Sequences {
 Sequences sequences_of(const ConvergeOptions& options, const Case& given)
 {
   Sequences sequences;
-  if (options.what_decides)
-    for (StudySequence& sequence : sequences_that_may_decide(options)) {
+  if (options.what_decides) {
+    Levers levers = levers_of(options);
+    sequences.not_varied = std::move(levers.not_varied);
+    for (StudySequence& sequence : levers.sequences) {
       const std::string name = sequence.name;
       sequences.add(name, std::move(sequence));
     }
+  }
   for (const std::string& variant : options.variants)
     sequences.add("--variant " + variant, {variant, changes_of_variant(variant), {}});
   for (const double turn : options.turns) {
@@ -88,13 +93,15 @@ Sequences sequences_of(const ConvergeOptions& options, const Case& given)
                                 "  A rectangle of equal square cells can, and a polygon without mesh.refine "
                                 "whose cells follow no bodies.\n",
               options.run.path, why)));
-    sequences.add(fmt::format("--turn {:g}", turn), {fmt::format("turned by {:g} degrees", turn), {}, {}}, turn);
+    sequences.add(fmt::format("--turn {:g}", turn),
+        {fmt::format("turned by {:g} degrees", turn), {}, {}, "direction of cells"}, turn);
   }
   for (const int n : options.points) {
     const auto has_them = [&](const BodyCase& b) { return b.points_per_cell == std::array<Index, 2>{n, n}; };
     if (std::ranges::all_of(given.bodies, has_them)) continue;  // as given
     sequences.add(fmt::format("--points {}", n),
-        {fmt::format("{0} x {0} points per cell", n), {fmt::format("body.*.points_per_cell=[{0}, {0}]", n)}, {}});
+        {fmt::format("{0} x {0} points per cell", n), {fmt::format("body.*.points_per_cell=[{0}, {0}]", n)}, {},
+            "points per cell"});
   }
   if (sequences.all.size() == 1 && options.turns.size() + options.points.size() > 0)
     throw CaseError(
@@ -297,18 +304,26 @@ Plan plan_study(const ConvergeOptions& options)
       .folder = options.run.output.empty()
                     ? default_run_folder(options.run.path) + (options.what_decides ? "_decides" : "_convergence")
                     : options.run.output,
-      .sequences = std::move(sequences.all)};
+      .sequences = std::move(sequences.all),
+      .not_varied = std::move(sequences.not_varied)};
   if (fs::exists(path_in(plan.folder, case_file)))
     throw FileError(
         fmt::format("{}: this is the folder of one run; the sizes get folders of their own\n  Choose another: -o DIR",
             plan.folder));
   warn_of_given_points(file);
   Planner planner{options, plan, sequences.turns};
-  for (std::size_t k = 0; k < plan.sequences.size(); ++k) {
-    const CaseFile base = k == 0 ? file : read_case(options.run.path, planner.changes_with(plan.sequences[k]));
-    for (const double cell : cells)
-      if (k == 0 || !options.what_decides || cell == cells.front()) planner.add(k, cell, base);
-  }
+  for (std::size_t k = 0; k < plan.sequences.size();) try {
+      const CaseFile base = k == 0 ? file : read_case(options.run.path, planner.changes_with(plan.sequences[k]));
+      for (const double cell : cells)
+        if (k == 0 || !options.what_decides || cell == cells.front()) planner.add(k, cell, base);
+      ++k;
+    } catch (const CaseError& error) {
+      const bool may_be_left_out = options.what_decides && !plan.sequences[k].input.empty();
+      if (!may_be_left_out) throw;
+      plan.not_varied.push_back(fmt::format("{} ({})", plan.sequences[k].name, first_line_of(error.what())));
+      plan.sequences.erase(plan.sequences.begin() + static_cast<std::ptrdiff_t>(k));
+      sequences.turns.erase(sequences.turns.begin() + static_cast<std::ptrdiff_t>(k));
+    }
   std::set<std::string> folders;
   for (const PlannedRun& run : plan.runs)
     if (!folders.insert(run.folder).second)
@@ -329,6 +344,7 @@ std::string plan_text(const Plan& plan, int threads)
         run.start == RunStart::kept ? "solved before, is kept"
                                     : fmt::format("{}, about {}", run.what, readable_duration(run.seconds)));
   }
+  if (!plan.not_varied.empty()) text += fmt::format("  not varied: {}\n", fmt::join(plan.not_varied, "; "));
   return printable(fmt::format("{}\n{}  {:<{}}  about {} on {} thread{}\n",
       plan.title.empty() ? plan.case_name : plan.title, text, fmt::format("all {} runs", plan.runs.size()), width,
       readable_duration(seconds), threads, threads == 1 ? "" : "s"));

@@ -26,7 +26,8 @@ struct PlannedRun {
 struct Plan {
   std::string case_name, title, folder;
   std::vector<StudySequence> sequences;
-  std::vector<PlannedRun> runs = {};  ///< all sizes of a sequence, then the next
+  std::vector<PlannedRun> runs = {};         ///< all sizes of a sequence, then the next
+  std::vector<std::string> not_varied = {};  ///< inputs that may decide and cannot be changed, with the reason
 };
 
 /// Reads the case at every size, shows each warning once, makes trial steps. Throws CaseError where a size or a variant

@@ -1,91 +1,82 @@
-// A lever is a line of the table; the first sequence of a plan is the case as given. Sizes of cells are a lever, too:
-// the case as given is solved on all of them, the others on the coarsest, which costs least.
+// The first sequence of a plan is the case as given. Sizes of cells are an input, too: the case as given is solved on
+// all of them, the others on the coarsest, which costs least. What is not possible is named and stops nothing.
 
 #include "cli/what_decides.hpp"
 
+#include "cli/strength_levers.hpp"
+#include "io/case/case_file.hpp"
 #include "io/case/document.hpp"
-#include "io/case/units.hpp"
 #include "io/files/run_folder.hpp"
+#include "model/parts/initial.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace terp {
 namespace {
 
-struct Lever {
-  const char* name;
-  std::vector<const char*> keys;  ///< that change together, below a material where `of_soil`
-  bool of_soil;
-  Real less, more;   ///< factors
-  Real least = 0.0;  ///< value that the key may have
-};
-
-/// Factors: how well a soil investigation usually knows the input (docs/convergence.md).
-const Lever levers[] = {
-    {"k0", {"initial.k0"}, false, 0.8, 1.25},
-    {"k0 of soils", {"k0"}, true, 0.8, 1.25},
-    {"S", {"su_peak.shansep.S"}, true, 0.85, 1.15},
-    {"POP", {"su_peak.shansep.pop"}, true, 0.7, 1.3},
-    {"S_u", {"su_peak", "su_residual", "su_remoulded", "su_active", "su_direct", "su_passive"}, true, 0.85, 1.15},
-    {"sensitivity", {"sensitivity"}, true, 0.8, 1.25, 1.0},
-    {"phi", {"friction_angle", "friction_angle_residual", "dilatancy_angle", "dilatancy_angle_residual"}, true, 0.9,
-        1.1},
-};
-
-/// KEY=VALUE with the number at a path times a factor; empty: there is no number, or it would not change.
-std::string scaled(const Node& root, const std::string& path, Real factor, Real least)
+/// Soil in all of which k0 is this already.
+bool begins_with(const Case& c, Real k0)
 {
-  const Node* node = find_node(root, path);
-  if (node == nullptr) return "";
-  const auto number = [&](Real value) { return std::max(least, value * factor); };
-  if (node->kind == NodeKind::number || node->kind == NodeKind::integer) {
-    const Real value = node->kind == NodeKind::integer ? static_cast<Real>(node->integer) : node->number;
-    return number(value) == value ? "" : fmt::format("{}={:.6g}", path, number(value));
-  }
-  if (node->kind != NodeKind::text) return "";
-  const auto quantity = parse_quantity(node->text);
-  if (!quantity) return "";
-  return fmt::format("{}=\"{:.6g} {}\"", path, factor * std::stod(quantity->number), quantity->name);
+  const auto has_it = [&](const MaterialCase& m) { return m.k0 == k0 || (std::isnan(m.k0) && c.initial.k0 == k0); };
+  return std::ranges::all_of(c.materials, has_it);
 }
 
-std::vector<std::string> changes_of(const Node& root, const Lever& lever, Real factor)
+void add_k0_keys(const Node& table, const std::string& path, Real k0, std::vector<std::string>& changes)
 {
-  std::vector<std::string> changes;
-  const auto add = [&](const std::string& path) {
-    std::string change = scaled(root, path, factor, lever.least);
-    if (!change.empty()) changes.push_back(std::move(change));
-  };
-  const Node* soils = find_item(root, "material");
-  for (const char* key : lever.keys)
-    if (!lever.of_soil)
-      add(key);
-    else if (soils != nullptr && soils->kind == NodeKind::table)
-      for (const Node& soil : soils->items) add(join_path("material", soil.name) + '.' + key);
-  return changes;
+  if (table.kind != NodeKind::table) return;
+  for (const Node& item : table.items)
+    if (item.name == "k0")
+      changes.push_back(fmt::format("{}={:g}", join_path(path, item.name), k0));
+    else
+      add_k0_keys(item, join_path(path, item.name), k0, changes);
+}
+
+void add_k0(const Node& root, const Case& c, Levers& levers)
+{
+  if (!begins_with_k0(c)) return levers.not_varied.push_back("k0 (the soil does not begin with it)");
+  for (const Real k0 : {0.5, 1.0}) {
+    if (begins_with(c, k0)) continue;
+    std::vector<std::string> changes{fmt::format("initial.k0={:g}", k0)};
+    if (const Node* soils = find_item(root, "material")) add_k0_keys(*soils, "material", k0, changes);
+    levers.sequences.push_back({fmt::format("k0 = {:g}", k0), std::move(changes), {}, "k0"});
+  }
 }
 
 }  // namespace
 
-std::vector<StudySequence> sequences_that_may_decide(const ConvergeOptions& options)
+std::string first_line_of(const std::string& error)
+{
+  std::string line = error.substr(0, error.find('\n'));
+  if (const std::size_t at = line.find("error: "); at != std::string::npos) line = line.substr(at + 7);
+  return line;
+}
+
+Levers levers_of(const ConvergeOptions& options)
 {
   const CaseFile file = read_case(options.run.path, options.run.changes);
   const Node root = parse_toml(file.text);
-  std::vector<StudySequence> sequences;
-  for (const Lever& lever : levers) {
-    if (lever.name[0] == 'k' && file.values.initial.stress == InitialStress::none) continue;  // it decides nothing
-    for (const Real factor : {lever.less, lever.more})
-      if (auto changes = changes_of(root, lever, factor); !changes.empty())
-        sequences.push_back({fmt::format("{} x {:g}", lever.name, factor), std::move(changes), {}});
-  }
-  if (sequences.empty())
+  Levers levers;
+  add_k0(root, file.values, levers);
+  for (const StrengthLever& lever : strength_levers())
+    for (const Real factor : {lever.less, lever.more}) {
+      ScaledStrength scaled = scale_strength(root, lever, factor);
+      for (std::string& key : scaled.left)
+        if (std::ranges::find(levers.not_varied, key) == levers.not_varied.end())
+          levers.not_varied.push_back(std::move(key));
+      if (!scaled.changes.empty())
+        levers.sequences.push_back(
+            {fmt::format("{} x {:g}", lever.name, factor), std::move(scaled.changes), {}, lever.name});
+    }
+  for (std::string& key : strengths_without_lever(root)) levers.not_varied.push_back(std::move(key));
+  if (levers.sequences.empty())
     throw CaseError(
         fmt::format("error: {}: --what-decides: the case has no number that could decide\n"
-                    "  It looks for initial.k0, and for S, pop, su_peak, sensitivity and friction_angle of "
-                    "the soils.\n",
-            options.run.path));
-  return sequences;
+                    "  It looks for k0 and for strengths of the soils. Not varied: {}.\n",
+            options.run.path, fmt::join(levers.not_varied, ", ")));
+  return levers;
 }
 
 Decision decide(const Plan& plan)
@@ -95,10 +86,13 @@ Decision decide(const Plan& plan)
     for (const StudyRun& run : sequence.runs) {
       const bool given = &sequence == plan.sequences.data();
       const std::string name = given ? fmt::format("cells of {:g} m", run.cell) : sequence.name;
-      solved.push_back({given ? "cells" : sequence.name.substr(0, sequence.name.rfind(" x ")), name,
-          run.fault.empty() ? outcome_of_run(path_in(plan.folder, run.folder)) : "stops: " + run.fault, run.folder});
+      solved.push_back({given                    ? "cells"
+                        : sequence.input.empty() ? sequence.name
+                                                 : sequence.input,
+          name, run.fault.empty() ? outcome_of_run(path_in(plan.folder, run.folder)) : "stops: " + run.fault,
+          run.folder});
     }
-  return decide(plan.case_name, solved);
+  return decide(plan.case_name, solved, plan.not_varied);
 }
 
 }  // namespace terp

@@ -9,8 +9,16 @@
 
 namespace terp {
 
+struct Levers {
+  std::vector<StudySequence> sequences;  ///< each with its input
+  std::vector<std::string> not_varied;   ///< inputs for which there is none, with the reason
+};
+
 /// One input, less or more than given, in all soils that have it. Throws CaseError if the case has none of them.
-std::vector<StudySequence> sequences_that_may_decide(const ConvergeOptions& options);
+Levers levers_of(const ConvergeOptions& options);
+
+/// What a message of a case says first.
+std::string first_line_of(const std::string& error);
 
 /// What came out of the runs of a plan.
 Decision decide(const Plan& plan);

@@ -348,7 +348,8 @@ Json depends_json(const RunResults& run)
   for (const char* const key : {"runs", "turns_on", "does_not_turn_on"})
     if (!all.is_object() || !all.contains(key) || !all[key].is_array()) return nullptr;
   if (std::ranges::none_of(all["runs"], is_this)) return nullptr;
-  return {{"turns_on", all["turns_on"]}, {"does_not_turn_on", all["does_not_turn_on"]}};
+  return {{"turns_on", all["turns_on"]}, {"does_not_turn_on", all["does_not_turn_on"]},
+      {"not_varied", all.value("not_varied", Json::array())}};
 }
 
 Json histories_json(Chunks& chunks, const RunResults& run)

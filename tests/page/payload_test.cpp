@@ -177,12 +177,14 @@ TEST_F(PayloadTest, HasWhatTheOutcomeTurnsOnWhereTheFileBesideTheFolderIsOfThisR
   };
   EXPECT_TRUE(depends().is_null());
   const std::string path = scratch.path() + "/" + depends_file;
-  write_file_atomically(
-      path, decide("dike", {{"cells", "cells of 1 m", "stands", "gp"}, {"k0", "k0 x 0.8", "floods", "k0_x_0.8"},
-                               {"S", "S x 0.85", "stands", "s"}})
-                .json);
+  write_file_atomically(path, decide("dike",
+                                  {{"cells", "cells of 1 m", "stands", "gp"}, {"k0", "k0 x 0.8", "floods", "k0_x_0.8"},
+                                      {"S", "S x 0.85", "stands", "s"}},
+                                  {"material.clay.su_peak (a table in a file)"})
+                                  .json);
   for (const char* folder : {"/gp", "/gp/"})
-    EXPECT_EQ(depends(folder), (json{{"turns_on", {"k0"}}, {"does_not_turn_on", {"cells", "S"}}}));
+    EXPECT_EQ(depends(folder), (json{{"turns_on", {"k0"}}, {"does_not_turn_on", {"S"}},
+                                   {"not_varied", {"material.clay.su_peak (a table in a file)"}}}));
   write_file_atomically(path, decide("dike", {{"cells", "cells of 1 m", "stands", "another"}}).json);
   EXPECT_TRUE(depends().is_null());
   for (const char* damaged : {"{", "[]", "{\"runs\": [3]}", "{\"runs\": [{\"folder\": \"gp\"}]}"}) {

@@ -28,6 +28,7 @@ struct StudySequence {
   std::string name;                  ///< "as written", or what was changed: "scheme=mpm_mixed"
   std::vector<std::string> changes;  ///< KEY=VALUE of --set, without those of the cells
   std::vector<StudyRun> runs;        ///< from the largest cells to the smallest
+  std::string input = {};            ///< what was changed: "S_u" of "S_u x 0.85"; empty: the name says it
 };
 
 /// What the sizes of a sequence say of one measure.

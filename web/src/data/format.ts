@@ -197,7 +197,8 @@ export interface RunMeta {
   assumed?: Record<string, string[]>; // by language: what the import of the section took that its file does not say
   doubts?: Record<string, string[]>; // the same of what speaks against the section
   changed?: Record<string, string[]>; // the same of what changed in it since the import
-  depends?: { turns_on: string[]; does_not_turn_on: string[] } | null; // inputs that were changed one at a time
+  // inputs that were changed one at a time, and those that could not be
+  depends?: { turns_on: string[]; does_not_turn_on: string[]; not_varied?: string[] } | null;
   summary: Record<string, unknown>;
 }
 

@@ -18,10 +18,11 @@ export const DIKE_TEXTS = {
     "{height}, {freeboard} over the water at {level}: whether it stays there is not known.",
   "Aan het einde beweegt “{soil}” met {speed} bij x = {x}, y = {y}. De resthoogte ligt op {height}, {freeboard} " +
     "boven het water op {level}: of dat zo blijft is niet bekend."],
-  moved_before_text: ["Where the stage “{stage}” ended, “{soil}” moved with {speed} at x = {x}, y = {y}. What it would " +
-    "have done is not known. At the end the highest ground stands at {height}, {freeboard} over the water at {level}.",
-  "Waar fase “{stage}” eindigde, bewoog “{soil}” met {speed} bij x = {x}, y = {y}. Wat de grond nog gedaan zou hebben " +
-    "is niet bekend. Aan het einde ligt de resthoogte op {height}, {freeboard} boven het water op {level}."],
+  moved_before_text: ["Where stage “{stage}” ended, “{soil}” moved with {speed} at x = {x}, y = {y}. What it " +
+    "would have done is not known. At the end the highest ground stands at {height}, {freeboard} over the water at " +
+    "{level}.",
+  "Waar fase “{stage}” eindigde, bewoog “{soil}” met {speed} bij x = {x}, y = {y}. Wat de grond nog gedaan had is " +
+    "niet bekend. Aan het einde ligt de resthoogte op {height}, {freeboard} boven het water op {level}."],
   floods_below_text: ["It floods from {time} on. At the end the highest ground stands at {height}, {below} below the " +
     "water at {level}.",
   "Overstroming vanaf {time}. Aan het einde ligt de resthoogte op {height}, {below} onder het water op {level}."],
@@ -47,6 +48,7 @@ export const DIKE_TEXTS = {
     "De uitkomst hangt af van: {inputs}. Elk daarvan geeft alleen al een andere; {others} niet."],
   turns_on_all: ["The outcome turns on: {inputs}. Each of these alone gives another one.",
     "De uitkomst hangt af van: {inputs}. Elk daarvan geeft alleen al een andere."],
+  not_varied: ["Not varied: {inputs}.", "Niet gevarieerd: {inputs}."],
   turns_on_nothing: ["The outcome stays the same where one of these is changed: {others}.",
     "De uitkomst blijft dezelfde als een van deze verandert: {others}."],
   note_rest: ["The soil had not come to rest at the end: its fastest node moved with {speed}.",

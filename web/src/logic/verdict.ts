@@ -31,9 +31,10 @@ export function doubts(run: Run): string[] {
 /** What the outcome turns on, of the inputs that were changed one at a time. */
 function turnsOn({ meta: { depends } }: Run): string {
   if (!depends) return "";
-  const { turns_on: turns, does_not_turn_on: others } = depends;
-  if (turns.length === 0) return say("turns_on_nothing", { others: others.join(", ") });
-  return say(others.length > 0 ? "turns_on" : "turns_on_all", { inputs: turns.join(", "), others: others.join(", ") });
+  const { turns_on: turns, does_not_turn_on: others, not_varied: left = [] } = depends;
+  const values = { inputs: turns.join(", "), others: others.join(", ") };
+  const text = turns.length === 0 ? "turns_on_nothing" : others.length > 0 ? "turns_on" : "turns_on_all";
+  return say(text, values) + (left.length > 0 ? ` ${say("not_varied", { inputs: left.join("; ") })}` : "");
 }
 
 /** In which stage the ground came down: a slide in daily water is no flood of the river. */

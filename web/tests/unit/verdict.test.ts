@@ -51,6 +51,8 @@ describe("the verdict", () => {
       "The outcome turns on: k0, cells. Each of these alone gives another one; S did not.");
     expect(depends(["k0"], [])).toBe("The outcome turns on: k0. Each of these alone gives another one.");
     expect(depends([], ["S"])).toBe("The outcome stays the same where one of these is changed: S.");
+    expect(doubts(runWith("stands", true, { depends: { turns_on: [], does_not_turn_on: ["S"], not_varied: ["a", "b"] } })))
+      .toEqual(["The outcome stays the same where one of these is changed: S. Not varied: a; b."]);
     const summary = { stages: [{ name: "daily", start: 0, end: 1, at_rest: false, fastest_node: 0.5 },
       { name: "flood", start: 1, end: 4, at_rest: false, fastest_node: 0.025 }],
     reached_sides: [{ side: "right", time: 3, rose: false }, { side: "left", time: 2, rose: true }] };
