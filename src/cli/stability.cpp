@@ -104,7 +104,7 @@ StabilityResult search_and_write(const RunOptions& run, const CaseFile& file, co
     line.show(trial, so_far, trials_left);
   };
   StabilityResult result = find_factor_of_safety(file.values, options, stop_requested, show);
-  if (result.search.found()) sizes.push_back({result.cell, result.factor(), result.uncertainty()});
+  if (result.search.found() && !result.stopped) sizes.push_back(size_of(result));
   if (options.cracks && is_last && !result.stopped)
     result.with_tension = find_factor_with_tension(file.values, result, stop_requested, show);
   result.sizes = sizes;

@@ -48,12 +48,13 @@ std::string bracket_text(const StabilityResult& r)
   const Bisection& s = r.search;
   if (s.found()) {
     if (const auto limit = r.limit())
-      return fmt::format("{:.3f}   ({:.3f} to {:.3f}), on cells of no size", limit->factor, limit->low, limit->high);
+      return fmt::format("{:.3f}   ({:.3f} to {:.3f}), {}", limit->factor, limit->low, limit->high,
+          limit->is_extrapolated ? "on cells of no size" : "the lower one of two sizes of cells");
     const Real end = *s.highest();
     const std::string fails = s.failed ? fmt::format("fails at {:.3f}", end) : fmt::format("up to {:.3f}", end);
     const bool creeps = !s.failed || *s.not_stable < *s.failed;
-    if (r.cells_over_depth() < fewest_cells)
-      return fmt::format("at most {:.3f}   (stands at {:.3f}, {}{})", end, *s.stable,
+    if (r.is_upper_bound())
+      return fmt::format("at most {:.3f}   (stands at {:.3f}, {}{})", r.answer(), *s.stable,
           creeps ? fmt::format("creeps at {:.3f}, ", *s.not_stable) : "", fails);
     return fmt::format("{:.3f} +- {:.3f}   (stands at {:.3f}, {}{})", r.factor(), r.uncertainty(), *s.stable,
         creeps ? fmt::format("creeps at {:.3f}, ", *s.not_stable) : "", fails);
@@ -107,7 +108,13 @@ std::string soil_text(const StabilityResult& r)
     text += "  friction and cohesion are the reduced pair of Davis, with associated flow\n";
   if (r.options.rules.least_depth > 0.0)
     text += fmt::format("  soil less than {:g} m below the ground is not looked at\n", r.options.rules.least_depth);
-  if (r.with_tension)
+  if (r.with_tension && r.sizes.size() > 1)
+    text += fmt::format(
+        "  soil cracks: no tension where its law sets no limit. With tension (--with-tension) it is {:.0f} % stronger "
+        "on "
+        "the\n  finest cells\n",
+        100.0 * (r.with_tension->factor / r.factor() - 1.0));
+  else if (r.with_tension)
     text += fmt::format(
         "  soil cracks: no tension where its law sets no limit. With tension (--with-tension) {:.3f} +- {:.3f}\n",
         r.with_tension->factor, r.with_tension->uncertainty);
@@ -122,27 +129,49 @@ std::string numbers(const std::vector<SizedFactor>& sizes)
   return text;
 }
 
+std::string order_text(const FactorLimit& limit, std::size_t n_sizes)
+{
+  if (!limit.is_extrapolated)
+    return "Finer cells gave no less, which is no error of the mesh: nothing is extrapolated, and the lower of both "
+           "brackets\n  is the answer.";
+  const std::string usual =
+      fmt::format("usual on slopes; the range is that of {:g} to {:g}", lowest_order, highest_order);
+  const std::string found = n_sizes < 3                     ? ""
+                            : std::isnan(limit.order_found) ? ".\n  The three sizes show no order"
+                                                            : fmt::format(
+                                                                  ".\n  The order {:.2f} that three sizes show is "
+                                                                  "not used, as it is not between 1/2 and 2",
+                                                                  limit.order_found);
+  return fmt::format("By the order {:.2f}, {}, the limit of small cells is as above{}.", limit.order,
+      limit.order_is_observed ? "observed on three sizes" : usual, limit.order_is_observed ? "" : found);
+}
+
+/// "--cells 1,0.5 measures it", with enough cells over the depth of what moves on both sizes.
+std::string measure_text(const StabilityResult& r, std::string_view before)
+{
+  if (r.given_cell == 0.0) return "";
+  Real cell = r.given_cell;
+  for (Real n = r.cells_over_depth(); n < fewest_cells && n > 0.0; n *= 2.0) cell *= 0.5;
+  return fmt::format("{}--cells {:.9g},{:.9g} measures it", before, cell, 0.5 * cell);
+}
+
 std::string mesh_text(const StabilityResult& r)
 {
-  if (const auto limit = r.limit())
-    return fmt::format("  The mesh: {}.\n  By the order {:.2f}, {}, the limit of small cells is as above.\n",
-        numbers(r.sizes), limit->order,
-        limit->order_is_observed
-            ? "observed on three sizes"
-            : fmt::format("usual on slopes; the range is that of {:g} to {:g}", lowest_order, highest_order));
-  const Real n = r.cells_over_depth();
-  const std::string measure = fmt::format("--cells {:.3g},{:.3g} measures it", r.cell, 0.5 * r.cell);
-  if (n < fewest_cells)
+  const std::string sizes = r.sizes.size() > 1 ? fmt::format("  The mesh: {}.\n", numbers(r.sizes)) : "";
+  if (const auto limit = r.limit()) return fmt::format("{}  {}\n", sizes, order_text(*limit, r.sizes.size()));
+  Real n = r.cells_over_depth(), cell = r.cell;
+  if (r.is_upper_bound()) {
+    for (const SizedFactor& size : r.sizes)
+      if (size.cells_over_depth < n) n = size.cells_over_depth, cell = size.cell;
     return fmt::format(
-        "  What moves is {:.1f} cells of {:.3g} m deep. So few carry far more than the soil: take the factor for an "
-        "upper "
-        "bound.\n  Finer cells give less; {}.\n",
-        n, r.cell, measure);
+        "{}  What moves is {:.1f} cells of {:.3g} m deep. So few carry far more than the soil: take the factor for an "
+        "upper bound.\n  Finer cells give less{}.\n",
+        sizes, n, cell, measure_text(r, "; "));
+  }
   return fmt::format(
       "  The +- is that of the search alone. The mesh makes the factor too large: what moves is {:.1f} cells of {:.3g} "
-      "m "
-      "deep,\n  and with so many it was by 0 to {:.0f} % on slopes of other authors. {}.\n",
-      n, r.cell, 100.0 * largest_mesh_error(n), measure);
+      "m deep,\n  and with so many it was by 0 to {:.0f} % on slopes of other authors.{}\n",
+      n, cell, 100.0 * largest_mesh_error(n), r.given_cell == 0.0 ? "" : measure_text(r, " ") + ".");
 }
 
 std::string others_text(const StabilityResult& r)
@@ -151,7 +180,7 @@ std::string others_text(const StabilityResult& r)
   for (const SlipPlaneCase& plane : r.slip_planes)
     if (r.search.found() && !std::isnan(plane.factor_of_safety))
       text += fmt::format(
-          "    {}: this is {:+.1f} % from it\n", words_of(plane), 100.0 * (r.factor() / plane.factor_of_safety - 1.0));
+          "    {}: this is {:+.1f} % from it\n", words_of(plane), 100.0 * (r.answer() / plane.factor_of_safety - 1.0));
   return text.empty() ? text : "  beside the factors of other methods:\n" + text;
 }
 
@@ -209,7 +238,8 @@ Json soil_json(const StabilityResult& r)
   Json json = {{"cracks", r.options.cracks}, {"flow", flows[static_cast<int>(r.options.flow)]},
       {"least_depth", r.options.rules.least_depth}, {"with_tension", nullptr}};
   if (r.with_tension)
-    json["with_tension"] = {{"factor", r.with_tension->factor}, {"uncertainty", r.with_tension->uncertainty}};
+    json["with_tension"] = {{"cell", r.with_tension->cell}, {"factor", r.with_tension->factor},
+        {"uncertainty", r.with_tension->uncertainty}};
   return json;
 }
 
@@ -218,11 +248,13 @@ Json mesh_json(const StabilityResult& r)
   Json json = {{"cell", r.cell}, {"slope_height", r.relief}, {"cells_over_depth", r.cells_over_depth()},
       {"largest_error", nullptr}, {"sizes", Json::array()}, {"extrapolated", nullptr}};
   for (const SizedFactor& size : r.sizes)
-    json["sizes"].push_back({{"cell", size.cell}, {"factor", size.factor}, {"uncertainty", size.uncertainty}});
+    json["sizes"].push_back({{"cell", size.cell}, {"factor", size.factor}, {"uncertainty", size.uncertainty},
+        {"highest", size.highest}, {"cells_over_depth", size.cells_over_depth}});
   if (r.cells_over_depth() >= fewest_cells) json["largest_error"] = largest_mesh_error(r.cells_over_depth());
   if (const auto limit = r.limit())
     json["extrapolated"] = {{"factor", limit->factor}, {"low", limit->low}, {"high", limit->high},
-        {"order", limit->order}, {"order_is_observed", limit->order_is_observed}};
+        {"order", limit->order}, {"order_is_observed", limit->order_is_observed}, {"order_found", limit->order_found},
+        {"is_extrapolated", limit->is_extrapolated}};
   return json;
 }
 
@@ -237,10 +269,9 @@ std::string stability_json(const StabilityResult& r, const std::string& scheme, 
       {"terp_version", TERP_VERSION},
       {"scheme", scheme},
       {"points", r.n_points},
-      {"factor_of_safety", r.limit() ? r.limit()->factor : r.factor()},
-      {"uncertainty", r.limit() ? std::max(r.limit()->high - r.limit()->factor, r.limit()->factor - r.limit()->low)
-                                : r.uncertainty()},
-      {"is_upper_bound", r.search.found() && !r.limit() && r.cells_over_depth() < fewest_cells},
+      {"factor_of_safety", r.answer()},
+      {"uncertainty", r.answer_uncertainty()},
+      {"is_upper_bound", r.is_upper_bound()},
       {"stable_at", or_null(r.search.stable)},
       {"not_stable_at", or_null(r.search.not_stable)},
       {"failed_at", or_null(r.search.failed)},

@@ -8,6 +8,7 @@
 #include "model/water/water_pressure.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
@@ -92,13 +93,45 @@ Trial try_factor(const Case& c, Real factor, const StabilityOptions& options, co
 
 std::optional<FactorLimit> StabilityResult::limit() const
 {
-  return sizes.size() < 2 ? std::nullopt : std::optional(extrapolate_factor(sizes));
+  if (sizes.size() < 2 || stopped || !search.found() || is_upper_bound()) return std::nullopt;
+  return extrapolate_factor(sizes);
+}
+
+bool StabilityResult::is_upper_bound() const
+{
+  if (!search.found()) return false;
+  std::vector<SizedFactor> finest = sizes;
+  std::ranges::sort(finest, {}, &SizedFactor::cell);
+  if (finest.size() > 2) finest.resize(2);
+  const auto is_few = [](const SizedFactor& size) { return size.cells_over_depth < fewest_cells; };
+  return cells_over_depth() < fewest_cells || std::ranges::any_of(finest, is_few);
+}
+
+Real StabilityResult::answer() const
+{
+  if (const auto of_mesh = limit()) return of_mesh->factor;
+  if (!is_upper_bound()) return factor();
+  Real most = *search.highest();
+  for (const SizedFactor& size : sizes) most = std::fmin(most, size.highest);
+  return most;
+}
+
+Real StabilityResult::answer_uncertainty() const
+{
+  if (const auto of_mesh = limit()) return std::max(of_mesh->high - of_mesh->factor, of_mesh->factor - of_mesh->low);
+  return is_upper_bound() ? std::max(answer() - *search.stable, 0.0) : uncertainty();
 }
 
 Real StabilityResult::cells_over_depth() const
 {
   const auto moves = what_moves();
   return (moves && moves->moving ? moves->moving->depth : relief) / cell;
+}
+
+SizedFactor size_of(const StabilityResult& r)
+{
+  return {r.cell, r.factor(), r.uncertainty(), r.search.highest().value_or(std::numeric_limits<Real>::quiet_NaN()),
+      r.cells_over_depth()};
 }
 
 StabilityResult find_factor_of_safety(
@@ -121,6 +154,9 @@ StabilityResult find_factor_of_safety(
   result.height = start.height;
   result.relief = start.relief;
   result.cell = start.cell;
+  const MeshKind kind = c.mesh.kind;
+  const bool by_mean = kind == MeshKind::graded || kind == MeshKind::mapped;
+  result.given_cell = kind == MeshKind::file ? 0.0 : by_mean ? start.cell : c.mesh.cell[0];
   result.displacement = start.displacement;
   result.rest_steps = start.steps;
   result.n_points = count_points(start.rest);
@@ -150,13 +186,13 @@ std::optional<SizedFactor> find_factor_with_tension(
   if (!cracked.search.found() || std::ranges::equal(c.materials, leave_out_tension(c).materials, same)) return {};
   StabilityOptions options = cracked.options;
   options.cracks = false;
-  const Real next = (1.0 + much_tension) * *cracked.search.highest();
+  const Real next = (1.0 + much_tension) * cracked.factor();
   if (try_factor(c, next, options, stop).verdict != TrialVerdict::stable) return {};
   options.search.from = next;
   options.search.to.reset();
   const StabilityResult whole = find_factor_of_safety(c, options, stop, report);
   if (whole.stopped || !whole.search.found()) return {};
-  return SizedFactor{whole.cell, whole.factor(), whole.uncertainty()};
+  return size_of(whole);
 }
 
 }  // namespace terp

@@ -27,6 +27,7 @@ struct StabilityResult {
   Real height = 0.0;         ///< H [m]
   Real relief = 0.0;         ///< height of the slope [m]
   Real cell = 0.0;           ///< size of a typical cell [m]
+  Real given_cell = 0.0;     ///< as --cells takes it; 0: the mesh has no size [m]
   Real displacement = 0.0;   ///< rho g H^2 / E [m]
   std::int64_t n_points = 0, rest_steps = 0;
   Bisection search;
@@ -46,11 +47,20 @@ struct StabilityResult {
   Real factor() const;
   /// From there to the farther of the largest that stood and the smallest that failed: what creeps may do either.
   Real uncertainty() const;
-  /// On cells of no size, of searches on several; none: of fewer than two.
+  /// On cells of no size, of searches on several that have ended; none: of fewer than two, or is_upper_bound().
   std::optional<FactorLimit> limit() const;
+  /// What moves is fewer than five cells deep, on one of the two finest sizes. Then the least that failed counts.
+  bool is_upper_bound() const;
+  /// At most this, or the limit on cells of no size, or factor(). Not a number without both ends.
+  Real answer() const;
+  /// From there to the farther end.
+  Real answer_uncertainty() const;
   /// Cells over the depth of what moves or, where that is not known, over the height of the slope [-].
   Real cells_over_depth() const;
 };
+
+/// What a search on one size of cells found.
+SizedFactor size_of(const StabilityResult& result);
 
 /// The case that the trials of a search solve, before it is made quiet.
 Case judged_case(Case c, const StabilityOptions& options);
@@ -63,7 +73,7 @@ using TrialCallback = std::function<void(const Trial&, const StabilityResult& so
 StabilityResult find_factor_of_safety(
     const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialCallback& report = {});
 
-/// By how much the factor may be larger with tension before that is told [-].
+/// By how much the factor, between its ends, may be larger with tension before that is told [-].
 inline constexpr Real much_tension = 0.05;
 
 /// The factor of the same case, of which `cracked` is that of soil that cracks, without that. None: the case has no

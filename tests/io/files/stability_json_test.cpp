@@ -10,7 +10,7 @@ StabilityResult result()
   StabilityResult r;
   r.strengths = {{"material.clay.su_peak", "Pa", 8000.0}};
   r.options.search.tolerance = 0.1;
-  r.relief = 4.0, r.cell = 0.5;
+  r.relief = 4.0, r.cell = r.given_cell = 0.5;
   r.height = 4.0, r.displacement = 0.05, r.n_points = 900, r.rest_steps = 70;
   for (const auto& [factor, verdict] : {std::pair{1.0, TrialVerdict::stable}, {1.1, TrialVerdict::undecided}}) {
     Trial trial;
@@ -86,6 +86,71 @@ TEST(StabilityText, SearchesOnSeveralSizesGiveTheFactorOnCellsOfNoSize)
   EXPECT_FALSE(mesh["extrapolated"]["order_is_observed"]);
 }
 
+TEST(StabilityText, NeverGivesMoreThanWhatFailedOnTheFinestCells)
+{
+  StabilityResult r = result();
+  r.sizes = {{1.0, 1.05, 0.0, 1.06}, {0.5, 1.15, 0.05, 1.2}};  // finer cells gave more
+  EXPECT_THAT(stability_text(r, "mpm_gp"),
+      AllOf(StartsWith("factor of safety 1.050   (1.050 to 1.060), the lower one of two sizes of cells\n"),
+          HasSubstr("  Finer cells gave no less, which is no error of the mesh: nothing is extrapolated")));
+  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}));
+  EXPECT_EQ(json["factor_of_safety"], 1.05);
+  EXPECT_FALSE(json["mesh"]["extrapolated"]["is_extrapolated"]);
+}
+
+TEST(StabilityText, FewCellsOnOneOfTwoSizesBoundTheFactorOnly)
+{
+  StabilityResult r = result();
+  r.sizes = {{1.0, 1.15, 0.0, 1.15, 4.0}, {0.5, 1.05, 0.05, 1.1, 8.0}};
+  EXPECT_THAT(stability_text(r, "mpm_gp"),
+      AllOf(StartsWith("factor of safety at most 1.100   (stands at 1.000, "),
+          HasSubstr(
+              "  The mesh: 1.150 on cells of 1 m, 1.050 on cells of 0.5 m.\n  What moves is 4.0 cells of 1 m deep."),
+          HasSubstr("Finer cells give less; --cells 0.5,0.25 measures it.\n")));
+  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}));
+  EXPECT_TRUE(json["is_upper_bound"]);
+  EXPECT_EQ(json["factor_of_safety"], 1.1);
+  EXPECT_TRUE(json["mesh"]["extrapolated"].is_null());
+}
+
+TEST(StabilityText, ASearchThatWasStoppedIsNotExtrapolated)
+{
+  StabilityResult r = result();
+  r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}}, r.stopped = true;
+  EXPECT_THAT(stability_text(r, "mpm_gp"), StartsWith("factor of safety 1.050 +- 0.050"));
+}
+
+TEST(StabilityText, ThreeSizesShowTheirOrderWhetherItIsUsedOrNot)
+{
+  StabilityResult r = result();
+  r.sizes = {{2.0, 1.4, 0.0}, {1.0, 1.2, 0.0}, {0.5, 1.1, 0.0}};
+  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("By the order 1.00, observed on three sizes,"));
+  r.sizes[0].factor = 1.31;  // the differences hardly fall
+  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("The order 0.14 that three sizes show is not used"));
+  r.sizes[0].factor = 1.1;
+  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("The three sizes show no order."));
+}
+
+TEST(StabilityText, SuggestsSizesThatTheMeshTakes)
+{
+  StabilityResult r = result();
+  r.cell = 1.409, r.given_cell = 1.99230769, r.relief = 10.0;  // cells of two widths a height
+  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr(" --cells 1.99230769,0.996153845 measures it.\n"));
+  r.given_cell = 0.0;  // a file
+  EXPECT_THAT(stability_text(r, "mpm_gp"), Not(HasSubstr("--cells")));
+  r = result(), r.relief = 1.0;  // two cells: four times as many are enough
+  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("--cells 0.125,0.0625 measures it"));
+}
+
+TEST(StabilityText, SaysWhatTensionGivesOnTheSameCells)
+{
+  StabilityResult r = result();
+  r.with_tension = SizedFactor{0.5, 1.155, 0.01};
+  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("With tension (--with-tension) 1.155 +- 0.010"));
+  r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}};
+  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("it is 10 % stronger on the\n  finest cells\n"));
+}
+
 TEST(StabilityText, SaysWhichSlopeFailsAndWhere)
 {
   StabilityResult r = result();
@@ -131,7 +196,10 @@ TEST(StabilityText, IsAnUpperBoundWhereFewCellsMove)
   EXPECT_THAT(stability_text(r, "mpm_gp"),
       AllOf(StartsWith("factor of safety at most 1.100   (stands at 1.000, creeps at 1.100, up to 1.100)\n"),
           HasSubstr("What moves is 4.0 cells of 0.5 m deep. So few carry far more than the soil")));
-  EXPECT_TRUE(nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["is_upper_bound"]);
+  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}));
+  EXPECT_TRUE(json["is_upper_bound"]);
+  EXPECT_EQ(json["factor_of_safety"], 1.1) << "as the text says";
+  EXPECT_NEAR(json["uncertainty"], 0.1, 1e-12);
 }
 
 TEST(StabilityText, PutsTheFactorsOfOtherMethodsBesideItsOwn)
