@@ -14,11 +14,14 @@
 #include "io/files/stability_json.hpp"
 #include "cli/progress.hpp"
 #include "os/stop.hpp"
+#include "run/findings/setup_warnings.hpp"
+#include "run/loop/run.hpp"
 #include "os/terminal.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace terp {
 namespace {
@@ -64,6 +67,30 @@ void warn_of_motion(const Case& c, const std::string& folder)
   for (const SideCondition& side : c.sides)
     if (is_driven(side))
       fmt::print(stderr, "warning: {}: the side `{}` stands still in terp stability\n", folder, printable(side.side));
+}
+
+void warn_of_limited_tension(const Case& c, const std::string& folder)
+{
+  if (const auto soils = soils_that_limit_tension(c); !soils.empty())
+    fmt::print(stderr,
+        "warning: {}: --with-tension has no effect on `{}`: the case limits the tension by tension_cutoff\n", folder,
+        printable(fmt::format("{}", fmt::join(soils, "`, `"))));
+}
+
+/// What `terp check` and `terp run` say of the section; not of outputs, the verdict and what the search leaves out.
+void warn_of_section(const CaseFile& file)
+{
+  constexpr std::string_view of_runs[] = {"output", "history", "flood", "footing", "time", "forces.damping"};
+  const auto is_of_run = [&](const Problem& p) {
+    return std::ranges::any_of(of_runs, [&](std::string_view key) { return p.key.starts_with(key); });
+  };
+  try {
+    const Simulation section(file.values, 1);
+    std::vector<Problem> warnings = find_warnings(section.model, section.state);
+    std::erase_if(warnings, is_of_run);
+    fmt::print(stderr, "{}", render_warnings(warnings, file));
+  } catch (const InputError&) {  // the search says so, or does not need what a run does
+  }
 }
 
 /// cell: [m]; 0: as it is.
@@ -141,11 +168,14 @@ int find_stability(const RunOptions& run, StabilityOptions options, const std::v
   given.run = folder;
   fmt::print(stderr, "{}", render_warnings(given));
   warn_of_motion(given.values, folder);
+  if (!options.cracks) warn_of_limited_tension(given.values, folder);
   options.threads = threads_of(run);
   listen_for_stop();
   const std::vector<double> todo = cells.empty() ? std::vector<double>{0.0} : descending_sizes(cells);
   std::vector<CaseFile> files;
   for (const double cell : todo) files.push_back(read_sized(run, given, cell));
+  files.back().run = folder;
+  warn_of_section(files.back());
   std::vector<SizedFactor> sizes;
   StabilityResult result;
   if (todo.size() > 1) options.search.relative_tolerance = narrow;  // differences of the factors are extrapolated

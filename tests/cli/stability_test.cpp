@@ -62,6 +62,17 @@ TEST(Stability, NamesTheRunInItsWarnings)
   EXPECT_THAT(f.err, HasSubstr("warning: " + folder + ": terp stability leaves footings out"));
 }
 
+TEST(Stability, SaysOfTheSectionWhatCheckSays)  // and stops before the search
+{
+  const ScratchFolder scratch;
+  const Finished f = test::terp({"stability", cut, "--set", "body[0].points_per_cell=[2, 2]", "--set",
+      "material.clay.su_peak=\"10 MPa\"", "--set", "material.clay.tension_cutoff=0", "--with-tension", "--least-depth",
+      "50", "-o", scratch.path() + "/cut", "-j", "1"});
+  EXPECT_THAT(f.err, AllOf(HasSubstr("su_peak"), HasSubstr("warning: "),
+                         HasSubstr("--with-tension has no effect on `clay`: the case limits the tension")));
+  EXPECT_THAT(f.err, HasSubstr("no soil lies 50 m below the ground"));
+}
+
 TEST(Stability, TakesDifferentSizesOfCells)
 {
   EXPECT_EQ(error_with(2, test::terp({"stability", cut, "--cells", "1,1"})),

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace terp {
 namespace {
@@ -134,25 +133,18 @@ void check_parameters(const Case& values, Problems& problems)
   }
 }
 
-/// A limit of tension beyond the apex of the law never acts.
+/// Of parameters that vary: where there are points (limit_warnings.cpp).
 void check_cutoff(const Case& values, Problems& warnings)
 {
   for (const MaterialCase& material : values.materials) {
     const MaterialType* law = complete_law(material);
     if (law == nullptr || !material.fields.empty()) continue;
-    const auto value_of = [&](std::string_view name) {
-      const auto found = std::ranges::find(law->parameters, name, &ParameterInfo::name);
-      return found == law->parameters.end()
-                 ? std::numeric_limits<Real>::quiet_NaN()
-                 : material.parameters[static_cast<std::size_t>(found - law->parameters.begin())];
-    };
-    const Real cutoff = value_of(tension_cutoff), phi = value_of("friction_angle");
-    const Real apex = value_of("cohesion") / std::tan(phi * std::numbers::pi / 180.0);
-    if (!std::isfinite(cutoff) || !(cutoff > apex)) continue;
-    warnings.push_back({join_path(material_path(material), std::string(tension_cutoff)),
-        "`tension_cutoff` has no effect: it lies above c cot(phi)",
-        fmt::format("It is {:g} Pa, and the strength ends at {:g} Pa. Give less; 0 is soil that cracks.", cutoff, apex),
-        std::string(law->name), false, {material_path(material)}});
+    const auto k = std::ranges::find(law->parameters, tension_cutoff, &ParameterInfo::name) - law->parameters.begin();
+    if (k == std::ssize(law->parameters) || law->parameters[static_cast<std::size_t>(k)].reduction != Reduction::divide)
+      continue;
+    const Real cutoff = material.parameters[static_cast<std::size_t>(k)],
+               most = largest_tension(*law, material.parameters);
+    if (std::isfinite(cutoff) && cutoff > most) warnings.push_back(idle_cutoff(material, cutoff, most));
   }
 }
 

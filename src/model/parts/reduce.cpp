@@ -5,6 +5,7 @@
 #include "model/parts/reduce.hpp"
 
 #include "math/errors.hpp"
+#include "model/soils/point_parameters.hpp"
 #include "soil/laws/material.hpp"
 
 #include <algorithm>
@@ -146,15 +147,89 @@ bool is_sand(const MaterialCase& material)
   return cohesion && !is_field(material, *cohesion) && material.parameters[*cohesion] == 0.0;
 }
 
+Real largest_tension(const MaterialType& law, std::span<const Real> parameters)
+{
+  const auto value = [&](std::string_view name) {
+    const auto k = number_of(law, name);
+    return k ? parameters[*k] : 0.0;
+  };
+  Real most = 0.0;
+  for (const char* ending : {"", "_residual"}) {
+    const Real c = value(std::string("cohesion") + ending), phi = value(std::string("friction_angle") + ending);
+    most = std::max(most, phi > 0.0 ? c / std::tan(phi * degree) : 2.0 * c);
+  }
+  for (const char* strength : {"su_peak", "su_active", "su_direct", "su_passive"})
+    most = std::max(most, 2.0 * value(strength));
+  return most;
+}
+
+Problem idle_cutoff(const MaterialCase& material, Real cutoff, Real most)
+{
+  const bool has_friction = number_of(*find_material(material.model), "cohesion").has_value();
+  return {parameter_key(material, tension_cutoff),
+      fmt::format("`tension_cutoff` has no effect: it lies above {}",
+          has_friction ? "c cot(phi)" : "twice the undrained strength"),
+      fmt::format(
+          "It is {:g} Pa, and {} {:g} Pa. `terp stability` takes it as not given: the soil cracks.\nGive less; 0 is "
+          "soil that cracks.",
+          cutoff, has_friction ? "the strength ends at" : "soil that is not pulled in all directions carries at most",
+          most),
+      material.model, false, {fmt::format("material.{}", material.name)}};
+}
+
+namespace {
+
+/// Number of the limit of tension of soil that could crack and could have tension.
+std::optional<std::size_t> cutoff_of(const MaterialCase& material)
+{
+  const MaterialType* law = find_material(material.model);
+  const auto k = law == nullptr ? std::nullopt : number_of(*law, tension_cutoff);
+  return k && law->parameters[*k].reduction == Reduction::divide && !is_sand(material) ? k : std::nullopt;
+}
+
+/// No tension at the places where the limit would not act.
+void crack_where_no_limit_acts(MaterialCase& material, std::size_t cutoff)
+{
+  ParameterField field{.parameter = cutoff, .value_at = {}, .text = "tension_cutoff where it acts"};
+  field.value_at = [given = material, law = find_material(material.model), cutoff](const PlaceInSoil& at) {
+    std::vector<Real> values = given.parameters;
+    for (const ParameterField& f : given.fields) values[f.parameter] = f.value_at(at);
+    return values[cutoff] > largest_tension(*law, values) ? 0.0 : values[cutoff];
+  };
+  std::erase_if(material.fields, [cutoff](const ParameterField& f) { return f.parameter == cutoff; });
+  material.fields.insert(std::ranges::lower_bound(material.fields, cutoff, {}, &ParameterField::parameter), field);
+}
+
+}  // namespace
+
 Case leave_out_tension(Case c)
 {
   for (MaterialCase& material : c.materials)
-    if (const MaterialType* law = find_material(material.model))
-      if (const auto k = number_of(*law, tension_cutoff); k && law->parameters[*k].reduction == Reduction::divide &&
-                                                          !is_field(material, *k) &&
-                                                          std::isinf(material.parameters[*k]) && !is_sand(material))
+    if (const auto k = cutoff_of(material)) {
+      const bool is_number = !is_field(material, *k);
+      if (is_number &&
+          (std::isinf(material.parameters[*k]) ||
+              (material.fields.empty() &&
+                  material.parameters[*k] > largest_tension(*find_material(material.model), material.parameters))))
         material.parameters[*k] = 0.0;
+      else if (!material.fields.empty())
+        crack_where_no_limit_acts(material, *k);
+    }
   return c;
+}
+
+std::vector<std::string> soils_that_limit_tension(const Case& c)
+{
+  std::vector<std::string> names;
+  for (const MaterialCase& material : c.materials)
+    if (const auto k = cutoff_of(material);
+        k &&
+        (is_field(material, *k) ||
+            (std::isfinite(material.parameters[*k]) &&
+                (!material.fields.empty() ||
+                    material.parameters[*k] <= largest_tension(*find_material(material.model), material.parameters)))))
+      names.push_back(material.name);
+  return names;
 }
 
 Case with_flow(Case c, FlowRule rule)

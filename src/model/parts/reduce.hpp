@@ -3,8 +3,10 @@
 // Not for: which parameter is a strength (the table of the law says so: ParameterInfo::reduction).
 #pragma once
 
+#include "math/errors.hpp"
 #include "model/case/case.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,8 +31,18 @@ Case leave_out_rate(Case c);
 /// Soil of a law with friction that has no cohesion: it carries no tension in any case.
 bool is_sand(const MaterialCase& material);
 
-/// The case whose soil cracks: no tension where the law could limit it and no limit was given.
+/// Tension beyond which a limit of it does not act [Pa]: the apex c cot(phi) of a law with friction; of soil without,
+/// twice its strength, which is what it carries where it is not pulled in all directions. parameters: all of the law.
+Real largest_tension(const MaterialType& law, std::span<const Real> parameters);
+
+/// What to say of a limit that does not act. most: largest_tension(), at the places that vary the largest.
+Problem idle_cutoff(const MaterialCase& material, Real cutoff, Real most);
+
+/// The case whose soil cracks: no tension where the law could limit it and no limit was given, or none that acts.
 Case leave_out_tension(Case c);
+
+/// Names of the soils with a limit of their own, which leave_out_tension() leaves.
+std::vector<std::string> soils_that_limit_tension(const Case& c);
 
 /// How soil with friction flows: as it is given; by its friction angle; or by the reduced pair of Davis (1968), whose
 /// flow is associated, too: tan phi* = cos psi sin phi/d, c* = c cos psi cos phi/d, d = 1 - sin psi sin phi.

@@ -4,6 +4,9 @@
 #include "run/findings/limit_warnings.hpp"
 
 #include "model/meshes/setup_mesh.hpp"
+#include "model/parts/reduce.hpp"
+#include "model/soils/overburden.hpp"
+#include "model/soils/point_parameters.hpp"
 #include "run/findings/thin_layers.hpp"
 
 #include <algorithm>
@@ -84,6 +87,29 @@ void find_narrow_footings(const Model& model, const State&, Problems& found)
   }
 }
 
+/// A limit of tension that acts at no point, of soil that varies; of numbers the case file is asked.
+void find_idle_cutoffs(const Model& model, const State& state, Problems& found)
+{
+  const Case& c = model.description;
+  const Overburden overburden(model);
+  std::vector<Real> cutoff(c.materials.size(), 0.0), most(c.materials.size(), 0.0);
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto m = static_cast<std::size_t>(block.material);
+    const MaterialCase& material = c.materials[m];
+    const MaterialType* law = material.type();
+    if (material.fields.empty() || law == nullptr || cutoff[m] < 0.0) return;
+    const auto k = std::ranges::find(law->parameters, tension_cutoff, &ParameterInfo::name) - law->parameters.begin();
+    if (k == std::ssize(law->parameters)) return;
+    const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
+    const std::vector<Real> values = parameters_at(material, *law, {x, &overburden});
+    const Real limit = values[static_cast<std::size_t>(k)], here = largest_tension(*law, values);
+    const bool acts = std::isinf(limit) || limit <= here;
+    cutoff[m] = acts ? -1.0 : std::max(cutoff[m], limit), most[m] = std::max(most[m], here);
+  });
+  for (std::size_t m = 0; m < cutoff.size(); ++m)
+    if (cutoff[m] > 0.0) found.push_back(idle_cutoff(c.materials[m], cutoff[m], most[m]));
+}
+
 struct KnownLimit {
   const char* section;  ///< of docs/limits.md
   void (*find)(const Model&, const State&, Problems& found);
@@ -93,6 +119,7 @@ constexpr KnownLimit known_limits[] = {
     {"docs/limits.md#12-few-points-per-cell", find_few_points},
     {"docs/limits.md#4-a-mesh-carries-more-than-the-soil", find_thin_layers},
     {"docs/limits.md#8-sides-contact-and-footings", find_narrow_footings},
+    {"docs/stability.md#what-is-reduced", find_idle_cutoffs},
 };
 
 }  // namespace

@@ -182,7 +182,10 @@ StabilityResult find_factor_of_safety(
 std::optional<SizedFactor> find_factor_with_tension(
     const Case& c, const StabilityResult& cracked, const std::atomic<bool>& stop, const TrialCallback& report)
 {
-  const auto same = [](const MaterialCase& a, const MaterialCase& b) { return a.parameters == b.parameters; };
+  const auto same = [](const MaterialCase& a, const MaterialCase& b) {
+    const auto same_field = [](const ParameterField& x, const ParameterField& y) { return x.text == y.text; };
+    return a.parameters == b.parameters && std::ranges::equal(a.fields, b.fields, same_field);
+  };
   if (!cracked.search.found() || std::ranges::equal(c.materials, leave_out_tension(c).materials, same)) return {};
   StabilityOptions options = cracked.options;
   options.cracks = false;

@@ -104,6 +104,42 @@ TEST(Reduce, WhatOnlyFastShearingGivesIsLeftOutByItself)
   EXPECT_EQ(parameter(slow, "rate_ref"), 1e-6);
 }
 
+/// The clay of the column with a limit of tension [Pa] that leave_out_tension() may take away.
+Real cutoff_left(Real cutoff, const std::vector<ParameterField>& fields = {}, Vec<2> at = {0.0, 0.0})
+{
+  Case c = column("mpm_gp");
+  MaterialCase& clay = c.materials[0];
+  clay.parameters = find_material("tresca_softening")->complete(std::vector<Real>{2e6, 0.4, 8e3});
+  const auto& names = find_material("tresca_softening")->parameters;
+  const auto k =
+      static_cast<std::size_t>(std::ranges::find(names, tension_cutoff, &ParameterInfo::name) - names.begin());
+  clay.parameters[k] = cutoff, clay.fields = fields;
+  const MaterialCase cracked = leave_out_tension(c).materials[0];
+  const auto field = std::ranges::find(cracked.fields, k, &ParameterField::parameter);
+  return field == cracked.fields.end() ? cracked.parameters[k] : field->value_at({at});
+}
+
+TEST(Reduce, ALimitOfTensionThatCannotActIsAsNotGiven)
+{
+  EXPECT_EQ(cutoff_left(std::numeric_limits<Real>::infinity()), 0.0);
+  EXPECT_EQ(cutoff_left(1e9), 0.0);
+  EXPECT_EQ(cutoff_left(16.1e3), 0.0) << "twice S_u is 16 kPa";
+  EXPECT_EQ(cutoff_left(5e3), 5e3);
+  const FieldValue strength = [](const PlaceInSoil& x) { return 8e3 + 1e3 * x.x[1]; };
+  EXPECT_EQ(cutoff_left(20e3, {{2, strength}}, {0.0, 1.0}), 0.0) << "place by place: 2 times 9 kPa";
+  EXPECT_EQ(cutoff_left(20e3, {{2, strength}}, {0.0, 3.0}), 20e3) << "2 times 11 kPa";
+}
+
+TEST(Reduce, KnowsTheLargestTensionOfSoilWithFriction)
+{
+  const MaterialType& sand = *find_material("mohr_coulomb");
+  const auto largest = [&](Real phi) {
+    return largest_tension(sand, sand.complete(std::vector<Real>{1e7, 0.3, 3e3, phi}));
+  };
+  EXPECT_NEAR(largest(30.0), 3e3 / std::tan(30.0 * degree), 1e-9);
+  EXPECT_EQ(largest(0.0), 6e3);
+}
+
 TEST(Reduce, SaysWhatALawCannotTake)
 {
   Case c = column("mpm_gp");
