@@ -1,4 +1,5 @@
-// Columns in which the largest motion is a tenth of the largest of all take part. Above the slip surface points move by
+// The largest motion of all is that of the judged soil, and no point counts with more. The shape is that of all soil:
+// columns in which the largest motion is a tenth of it take part. Above the slip surface points move by
 // at least half of the largest in the column, below it by less. The stretch of columns that moves most is the
 // mechanism; it ends where the soil moves the other way.
 #include "run/stability/mechanism.hpp"
@@ -25,7 +26,7 @@ struct MovingPoint {
   Real size = 0.0;      // of dx, at most the largest [m]
   Real volume = 0.0;    // [m^2]
   Index material = 0;
-  bool counts = true;
+  bool counts = true;  // for the largest motion of all, which judges
 };
 
 struct Column {
@@ -76,8 +77,7 @@ std::vector<Column> sort_into_columns(const std::vector<MovingPoint>& points, co
       sorted[static_cast<std::size_t>(k)].points.push_back(p);
   for (Column& column : sorted) {
     std::ranges::sort(column.points, std::ranges::greater{}, [](const MovingPoint& p) { return p.x[1]; });
-    for (const MovingPoint& p : column.points)
-      if (p.counts) column.largest = std::max(column.largest, p.size);
+    for (const MovingPoint& p : column.points) column.largest = std::max(column.largest, p.size);
   }
   return sorted;
 }

@@ -28,9 +28,9 @@ struct Moved {
       now.strain[2 * k + 3] += d[0];  // xy
     }
   }
-  Mechanism mechanism(Real stiffening = 1.0) const
+  Mechanism mechanism(Real stiffening = 1.0, const Judged& judged = {}) const
   {
-    return find_mechanism(s.model, s.state, before, now, {}, stiffening);
+    return find_mechanism(s.model, s.state, before, now, judged, stiffening);
   }
 };
 
@@ -114,6 +114,20 @@ TEST(Mechanism, FieldsAreThoseOfTheSoilBeforeItWasStiffened)
   EXPECT_NEAR(shear[k], 0.1, 1e-12);  // sqrt(1/2 e:e) of xy = yx = 0.1
   EXPECT_EQ(frame.x, moved.s.state.x_initial);
   EXPECT_EQ(field("stress").n_components, 4);
+}
+
+TEST(Mechanism, SoilThatIsNotJudgedStillShapesIt)  // a skin of 0.5 m slides, and drags a little of what is below
+{
+  const Moved moved(bank(), [](Vec<2> x) {
+    if (x[0] > 4.0) return Vec<2>{0.0, 0.0};
+    if (x[1] > 3.5) return Vec<2>{1e-2, 0.0};
+    if (x[0] < 1.0) return Vec<2>{x[1] > 3.0 ? 1e-3 : 0.0, 0.0};
+    return Vec<2>{x[1] > 1.0 ? 2e-4 : 0.0, 0.0};  // to a depth of 3 m, less than half of what moves most
+  });
+  const Judged judged = points_below(moved.s.model, moved.s.state, 0.5);
+  const auto moving = moved.mechanism(1.0, judged).moving;
+  ASSERT_TRUE(moving.has_value());
+  EXPECT_NEAR(moving->depth, 0.94, 0.1);
 }
 
 TEST(Mechanism, OfSoilAtRestIsNone)
