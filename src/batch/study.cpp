@@ -13,6 +13,7 @@
 #include "model/meshes/setup_mesh.hpp"
 #include "run/stability/factor_of_safety.hpp"
 #include "batch/case_refusal.hpp"
+#include "batch/idle_sweep.hpp"
 #include "batch/multilevel.hpp"
 #include "batch/points.hpp"
 #include "batch/reliability.hpp"
@@ -359,6 +360,7 @@ Study prepare_study(StudySettings settings)
     check_judged(study);
     study.mesh = std::make_shared<const Mesh<2>>(build_mesh(study.base.values));
     check_event(study, problems);
+    refuse_idle_sweeps(study, problems);
     if (s.adaptive.of_flood && !flood_level_of(study, study.base.values).is_known())
       problems.push_back({"estimator.event", "`event = \"flood\"` needs a case with a water level",
           "See docs/flood.md, or choose `event = \"slide\"`.", ""});
@@ -401,6 +403,7 @@ std::vector<Problem> find_doubts(const Study& study)
 {
   std::vector<Problem> doubts = study.settings.warnings;
   doubt_places_of_lines(study, doubts);
+  doubt_idle_sweeps(study, doubts);
   if (const Index n = study.settings.stop.number; study.settings.estimator == Estimator::sobol && (n & (n - 1)) != 0)
     doubts.push_back({"stop.number", "Sobol points are even in powers of two",
         fmt::format("Got {}. Take {} or {}.", n, std::bit_floor(static_cast<std::uint32_t>(n)),
