@@ -23,7 +23,11 @@ std::string why_not_at_rest(const TimeCase& time, Real fastest)
     return fmt::format(
         "its fastest node was not slower than {:.2g} m/s for {:g} s after the last change of water and loads",
         time.rest_speed, time.rest_time);
-  return fmt::format("its fastest node moved with {:.2g} m/s, limit {:.2g} m/s", fastest, time.rest_speed);
+  const std::string limit = fmt::format("{:g}", time.rest_speed);
+  std::string speed;
+  for (int digits = 2; digits <= 6 && (speed.empty() || speed == limit); ++digits)
+    speed = fmt::format("{:.{}g}", fastest, digits);
+  return fmt::format("its fastest node moved with {} m/s, limit {} m/s", speed, limit);
 }
 
 /// Stages, or the run, that were to end at rest and did not; a verdict on soil that still moves.

@@ -392,7 +392,8 @@ void set_start(const Node& root, Case& values, Findings& findings)
   const bool is_dike = values.water.is_given() || values.flood.given;
   if (!weighs || !is_dike || find_node(root, "initial.stress") != nullptr) return;
   values.initial.stress = InitialStress::equilibrium;
-  findings.notes.push_back("initial.stress: not given; \"equilibrium\", since the case has water");
+  findings.notes.push_back(fmt::format("initial.stress: not given; \"equilibrium\", since the case has {}",
+      values.water.is_given() ? "water" : "[flood]"));
 }
 
 void check_case(const Node& root, const Case& values, Findings& findings)

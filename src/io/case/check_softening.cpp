@@ -32,18 +32,19 @@ void check_lone_parameters(const MaterialCase& material, const MaterialType& law
     const ParameterInfo& other = law.parameters[number_of(info.acts_with)];
     if (!is_default(other)) continue;
     if (!info.fallback && std::isnan(value_of(info.fallback_of))) continue;  // missing, which is reported
-    if (const std::size_t k = number_of(info.name); k < material.ratios.size() && material.ratios[k].value == 1.0)
-      continue;  // the whole of the other, said by a ratio
+    const std::size_t k = number_of(info.name);
+    const bool by_ratio = k < material.ratios.size() && material.ratios[k].is_given();
+    if (by_ratio && material.ratios[k].value == 1.0) continue;       // the whole of the other, said by a ratio
+    const std::string name(by_ratio ? info.ratio.name : info.name);  // as the case says it
     const std::string path = material_path(material);
     const std::string is = other.fallback ? fmt::format("{:g}", *other.fallback) : std::string(other.fallback_of);
     const std::string detail =
         info.fallback
-            ? fmt::format("Give {}, or leave {} out.", other.name, info.name)
+            ? fmt::format("Give {}, or leave {} out.", other.name, name)
             : fmt::format("The strength stays at {} = {} {}. Give {}, more than 0, or {} = {}.", info.fallback_of,
-                  value_of(info.fallback_of), info.unit, other.name, info.name, value_of(info.fallback_of));
-    warnings.push_back(
-        {join_path(path, info.name), fmt::format("`{}` has no effect: {} is {}", info.name, other.name, is), detail,
-            std::string(law.name), true, {join_path(path, other.name)}});
+                  value_of(info.fallback_of), info.unit, other.name, name, by_ratio ? 1.0 : value_of(info.fallback_of));
+    warnings.push_back({join_path(path, name), fmt::format("`{}` has no effect: {} is {}", name, other.name, is),
+        detail, std::string(law.name), true, {join_path(path, other.name)}});
     return;
   }
 }

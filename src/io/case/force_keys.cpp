@@ -40,9 +40,13 @@ bool read_body_force(const Entry& entry, Findings& findings, BodyForceCase& body
 {
   constexpr std::string_view form = "a table of formulas of x, y, x0, y0 and t, with bx and by among them";
   const Node& table = entry.node;
-  if (table.kind != NodeKind::table || find_item(table, "bx") == nullptr || find_item(table, "by") == nullptr)
+  const char* missing = find_item(table, "bx") == nullptr ? "bx" : find_item(table, "by") == nullptr ? "by" : nullptr;
+  if (table.kind != NodeKind::table)
     return refuse(entry, entry.path, fmt::format("`body` must be {}", form),
         fmt::format("Got {}.", describe_value(table)), findings);
+  if (missing != nullptr)
+    return refuse(entry, entry.path, fmt::format("`body` has no `{}`", missing),
+        fmt::format("It must be {}. Give {} = 0 where there is no such force.", form, missing), findings);
   std::vector<std::string> names{"x", "y", "x0", "y0", "t"};
   std::vector<Expression> parts;
   std::string text;

@@ -294,6 +294,8 @@ TEST(Reader, StartsAtRestWhereThereIsWaterAndGravity)
   EXPECT_EQ(start(gravity + water + "[initial]\nstress = \"none\"\n"), InitialStress::none);
   EXPECT_THAT(read_case_text(small_case + gravity + water, "case.toml").notes,
       Contains("initial.stress: not given; \"equilibrium\", since the case has water"));
+  EXPECT_THAT(read_case_text(small_case + gravity + "[flood]\nwater_level = 1.0\n", "case.toml").notes,
+      Contains("initial.stress: not given; \"equilibrium\", since the case has [flood]"));
 }
 
 TEST(Reader, FillsForcesAndInitialState)
