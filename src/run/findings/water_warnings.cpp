@@ -10,6 +10,7 @@
 #include "model/ground/ground_section.hpp"
 #include "model/water/nodal_water.hpp"
 #include "model/soils/overburden.hpp"
+#include "model/soils/point_parameters.hpp"
 #include "model/meshes/setup_mesh.hpp"
 #include "model/water/water_pressure.hpp"
 
@@ -418,11 +419,38 @@ void find_idle_water(const Model& model, std::vector<Problem>& warnings)
   }
 }
 
+/// A stage brings other water, and an S_u that follows from sigma'_v keeps that of another situation.
+void find_strengths_of_other_water(const Model& model, std::vector<Problem>& warnings)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  std::vector<std::string> told;
+  for (const StageCase& stage : whole.stages) {
+    if (stage.water.empty() || stage.water == name_of_start || stage.trigger || !stage.changed) continue;
+    for (const MaterialCase& material : stage.changed->materials)
+      for (const ParameterField& field : material.fields) {
+        const std::string& water = field.needs.stress_water;
+        if (water.empty() || water == stage.water) continue;
+        const std::string parameter = parameter_key(material, material.type()->parameters[field.parameter].name);
+        if (std::ranges::find(told, parameter) != told.end()) continue;
+        told.push_back(parameter);
+        const std::string key =
+            parameter + (field.text.find("shansep") != std::string::npos ? ".shansep.water" : ".water");
+        warnings.push_back({parameter,
+            fmt::format("it follows from the water `{}`, and the stage `{}` has `{}`", water, stage.name, stage.water),
+            fmt::format("Where the water of the stage lowers sigma'_v, the strength there is less. Give {} = \"{}\" in "
+                        "[material],\nor in `set` of that stage; leave it if the strength of `{}` is meant.",
+                key, stage.water, water),
+            "stage.water", false, {"material"}});
+      }
+  }
+}
+
 }  // namespace
 
 void find_odd_water(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
   if (!model.water) return;
+  find_strengths_of_other_water(model, warnings);
   find_idle_water(model, warnings);
   find_short_lines(model, state, warnings);
   find_drowned_soil(model, warnings);

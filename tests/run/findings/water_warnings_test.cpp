@@ -37,6 +37,30 @@ TEST(WaterWarnings, ALineBesideTheSoilIsTold)
       ElementsAre(told("water.phreatic_line", "the phreatic line lies beside the soil", HasSubstr("level: 0.6 m in"))));
 }
 
+/// The clay of a stage with the water `high`, whose S_u follows from another.
+std::vector<Problem> warnings_on_strength_of(const std::string& water, const std::string& stage_water = "high")
+{
+  Case c = wet({{0.0, 0.8}});
+  c.water.situations = {{.name = "high", .phreatic_line = {{0.0, 0.9}}}};
+  c.materials[0] = clay({.su_residual = 8e3});
+  c.bodies[0].material = c.materials[0].name;
+  ParameterField field{.parameter = 2, .value_at = [](const PlaceInSoil&) { return 8e3; }, .text = "{ shansep = { } }"};
+  field.needs.stress_water = water;
+  c.materials[0].fields = {field};
+  StageCase low = stage("low", 0.1), high = stage("high", 0.1);
+  high.water = stage_water;
+  return warnings_from(find_odd_water, staged(c, {{low, {}}, {high, {}}}));
+}
+
+TEST(WaterWarnings, AStrengthOfOtherWaterThanThatOfItsStageIsTold)
+{
+  EXPECT_THAT(warnings_on_strength_of("start"),
+      Contains(told("material.clay.su_peak", "it follows from the water `start`, and the stage `high` has `high`",
+          HasSubstr("Give material.clay.su_peak.shansep.water = \"high\" in [material]"))));
+  for (const auto& found : {warnings_on_strength_of("high"), warnings_on_strength_of("start", "start")})
+    for (const Problem& warning : found) EXPECT_NE(warning.key, "material.clay.su_peak") << warning.what;
+}
+
 TEST(WaterWarnings, WaterThatNeverComesIsTold)
 {
   Case c = wet({{0.0, 0.8}});
