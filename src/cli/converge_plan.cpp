@@ -324,6 +324,7 @@ Plan plan_study(const ConvergeOptions& options)
       plan.sequences.erase(plan.sequences.begin() + static_cast<std::ptrdiff_t>(k));
       sequences.turns.erase(sequences.turns.begin() + static_cast<std::ptrdiff_t>(k));
     }
+  refuse_if_nothing_decides(options, plan);
   std::set<std::string> folders;
   for (const PlannedRun& run : plan.runs)
     if (!folders.insert(run.folder).second)

@@ -6,6 +6,7 @@
 #include "cli/strength_levers.hpp"
 #include "io/case/case_file.hpp"
 #include "io/case/document.hpp"
+#include "io/case/printable.hpp"
 #include "io/files/run_folder.hpp"
 #include "model/parts/initial.hpp"
 
@@ -17,10 +18,18 @@
 namespace terp {
 namespace {
 
-/// Soil in all of which k0 is this already.
+/// Soil in all of which k0 is this already, given or by default.
 bool begins_with(const Case& c, Real k0)
 {
-  const auto has_it = [&](const MaterialCase& m) { return m.k0 == k0 || (std::isnan(m.k0) && c.initial.k0 == k0); };
+  const auto follows_from_the_law = [](const MaterialCase& m) {  // k0_at
+    const MaterialType* law = find_material(m.model);
+    return law != nullptr &&
+           std::ranges::find(law->parameters, "yield_stress", &ParameterInfo::name) != law->parameters.end();
+  };
+  const auto has_it = [&](const MaterialCase& m) {
+    if (!std::isnan(m.k0)) return m.k0 == k0;
+    return std::isnan(c.initial.k0) ? k0 == 1.0 && !follows_from_the_law(m) : c.initial.k0 == k0;
+  };
   return std::ranges::all_of(c.materials, has_it);
 }
 
@@ -71,12 +80,16 @@ Levers levers_of(const ConvergeOptions& options)
             {fmt::format("{} x {:g}", lever.name, factor), std::move(scaled.changes), {}, lever.name});
     }
   for (std::string& key : strengths_without_lever(root)) levers.not_varied.push_back(std::move(key));
-  if (levers.sequences.empty())
-    throw CaseError(
-        fmt::format("error: {}: --what-decides: the case has no number that could decide\n"
-                    "  It looks for k0 and for strengths of the soils. Not varied: {}.\n",
-            options.run.path, fmt::join(levers.not_varied, ", ")));
   return levers;
+}
+
+void refuse_if_nothing_decides(const ConvergeOptions& options, const Plan& plan)
+{
+  if (!options.what_decides || plan.sequences.size() > 1) return;
+  throw CaseError(
+      printable(fmt::format("error: {}: --what-decides: the case has no number that could decide\n"
+                            "  It looks for k0 and for strengths of the soils. Not varied: {}.\n",
+          options.run.path, fmt::join(plan.not_varied, "; "))));
 }
 
 Decision decide(const Plan& plan)

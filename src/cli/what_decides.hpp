@@ -14,8 +14,11 @@ struct Levers {
   std::vector<std::string> not_varied;   ///< inputs for which there is none, with the reason
 };
 
-/// One input, less or more than given, in all soils that have it. Throws CaseError if the case has none of them.
+/// One input, less or more than given, in all soils that have it.
 Levers levers_of(const ConvergeOptions& options);
+
+/// Throws CaseError where a plan has but the case as given.
+void refuse_if_nothing_decides(const ConvergeOptions& options, const Plan& plan);
 
 /// What a message of a case says first.
 std::string first_line_of(const std::string& error);

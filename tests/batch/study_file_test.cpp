@@ -188,31 +188,6 @@ values = [5, "8", -1]
   EXPECT_EQ(input_text(study, 0, draw_realisation(study, 2).inputs[0]), "1") << "not the word at place 1";
 }
 
-TEST(StudyFile, ValuesOfASweepThatMakeTheSameCaseAreRefused)
-{
-  const auto message = [](const std::string& key, const std::string& values) {
-    const ScratchFolder folder;
-    const std::string text = "case = \"column.toml\"\n[estimator]\nkind = \"sweep\"\n[[sweep]]\nkey = \"" + key +
-                             "\"\nvalues = " + values + "\n";
-    return refusal<CaseError>([&] { open_study(write_study(folder.path(), text)); });
-  };
-  EXPECT_THAT(message("material.clay.su_peak", "[6e3, 7e3, \"6 kPa\"]"),
-      AllOf(
-          HasSubstr("two values of `material.clay.su_peak` make the same case"), HasSubstr("6 kPa\" give one result")));
-  EXPECT_THAT(message("title", "[\"a\", \"b\"]"), HasSubstr("two values of `title` make the same case"));
-}
-
-TEST(StudyFile, AKeyOfASweepThatDoesNotActIsDoubted)
-{
-  const ScratchFolder folder;
-  const std::string text =
-      "case = \"column.toml\"\n[estimator]\nkind = \"sweep\"\n[[sweep]]\nkey = "
-      "\"material.clay.k0\"\nvalues = [0.5, 0.6]\n";
-  const auto doubts = find_doubts(open_study(write_study(folder.path(), text)));
-  ASSERT_EQ(doubts.size(), 1u);
-  EXPECT_EQ(doubts[0].what, "`material.clay.k0` decides nothing in this case");
-}
-
 TEST(StudyFile, FieldsThatTheCaseDoesNotTakeAreRefused)
 {
   expect_messages(field_study,
