@@ -278,7 +278,8 @@ class Run:
     def flood(self):
         """The verdict on the water, as in summary.json: a dictionary with "verdict" ("stands", "damaged",
         "still_moving" or "floods"; None until the run has ended, unless it floods), "residual_height", "freeboard",
-        "width_at_level" [m], "first_time_below" [s] and others; None without a water level."""
+        "width_at_level" [m], "first_time_below" [s], "stage_moving" (at whose end soil still moved) and
+        others; None without a water level."""
         return self.summary.get("flood")
 
     @functools.cached_property

@@ -97,10 +97,10 @@ std::vector<std::string> remarks_on_realisations(const Study& study, const Study
   const bool adaptive = info_of(study.settings.estimator).adaptive, of_flood = study.settings.adaptive.of_flood;
   const auto add_moving = [&](Index n, const char* event, const char* p) {
     if (n > 0)
-      remarks.push_back(
-          fmt::format("{} realisations end without a {} while their soil still moves: {} may be too low. "
-                      "End the case at rest, or later.",
-              n, event, p));
+      remarks.push_back(fmt::format(
+          "{} realisations end without a {} while their soil still moves: {} may be too low. "
+          "End the case and each of its stages at rest, or later; `stage_moving` of a kept run names the stage.",
+          n, event, p));
   };
   if (!adaptive || !of_flood) add_moving(e.n_moving_without_slide, "slide", "P(I)");
   if (!adaptive || of_flood) add_moving(e.n_moving_without_flood, "flood", "P(F)");

@@ -49,6 +49,19 @@ TEST_F(Converge, SaysWhichInputsTheOutcomeTurnsOn)  // a column that stands with
   EXPECT_EQ(json.at("turns_on").size() + json.at("does_not_turn_on").size(), 2u) << "cells, S_u";
 }
 
+TEST_F(Converge, NamesInputsThatCannotBeVariedAndStopsAtNone)
+{
+  const Finished f =
+      succeeded(test::terp({"converge", column_file, "--cells", "1", "--what-decides", "--estimate", "--set",
+          "material.clay={ model = \"mohr_coulomb\", density = 1990.0, shear_modulus = 2e6, poisson_ratio = 0.3, "
+          "cohesion = "
+          "5e3, friction_angle = 85.0 }",
+          "--set", "initial.stress=k0", "--points", "3", "-o", folder}));
+  EXPECT_THAT(f.out,
+      AllOf(HasSubstr(", k0 = 0.5 "), Not(HasSubstr("k0 = 1")), HasSubstr(", phi x 0.9 "),
+          Not(HasSubstr(", phi x 1.1 ")), HasSubstr("not varied: phi x 1.1 ("), HasSubstr(", cohesion x 1.25 ")));
+}
+
 TEST_F(Converge, RefusesACaseInWhichNothingCouldDecide)
 {
   EXPECT_THAT(error_with(2, test::terp({"converge", source_path("cases/verification/hydrostatic/case.toml"), "--cells",
