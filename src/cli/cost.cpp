@@ -5,7 +5,6 @@
 #include "cli/cost.hpp"
 
 #include "math/errors.hpp"
-#include "run/report/library_watch.hpp"
 #include "run/report/output_costs.hpp"
 
 #include <chrono>
@@ -26,17 +25,11 @@ double time_a_step(Simulation& s, double trial_seconds)
     if (const StepsMade made = make_steps(s.model, s.state, s.work, policy); made.end == LoopEnd::fault)
       throw RunError(made.fault);
   };
-  LibraryWatch watch(s.model.description, [](const std::string& text) { fmt::print(stderr, "warning: {}\n", text); });
-  const auto hear = [&] {
-    watch.hear(s.state.step);
-    return true;
-  };
-  make({.most_steps = 5, .after_step = hear});  // warm caches, wake threads
+  make({.most_steps = 5});  // warm caches, wake threads
   const auto start = Clock::now();
   double seconds = 0.0;
   std::int64_t n = 0;
   make({.most_steps = s.model.n_steps, .after_step = [&] {
-          hear();
           seconds = std::chrono::duration<double>(Clock::now() - start).count();
           return ++n < fewest_trial_steps || seconds < trial_seconds;
         }});

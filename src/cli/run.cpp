@@ -17,7 +17,6 @@
 #include "os/instructions.hpp"
 #include "cli/progress.hpp"
 #include "model/parts/initial.hpp"
-#include "run/report/library_watch.hpp"
 #include "run/rest/no_equilibrium.hpp"
 #include "run/loop/other_run.hpp"
 #include "run/loop/simulation.hpp"
@@ -152,10 +151,7 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
   try {
     MeshWriter mesh(folder, writer.frames_of_mesh(), model, state);
     SummaryKeeper keeper(model, state, writer);
-    LibraryWatch watch(model.description, [&](const std::string& text) {
-      fmt::print(stderr, "{}warning: {}: {}\n", is_terminal(stdout) ? "\n" : "", folder, text);
-    });
-    simulation.observers = {&writer, &mesh, &keeper, &progress, &watch};
+    simulation.observers = {&writer, &mesh, &keeper, &progress};
     if (part.observer != nullptr) simulation.observers.push_back(part.observer);
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = simulation.run(stop_requested);

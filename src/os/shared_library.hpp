@@ -1,5 +1,5 @@
 // A shared library that the user names, opened while the program runs.
-// Not for: what its functions are (user_laws), nor for calling them without harm (guarded_call.hpp).
+// Not for: what its functions are (user_laws).
 #pragma once
 
 #include <memory>

@@ -12,4 +12,18 @@ class Turn {
   std::lock_guard<std::recursive_mutex> lock{one_at_a_time};
 };
 
+/// Calls of several threads, one after the other.
+class OneAtATime {
+ public:
+  template <class Call>
+  void operator()(Call&& call) const
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    call();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+};
+
 }  // namespace terp

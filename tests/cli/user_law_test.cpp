@@ -1,6 +1,8 @@
 #include "support/laws.hpp"
 #include "support/process.hpp"
 
+#include <csignal>
+
 namespace user_law_test {
 
 /// A case with wrong_umat.c beside it. kind, time: what its law does wrong, from when [s].
@@ -187,11 +189,25 @@ TEST_F(UserLawProgram, DoesNotResumeWithAnotherLibrary)
 
 TEST_F(UserLawProgram, KeepsTheCheckpointsOfARunWhoseLawCrashes)
 {
-  const std::string run = error_with(3, test::terp({"run", case_with(3, 0.12), "-q", "-o", path("run")}));
-  EXPECT_THAT(run, HasSubstr("the law used memory that is not its own (SIGSEGV)"));
+  const std::string run = error_with(3, test::terp({"run", case_with(1, 0.12), "-q", "-o", path("run")}));
+  EXPECT_THAT(run, HasSubstr("the law returned a stress that is not a number"));
   EXPECT_THAT(run, AllOf(HasSubstr("material `clay`, material point "), HasSubstr("left     the checkpoint at t = 0.1"),
                        HasSubstr("terp run CASE.toml --from " + path("run") + " -o NEW_FOLDER")));
+  EXPECT_EQ(test::terp({"run", case_with(3, 0.12), "-q", "-o", path("run"), "--force"}).status, 128 + SIGSEGV);
   succeeded(test::terp({"run", case_with(0, 0.0), "-q", "--from", path("run"), "-o", path("mended")}));
+}
+
+TEST_F(UserLawProgram, RefusesALawThatEndsItsTrial)
+{
+  for (const auto& [kind, how] : {std::pair{3, "was ended by signal 11 (Segmentation fault)"},
+           {29, "ended before its time, as by STOP, XIT or exit"}}) {
+    const std::string file = case_with(kind, 0.0);
+    for (const std::vector<std::string>& words :
+        {std::vector<std::string>{"check", file}, {"run", file, "-o", path("run")}})
+      EXPECT_THAT(error_with(2, test::terp(words)),
+          AllOf(HasSubstr("case.toml:11:11: the law of the library failed when it was tried"), HasSubstr(how)));
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("run")));
 }
 
 TEST_F(UserLawProgram, StopsWithItsOwnStatusWhereTheLawEndsTheProgram)

@@ -38,6 +38,8 @@ enum Kind {
   compares_beyond_state,
   compares_in_extension,
   loops,
+  leaves_at_once,
+  copies_itself,
 };
 
 inline constexpr Real shear = 3.0e6, poisson = 0.3;

@@ -3,7 +3,6 @@
 //
 // usage: check_system FOLDER [child|hold|faulty]      FOLDER: empty, for its files
 #include "math/errors.hpp"
-#include "os/guarded_call.hpp"
 #include "os/threads.hpp"
 #include "os/children.hpp"
 #include "os/files.hpp"
@@ -158,36 +157,6 @@ void test_threads()
   EXPECT(sum == 300L * 63 * 64 / 2);
 }
 
-std::string guarded(void (*f)(void*))
-{
-  return call_guarded(
-      f, [](void*, const char*, char* words, std::size_t n) { std::snprintf(words, n, "it left"); }, nullptr);
-}
-
-constexpr int most_calls = 1 << 20;  // 4 GB of stack
-[[gnu::noinline]] int deep(int n)
-{
-  volatile char room[4096];
-  room[0] = static_cast<char>(n);
-  return n < most_calls ? deep(n + 1) + room[0] : 0;
-}
-
-void test_guarded_calls()
-{
-  for (int round = 0; round < 3; ++round) {
-    EXPECT(guarded([](void*) {}).empty());
-    EXPECT(guarded([](void*) { *reinterpret_cast<volatile int*>(8) = 1; }).starts_with("used memory"));
-    EXPECT(guarded([](void*) { throw std::runtime_error("no convergence"); }) == "threw an exception: no convergence");
-    EXPECT(guarded([](void*) { __builtin_trap(); }).starts_with("has an instruction"));
-    EXPECT(guarded([](void*) { std::abort(); }) == "called abort()");
-  }
-  EXPECT(guarded([](void*) {
-    volatile int one = 1, zero = 0;
-    zero = one / zero;
-  }) == "divided a whole number by zero");
-  EXPECT(guarded([](void*) { deep(0); }) == "used up its stack");
-}
-
 }  // namespace
 
 int main(int argc, char** argv)
@@ -210,7 +179,6 @@ int main(int argc, char** argv)
   test_processes(folder, program);
   test_children();
   test_threads();
-  test_guarded_calls();
   std::printf("%d failures\n", n_failures);
   return n_failures;
 }

@@ -28,8 +28,8 @@ LawStiffness measure_stiffness(
       d_eps[j] = strain;
       trial.prepare(d_eps);
       trial.call();
-      found.fault = material.law->fault();
-      if (!found.fault.empty()) return found;
+      found.failed = !material.law->fault().empty();
+      if (found.failed) return found;
       ways[way] = trial.stress_change(lane);
       for (Real& change : ways[way]) change /= strain;
     }

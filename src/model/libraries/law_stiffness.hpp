@@ -3,8 +3,6 @@
 
 #include "mpm/points/soil_material.hpp"
 
-#include <string>
-
 namespace terp {
 
 /// Of one point, each component strained by itself there and back: of the two answers the stiffer one.
@@ -13,7 +11,7 @@ struct LawStiffness {
   Real shear = 0.0;          ///< d sigma_xy/d(2 eps_xy): G [Pa]
   Real shear_of_axes = 0.0;  ///< (xxxx + yyyy - xxyy - yyxx)/4: G where the law is isotropic [Pa]
   bool is_elastic = false;   ///< there and back the answers are the same: the point does not yield
-  std::string fault;         ///< of the law, in words; empty: none
+  bool failed = false;       ///< the law has a fault
 };
 
 /// cell_size: of the cell of the block [m]. dt: length of a step [s]. The law of the material is called 8 times.

@@ -1,22 +1,14 @@
 // What a law may change points into copies that this object owns, and is set up once; therefore it cannot be copied. A
-// call overwrites the copies, so calls in sequence go on from each other until they are prepared again. A law that does
-// not return cannot be interrupted: the watch ends the process at once, without destructors.
+// call overwrites the copies, so calls in sequence go on from each other until they are prepared again.
 
 #include "model/libraries/law_trial.hpp"
 
-#include "soil/libraries/library_material.hpp"
-
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 namespace terp {
 
-LawTrial::LawTrial(const SoilMaterial& material, const PointBlock<2>& block, Real cell_size, Real dt, double limit_s)
-    : material_(material),
-      cell_(block.cell),
-      cell_size_(cell_size),
-      watch_(limit_s, [this](double seconds) { end_program(seconds); })
+LawTrial::LawTrial(const SoilMaterial& material, const PointBlock<2>& block, Real cell_size, Real dt)
+    : material_(material), cell_(block.cell), cell_size_(cell_size)
 {
   using PointRow = PointRows<2>;
   const Index n = block.n_padded();
@@ -53,11 +45,7 @@ void LawTrial::prepare(const std::array<Real, 4>& d_eps)
   std::ranges::copy(state_before_, state_.begin());
 }
 
-void LawTrial::call()
-{
-  watch_.hear();
-  material_.law->update(arrays_);
-}
+void LawTrial::call() { material_.law->update(arrays_); }
 
 std::vector<Real> LawTrial::stress_and_state() const
 {
@@ -65,27 +53,6 @@ std::vector<Real> LawTrial::stress_and_state() const
   for (const std::vector<Real>& row : sigma_) all.insert(all.end(), row.begin(), row.end());
   all.insert(all.end(), state_.begin(), state_.end());
   return all;
-}
-
-/// Called by the watch, while the law has the thread of the trial.
-void LawTrial::end_program(double seconds) const
-{
-  constexpr int stopped_itself = 3;  // exit status of a run that stops itself
-  const auto n = static_cast<std::size_t>(arrays_.n);
-  const std::string text = fmt::format(
-      "error: the law of material `{}` did not return from a trial in {:.3g} s: it may loop without end\n\n"
-      "  where    {} point{} of cell {}, the first at x = {:.4g} m, y = {:.4g} m\n"
-      "  before   stress xx yy zz xy of the first = {} Pa; strain increment {}; dt = {:.3g} s\n"
-      "           state {}\n"
-      "  try      the law with these numbers by itself; then mend the library\n"
-      "  left     nothing was run, and nothing was written\n",
-      material_.name, seconds, arrays_.n_points, arrays_.n_points == 1 ? "" : "s", cell_, around_.x[0][0],
-      around_.x[1][0], list_of(4, [&](std::size_t k) { return sigma_[k][0]; }),
-      list_of(4, [&](std::size_t k) { return d_eps_[k][0]; }), arrays_.dt,
-      list_of(static_cast<std::size_t>(material_.n_state()), [&](std::size_t k) { return state_[k * n]; }));
-  std::fflush(stdout);
-  std::fputs(text.c_str(), stderr);
-  std::_Exit(stopped_itself);
 }
 
 std::array<Real, 4> LawTrial::stress_change(Index lane) const

@@ -3,22 +3,16 @@
 
 #include "mpm/points/soil_material.hpp"
 
-#include "os/watch.hpp"
-
 #include <array>
 #include <vector>
 
 namespace terp {
 
-constexpr double limit_of_trial_s = 10.0;  ///< of one call, some 10 microseconds as a rule
-
-/// Calls a law for points of a block as they are, on copies. A call that takes longer than limit_s ends the program,
-/// with status 3 and words on stderr: nothing else would end it.
+/// Calls a law for points of a block as they are, on copies.
 class LawTrial {
  public:
   /// cell_size: of the cell of the block [m]. dt: length of a step [s]. material and block must outlive this.
-  LawTrial(const SoilMaterial& material, const PointBlock<2>& block, Real cell_size, Real dt,
-      double limit_s = limit_of_trial_s);
+  LawTrial(const SoilMaterial& material, const PointBlock<2>& block, Real cell_size, Real dt);
   LawTrial(const LawTrial&) = delete;
   LawTrial& operator=(const LawTrial&) = delete;
 
@@ -34,8 +28,6 @@ class LawTrial {
  private:
   using Rows = std::array<std::vector<Real>, 4>;
 
-  [[noreturn]] void end_program(double seconds) const;
-
   const SoilMaterial& material_;
   std::vector<Real> none_, state_before_, state_, work_;
   Rows sigma_before_, sigma_, d_eps_;
@@ -43,7 +35,6 @@ class LawTrial {
   Real cell_size_;
   Surroundings<2> around_;
   StressArrays<2> arrays_{};
-  Watch watch_;
 };
 
 }  // namespace terp

@@ -41,7 +41,7 @@ struct PathEnd {
 
 }  // namespace
 
-std::string find_short_array(
+std::string_view find_short_array(
     const SoilMaterial& material, std::span<const Real> values, const PointBlock<2>& block, Real cell_size, Real dt)
 {
   const auto end_of = [&](const TrialPath& path, const NumbersBeyond& beyond) {

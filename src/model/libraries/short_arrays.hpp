@@ -3,7 +3,7 @@
 
 #include "mpm/points/soil_material.hpp"
 
-#include <string>
+#include <string_view>
 
 namespace terp {
 
@@ -11,7 +11,7 @@ namespace terp {
 /// of the law. Returns the key of the array whose end the answer depends on: "parameters" or "state". Empty: of none,
 /// or the answer depends on something else, as on how often the law was called. values: moduli of the case.
 /// cell_size: of the cell of the block [m]. dt: length of a step [s].
-std::string find_short_array(
+std::string_view find_short_array(
     const SoilMaterial& material, std::span<const Real> values, const PointBlock<2>& block, Real cell_size, Real dt);
 
 }  // namespace terp

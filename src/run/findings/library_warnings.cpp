@@ -1,10 +1,12 @@
 // Stiffness is measured where the mean stress is largest: the time step must bear it there. Arrays that are too short
-// are looked for where it is least, as soil must yield to use all of its parameters.
+// are looked for where it is least, as soil must yield to use all of its parameters. Nobody knows what a law does: a
+// copy of this process calls it.
 
 #include "run/findings/library_warnings.hpp"
 
 #include "model/libraries/law_stiffness.hpp"
 #include "model/libraries/short_arrays.hpp"
+#include "os/own_copy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -133,25 +135,50 @@ class LibraryScales {
   std::vector<Problem>& warnings_;
 };
 
-struct PointTrial {
-  const SoilMaterial& soil;
-  const MaterialCase& material;
-  PlaceOfPoint at;
-  Real cell_size;  ///< [m]
-  Real dt;         ///< [s]
+/// What a copy of this process hands on.
+struct LibraryTrial {
+  LawStiffness stiffness;
+  std::string_view short_array;  ///< a constant; find_short_array
 };
+static_assert(std::is_trivially_copyable_v<LibraryTrial>);
 
-void refuse_short_arrays(const PointTrial& trial)
+LibraryTrial try_library(const Model& model, Index m, const ExtremePoints& points, double limit_s)
 {
-  const LibraryCase& library = trial.material.library;
-  const std::string key =
-      find_short_array(trial.soil, trial.material.parameters, *trial.at.block, trial.cell_size, trial.dt);
-  if (key.empty()) return;
+  const SoilMaterial& soil = model.materials[m];
+  const auto& values = model.description.materials[static_cast<std::size_t>(m)].parameters;
+  const auto size_at = [&](const PlaceOfPoint& at) { return std::sqrt(model.mesh->geometry(at.block->cell).volume); };
+  const auto [deepest, shallowest] = points;
+  LibraryTrial found;
+  const std::string fault = call_in_copy(
+      [&](void* result) {
+        SoilMaterial trial = soil;  // a law that fails stays failed: the run has its own
+        trial.law = trial.type->make(values);
+        *static_cast<LibraryTrial*>(result) = {
+            measure_stiffness(trial, *deepest.block, deepest.lane, size_at(deepest), model.dt),
+            find_short_array(soil, values, *shallowest.block, size_at(shallowest), model.dt)};
+      },
+      &found, sizeof found, limit_s);
+  if (fault.empty()) return found;
+  const auto place = [](const PlaceOfPoint& at) {
+    const auto x = [&](int k) { return at.block->row(PointRows<2>::x + k)[at.lane]; };
+    return fmt::format("({:.4g}, {:.4g}) m", x(0), x(1));
+  };
+  throw InputError(Problem{fmt::format("material.\"{}\".library", soil.name),
+      "the law of the library failed when it was tried",
+      fmt::format("A copy of this program tried it, and {}.\nIt strained the points at {} and {} by 1e-6 to 1 %, with "
+                  "dt = {:.3g} s. Call the law by itself with such strains,\nthen mend the library.",
+          fault, place(deepest), place(shallowest), model.dt),
+      "library", false, {fmt::format("material.\"{}\"", soil.name)}});
+}
+
+void refuse_short_array(const MaterialCase& material, std::string_view key)
+{
+  const LibraryCase& library = material.library;
   const bool is_state = key == "state", is_native = library.interface == LawInterface::native;
   const char* const of_them = is_state ? "state variables" : "parameters";
   const std::size_t n = is_state ? library.state.size() : library.parameters.size();
-  const std::string path = fmt::format("material.\"{}\"", trial.soil.name);
-  throw InputError(Problem{path + '.' + key,
+  const std::string path = fmt::format("material.\"{}\"", material.name);
+  throw InputError(Problem{fmt::format("{}.{}", path, key),
       fmt::format(
           "the law of the library uses more {} than {}", of_them, is_native ? "it describes" : "the case gives"),
       fmt::format(
@@ -165,20 +192,16 @@ void refuse_short_arrays(const PointTrial& trial)
 
 }  // namespace
 
-void find_odd_libraries(const Model& model, const State& state, std::vector<Problem>& warnings)
+void find_odd_libraries(const Model& model, const State& state, std::vector<Problem>& warnings, double limit_s)
 {
   for (Index m = 0; m < std::ssize(model.materials); ++m) {
     const MaterialCase& material = model.description.materials[static_cast<std::size_t>(m)];
     if (material.from_library == nullptr) continue;
-    const auto [at, shallowest] = extreme_points(state, m);
-    if (at.block == nullptr) continue;
-    SoilMaterial trial = model.materials[m];  // a law that fails stays failed: the run has its own
-    trial.law = trial.type->make(material.parameters);
-    const Real cell_size = std::sqrt(model.mesh->geometry(at.block->cell).volume);
-    const LawStiffness law = measure_stiffness(trial, *at.block, at.lane, cell_size, model.dt);
-    if (law.fault.empty()) LibraryScales(model, m, law, warnings).check();
-    refuse_short_arrays({model.materials[m], material, shallowest,
-        std::sqrt(model.mesh->geometry(shallowest.block->cell).volume), model.dt});
+    const ExtremePoints points = extreme_points(state, m);
+    if (points.deepest.block == nullptr) continue;
+    const LibraryTrial found = try_library(model, m, points, limit_s);
+    if (!found.stiffness.failed) LibraryScales(model, m, found.stiffness, warnings).check();
+    if (!found.short_array.empty()) refuse_short_array(material, found.short_array);
   }
 }
 

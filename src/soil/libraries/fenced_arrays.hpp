@@ -1,6 +1,6 @@
 // What a law in Fortran gave back. Its arrays have numbers between them that it must leave alone: a law that takes an
 // array for longer than it was told is noticed where it writes, and gets no number where it reads.
-// Not for: other memory (os/guarded_call.hpp).
+// Not for: other memory (os/own_copy.hpp).
 #pragma once
 
 #include "soil/libraries/interface.hpp"

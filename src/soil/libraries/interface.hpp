@@ -77,8 +77,7 @@ inline constexpr const char* smaller_steps = "a lower time.courant, or a law tha
 class LawCalls {
  public:
   virtual ~LawCalls() = default;
-  /// New stress and state of all points; stops at one that fails. Has no object that would have to be destroyed, so
-  /// that a fault may leave it (os/guarded_call.hpp).
+  /// New stress and state of all points; stops at one that fails.
   virtual void run(LawPoints& points) const = 0;
   virtual std::size_t n_scratch() const { return 0; }
 };

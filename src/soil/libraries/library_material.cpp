@@ -1,13 +1,19 @@
 // Entries that stand for soil are gathered without holes; the library sees its own unit of stress, and strains and
 // times as its soil has them. Numbers go back only if the whole call is sound: after a fault the points keep the stress
-// from before. After a crash the library is not called again.
+// from before. Of several faults that of the least cell and number stays, so that the order of threads does not decide.
+// A law that ends the program, or copies it, does so within a call, which is marked as long as it lasts.
 
 #include "soil/libraries/library_material.hpp"
 
+#include "os/own_copy.hpp"
 #include "soil/laws/elastic_constants.hpp"
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <limits>
 
@@ -55,6 +61,28 @@ Real plastic_work(const std::array<Real, 4>& sigma, const std::array<Real, 4>& b
   return work;
 }
 
+constexpr int stopped_itself = 3;  // exit status of a run that stops itself
+
+/// Of the thread: the law that it is in.
+struct CallUnderWay {
+  const char* material = nullptr;  ///< name; null: in none
+  int n_forks = 0;                 ///< at its begin
+};
+thread_local CallUnderWay under_way;
+
+/// At exit(), as STOP of Fortran calls it: the run would seem to have ended well. Of a copy its parent says it.
+void refuse_end()
+{
+  if (under_way.material == nullptr || fork_count() != under_way.n_forks) return;
+  std::fflush(nullptr);
+  if (!is_copy())
+    std::fprintf(stderr,
+        "error: the law of material `%s` ended the program (STOP, XIT or exit)\n"
+        "  left     what was written before, and the checkpoints, if any (docs/user_laws.md#when-the-law-fails)\n",
+        under_way.material);
+  std::_Exit(stopped_itself);
+}
+
 }  // namespace
 
 std::shared_ptr<const OneAtATime> turns_of(const std::string& path)
@@ -80,6 +108,8 @@ LibraryMaterial::LibraryMaterial(
       moduli_{bulk_from_poisson(values[0], values[1]), values[0]},
       stiffening_(values[0] / in_use.shear_modulus)
 {
+  static const int registered = std::atexit(refuse_end);
+  static_cast<void>(registered);
 }
 
 /// The strength: no other field of a library is derived.
@@ -95,7 +125,6 @@ std::string LibraryMaterial::fault() const { return has_fault_ ? fault_ : std::s
 void LibraryMaterial::update(const StressArrays<2>& arrays) const
 {
   std::fill_n(arrays.plastic_work, arrays.n, 0.0);
-  if (crashed_) return;
   Room& room = room_of_thread();
   for (Index first = 0; first < arrays.n; first += most_points_of_call) {
     room.fit(in_use_.n_state, in_use_.calls->n_scratch());
@@ -145,31 +174,25 @@ void LibraryMaterial::take_points(
 
 void LibraryMaterial::call(LawPoints& points) const
 {
-  struct Called {
-    const LawCalls& calls;
-    LawPoints& points;
-    const LibraryMaterial& material;
-  } called{*in_use_.calls, points, *this};
-  std::string fault;
   const auto run = [&] {
-    fault = call_guarded(
-        [](void* c) {
-          const Called& at = *static_cast<Called*>(c);
-          at.calls.run(at.points);
-        },
-        [](void* c, const char* why, char* text, std::size_t n) {
-          const Called& at = *static_cast<Called*>(c);
-          at.material.describe_exit(at.points, why, text, n);
-        },
-        &called);
+    std::fenv_t environment;
+    std::fegetenv(&environment);
+    under_way = {in_use_.material.c_str(), fork_count()};
+    try {
+      in_use_.calls->run(points);
+    } catch (const std::exception& error) {
+      points.fail("the law threw an exception: {:.100}", error.what());
+    } catch (...) {
+      points.fail("the law threw an exception");
+    }
+    if (fork_count() != under_way.n_forks) std::_Exit(stopped_itself);  // a copy that the law made: no second Terp
+    under_way = {};
+    std::fesetenv(&environment);
   };
-  if (in_use_.turns != nullptr)
+  if (in_use_.turns != nullptr && !is_copy())  // another thread may have had its turn when the copy was made
     (*in_use_.turns)(run);
   else
     run();
-  if (fault.empty()) return;
-  crashed_ = true;
-  points.fail("the law {}", fault);
 }
 
 void LibraryMaterial::check(LawPoints& points) const
@@ -200,6 +223,50 @@ void LibraryMaterial::give_back(
     arrays.plastic_work[i] = plastic_work(sigma, before, d_eps, moduli_);
     for (std::size_t k = 0; k < in_use_.n_state; ++k) arrays.law.state(k)[i] = points.state[k][p];
   }
+}
+
+std::string LibraryMaterial::describe_place(const LawPoints& points) const
+{
+  const char* const what = points.of_gauss_points ? "Gauss point" : "material point";
+  const bool is_known = points.is_at_a_point() || points.n == 1;
+  const int p = points.is_at_a_point() ? points.at : 0;
+  return fmt::format("{}{} {} of cell {} at x = {:.4g} m, y = {:.4g} m",
+      is_known ? "" : fmt::format("one of {} {}s that it had at once, the first: ", points.n, what), what, points.id[p],
+      points.cell[p], points.x[0][p], points.x[1][p]);
+}
+
+std::string LibraryMaterial::describe_input(const LawPoints& points, const PointsBefore& before) const
+{
+  if (!points.is_at_a_point()) return {};
+  const int p = points.at;
+  return fmt::format(
+      "  before   stress xx yy zz xy = {} Pa; strain increment {}; dt = {:.3g} s\n"
+      "           state {}\n",
+      list_of(4, [&](std::size_t k) { return before.sigma[k][p] * in_use_.stress_unit; }),
+      list_of(4, [&](std::size_t k) { return points.d_eps[k][p]; }), points.dt,
+      list_of(in_use_.n_state, [&](std::size_t k) { return before.state[k * most_points_of_call + p]; }));
+}
+
+void LibraryMaterial::keep_fault(const LawPoints& points, const PointsBefore& before) const
+{
+  const auto advice =
+      points.cure != nullptr ? points.cure : "the law with these numbers by itself; then mend the library";
+  std::string text = fmt::format(
+      "{}\n\n"
+      "  where    material `{}`, {}\n"
+      "  library  {}\n"
+      "{}"
+      "  try      {}",
+      points.why.data(), in_use_.material, describe_place(points), in_use_.title, describe_input(points, before),
+      advice);
+  faults_([&] {
+    const int p = points.is_at_a_point() ? points.at : 0;
+    const std::pair number(points.cell[p], points.id[p]);
+    if (has_fault_ && number >= place_of_fault_) return;
+    place_of_fault_ = number;
+    fault_ = std::move(text);
+    has_fault_ = true;
+  });
 }
 
 }  // namespace terp

@@ -2,8 +2,8 @@
 // Not for: how the library is called (interface.hpp).
 #pragma once
 
+#include "os/turn.hpp"
 #include "soil/laws/material.hpp"
-#include "os/guarded_call.hpp"
 #include "soil/libraries/interface.hpp"
 
 #include <atomic>
@@ -67,9 +67,8 @@ class LibraryMaterial final : public Material {
   void check(LawPoints& points) const;
   void give_back(const LawPoints& points, const std::vector<Index>& entries, const StressArrays<2>& arrays) const;
   void keep_fault(const LawPoints& points, const PointsBefore& before) const;
-  void describe_place(const LawPoints& points, std::array<char, 256>& text) const;
+  std::string describe_place(const LawPoints& points) const;
   std::string describe_input(const LawPoints& points, const PointsBefore& before) const;
-  void describe_exit(const LawPoints& points, const char* why, char* text, std::size_t n) const;
 
   std::shared_ptr<const MaterialType> type_;  // its texts stay as long as the law does
   LibraryInUse in_use_;
@@ -77,7 +76,6 @@ class LibraryMaterial final : public Material {
   Real stiffening_;
   NumbersBeyond beyond_;
   mutable std::atomic<bool> has_fault_ = false;
-  mutable std::atomic<bool> crashed_ = false;  // it is not called again
   OneAtATime faults_;
   mutable std::string fault_;
   mutable std::pair<Index, std::int64_t> place_of_fault_;  // cell and number: the least one is reported

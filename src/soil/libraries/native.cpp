@@ -2,7 +2,8 @@
 // of the block are taken in halves of the step, then quarters.
 
 #include "math/errors.hpp"
-#include "os/guarded_call.hpp"
+#include "os/own_copy.hpp"
+#include "os/turn.hpp"
 #include "soil/libraries/interface.hpp"
 #include "soil/libraries/terp_law.h"
 
@@ -10,6 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
 
 namespace terp {
 namespace {
@@ -126,38 +128,10 @@ class NativeCalls final : public LawCalls {
   throw InputError(Problem{"", what, detail, "library"});
 }
 
-/// Looks at what the library says of itself, which may be anywhere.
-template <class T>
-void ask_guarded(void (*look)(T&), T& asked)
+const terp_law_description& description_of(void* symbol)
 {
-  struct Call {
-    void (*look)(T&);
-    T& asked;
-  } call{look, asked};
-  const std::string fault = call_guarded([](void* c) { static_cast<Call*>(c)->look(static_cast<Call*>(c)->asked); },
-      [](void*, const char* why, char* text, std::size_t n) {
-        std::snprintf(text, n, "the library %s when it was asked to describe its law", why);
-      },
-      &call);
-  if (!fault.empty()) refuse("the library failed when it was asked to describe its law", "It " + fault + '.');
-}
-
-terp_law_description description_of(void* symbol)
-{
-  struct Asked {
-    const terp_law_description* (*function)();
-    bool found;
-    terp_law_description law;
-  } asked{reinterpret_cast<const terp_law_description* (*)()>(symbol), false, {}};
-  ask_guarded<Asked>(
-      [](Asked& a) {
-        const terp_law_description* law = a.function();
-        a.found = law != nullptr;
-        if (a.found) a.law = *law;
-      },
-      asked);
-  const terp_law_description* law = &asked.law;
-  if (!asked.found) refuse("the library returns no description of its law", "Its function returned NULL.");
+  const terp_law_description* law = reinterpret_cast<const terp_law_description* (*)()>(symbol)();
+  if (law == nullptr) refuse("the library returns no description of its law", "Its function returned NULL.");
   if (law->version != TERP_LAW_VERSION)
     refuse("the library was built for another version of the interface",
         fmt::format(
@@ -171,52 +145,47 @@ terp_law_description description_of(void* symbol)
     refuse(
         "the law has too many variables", fmt::format("It has {} parameters and {} state variables; at most {} and {}.",
                                               law->n_parameters, law->n_state, most_parameters, most_state));
-  return asked.law;
+  return *law;
 }
 
-/// A text of the library up to the end of `to`.
-template <std::size_t size>
-void copy_text(const char* from, std::array<char, size>& to)
-{
-  std::size_t k = 0;
-  for (; from != nullptr && k + 1 < size && from[k] != '\0'; ++k) to[k] = from[k];
-  to[k] = '\0';
-}
+std::string text_of(const char* text) { return text != nullptr ? text : ""; }
 
 std::vector<LawVariables::Variable> variables_of(const terp_law_variable* table, int n)
 {
-  struct Copy {
-    std::array<char, 128> name, unit;
-    std::array<char, 512> meaning;
-    double initial;
-  };
-  struct Asked {
-    const terp_law_variable* table;
-    std::vector<Copy> copies;
-  } asked{table, std::vector<Copy>(static_cast<std::size_t>(n))};
-  ask_guarded<Asked>(
-      [](Asked& a) {
-        for (std::size_t k = 0; k < a.copies.size(); ++k) {
-          copy_text(a.table[k].name, a.copies[k].name);
-          copy_text(a.table[k].unit, a.copies[k].unit);
-          copy_text(a.table[k].meaning, a.copies[k].meaning);
-          a.copies[k].initial = a.table[k].initial;
-        }
-      },
-      asked);
   std::vector<LawVariables::Variable> list;
-  for (const Copy& copy : asked.copies)
-    list.push_back({copy.name.data(), copy.unit.data(), copy.meaning.data(), copy.initial});
+  for (const terp_law_variable& v : std::span(table, static_cast<std::size_t>(n)))
+    list.push_back({text_of(v.name), text_of(v.unit), text_of(v.meaning), v.initial});
   return list;
+}
+
+LawVariables variables_of(void* symbol)
+{
+  const terp_law_description& law = description_of(symbol);
+  return {variables_of(law.parameters, law.n_parameters), variables_of(law.state, law.n_state), law.thread_safe != 0};
+}
+
+/// What a library says of itself may point anywhere: a copy of this process asks first, once.
+void ask_in_copy(void* symbol)
+{
+  constexpr double limit_s = 10.0;
+  static const OneAtATime one;
+  static std::set<void*> asked;
+  one([&] {
+    if (!asked.insert(symbol).second) return;
+    const std::string fault = call_in_copy([&](void*) { variables_of(symbol); }, nullptr, 0, limit_s);
+    if (fault.empty()) return;
+    asked.erase(symbol);
+    refuse("the library failed when it was asked to describe its law",
+        "A copy of this program asked it, and " + fault + '.');
+  });
 }
 
 }  // namespace
 
 std::optional<LawVariables> describe_native(void* symbol)
 {
-  const terp_law_description law = description_of(symbol);
-  LawVariables said{
-      variables_of(law.parameters, law.n_parameters), variables_of(law.state, law.n_state), law.thread_safe != 0};
+  ask_in_copy(symbol);
+  LawVariables said = variables_of(symbol);
   for (const LawVariables::Variable& variable : said.state)
     if (!std::isfinite(variable.initial))
       refuse(fmt::format("the state variable `{}` of the library begins with no number", variable.name),

@@ -5,7 +5,7 @@
 
 namespace short_arrays_test {
 
-std::string key_of(const MaterialCase& material)
+std::string_view key_of(const MaterialCase& material)
 {
   const Simulation s(free_box("mpm_gp", {0.5, 0.0}, {3.5, 1.0}, material), 1);
   return find_short_array(s.model.materials[0], material.parameters, s.state.points.block(0), 0.25, s.model.dt);
@@ -26,7 +26,7 @@ TEST(ShortArrays, AreNoticedThoughNothingIsLargerThanANumberThatIsNone)
 
 TEST(ShortArrays, AreNotFoundWhereAllIsGiven)
 {
-  for (const Kind kind : {elastic_law, nan_stress, bad_memory, counts, small_parts, changes_rounding})
+  for (const Kind kind : {elastic_law, nan_stress, counts, small_parts, changes_rounding})
     EXPECT_EQ(key_of(wrong_umat(kind)), "") << kind;
   EXPECT_EQ(key_of(of_library(library_case("wrong_umat.so", LawInterface::esm, {shear, poisson}))), "");
   EXPECT_EQ(key_of(of_library(native("terp_law"))), "");
@@ -54,14 +54,16 @@ TEST(ShortArrays, OfLawsInFortranAreThoseWithOneNumberLess)
   }
 }
 
+std::string said(const MaterialCase& material, double limit_s = limit_of_trial_s)
+{
+  const Simulation s(free_box("mpm_gp", {0.5, 0.0}, {3.5, 1.0}, material), 1);
+  std::vector<Problem> warnings;
+  const auto found = problems_of([&] { find_odd_libraries(s.model, s.state, warnings, limit_s); });
+  return found.empty() ? "" : found[0].key + ": " + found[0].what + '\n' + found[0].detail;
+}
+
 TEST(ShortArrays, AreAFaultOfTheCase)
 {
-  const auto said = [](const MaterialCase& material) {
-    const Simulation s(free_box("mpm_gp", {0.5, 0.0}, {3.5, 1.0}, material), 1);
-    std::vector<Problem> warnings;
-    const auto found = problems_of([&] { find_odd_libraries(s.model, s.state, warnings); });
-    return found.empty() ? "" : found[0].key + ": " + found[0].what + '\n' + found[0].detail;
-  };
   EXPECT_THAT(said(wrong_umat(compares_beyond_props)),
       AllOf(
           HasSubstr(".parameters: the law of the library uses more parameters than the case gives\nIt is given 6, and"),
@@ -74,6 +76,36 @@ TEST(ShortArrays, AreAFaultOfTheCase)
       AllOf(HasSubstr("uses more state variables than it describes\nIt is given 2, and"),
           HasSubstr("Correct n_state and the table in the description that the library gives.")));
   EXPECT_EQ(said(wrong_umat(elastic_law)), "");
+}
+
+TEST(LibraryTrial, OfALawThatEndsTheProgramEndsACopyAlone)
+{
+  const struct {
+    Kind kind;
+    const char* how;
+  } rows[] = {{bad_memory, "was ended by signal 11 (Segmentation fault)"},
+      {overflows, "was ended by signal 11 (Segmentation fault)"},
+      {crashes_in_c, "was ended by signal 11 (Segmentation fault)"},
+      {divides, "was ended by signal 8 (Floating point exception)"}, {aborts, "was ended by signal 6 (Aborted)"},
+      {leaves, "ended before its time, as by STOP, XIT or exit"},
+      {leaves_at_once, "ended before its time, as by STOP, XIT or exit"}};
+  for (const auto& [kind, how] : rows)
+    EXPECT_THAT(said(wrong_umat(kind)),
+        AllOf(HasSubstr(
+                  ".library: the law of the library failed when it was tried\nA copy of this program tried it, and " +
+                  std::string(how) + ".\nIt strained the points at ("),
+            HasSubstr("Call the law by itself with such strains")))
+        << kind;
+}
+
+TEST(LibraryTrial, OfALawThatDoesNotReturnEnds)
+{
+  EXPECT_THAT(said(wrong_umat(loops), 0.5), HasSubstr("and did not come to an end within 0.5 s: it may loop.\n"));
+}
+
+TEST(LibraryTrial, OfALawThatCopiesTheProgramFindsWhatItWouldFindWithoutThat)
+{
+  EXPECT_EQ(said(wrong_umat(copies_itself)), "");
 }
 
 }  // namespace short_arrays_test

@@ -4,15 +4,16 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 enum { elastic, nan_stress, nan_state, bad_memory, divides, aborts, leaves, never_small, small_parts, overflows,
        counts, turns, changes_rounding, tenths, nan_answer, beyond_state, beyond_props, reads_props, has_strength,
        has_size, crashes_in_c, tensorial_shear, counts_to_six, no_strength,
        adds_beyond_state, compares_beyond_props, compares_beyond_state, compares_in_extension,
-       loops };
+       loops, leaves_at_once, copies_itself };
 
 static volatile int zero = 0;
-static int calls = 0;
+static int calls = 0, copies = 0;
 
 static int deepen(volatile char* above)
 {
@@ -100,6 +101,10 @@ void umat_(double* stress, double* statev, double* ddsdde, double* sse, double* 
       break;
     case no_strength: statev[0] = -0.5; break;
     case crashes_in_c: puts((const char*)(size_t)(8 * zero + 8)); break;
+    case leaves_at_once: _exit(0);
+    case copies_itself:
+      if (++copies == 1 && fork() < 0) abort();
+      break;
     default: break;
   }
 }
