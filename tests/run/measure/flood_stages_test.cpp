@@ -20,8 +20,9 @@ struct Staged : Drawn {
   /// fastest: of the record; NaN: a stage of fixed duration.
   Staged& end_stage(std::size_t number, bool at_rest, Real speed, Real fastest)
   {
-    model.stage = {.name = model.description.stages[number].name, .number = number, .n_all = 3};
-    if (!std::isnan(fastest)) model.stage.rest = {.speed = 0.001, .steps = 10};
+    model.stage = {};
+    model.stage.name = model.description.stages[number].name, model.stage.number = number, model.stage.n_all = 3;
+    if (!std::isnan(fastest)) model.stage.rest.speed = 0.001, model.stage.rest.steps = 10;
     state.stage = static_cast<std::int64_t>(number);
     state.stages_done.push_back({.start = state.time, .end = state.time + 1.0, .at_rest = at_rest, .fastest = fastest});
     state.time += 1.0;
