@@ -24,7 +24,7 @@ TEST(StrengthLevers, ScaleEveryFormOfAStrengthAsAWhole)
   EXPECT_EQ(su("\"10e3 + 1e3*(0 - y)\""), "material.clay.su_peak=\"0.85*(10e3 + 1e3*(0 - y))\"");
   for (const char* line : {"depth", "elevation", "table"})
     EXPECT_EQ(su(fmt::format("{{ {} = [[0, 10e3], [4, \"20 kPa\"]] }}", line)),
-        fmt::format("material.clay.su_peak={{ {} = [ [ 0, 8500.0 ], [ 4, \"17 kPa\" ] ] }}", line));
+        fmt::format("material.clay.su_peak={{{} = [[0, 8500.0], [4, \"17 kPa\"]]}}", line));
   EXPECT_THAT(
       su("{ random = { mean = 20e3, cov = 0.2 } }"), AllOf(HasSubstr("mean = 17000.0"), HasSubstr("cov = 0.2")));
   EXPECT_EQ(su("{ shansep = { S = 0.3, m = 0.9, pop = 15e3 } }"), "0 changes");  // S and POP are levers

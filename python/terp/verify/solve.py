@@ -134,8 +134,8 @@ def _find_factor(job, program, folder):
             tolerance, *depth)
     result = json.loads((folder / "stability.json").read_text(encoding="utf-8"))
     scope = _make_scope(job, tomllib.loads(result["case"]), {})
-    measured = {name: math.nan if result[key] is None else result[key] for name, key in (
-        ("factor", "factor_of_safety"), ("stable_at", "stable_at"), ("not_stable_at", "not_stable_at"))}
+    measured = {name: math.nan if result[name] is None else result[name] for name in ("stable_at", "not_stable_at")}
+    measured["factor"] = 0.5 * (measured["stable_at"] + measured["not_stable_at"])
 
     def measure_factor(q):
         if q.kind != "formula":

@@ -12,6 +12,7 @@ struct Staged : Drawn {
     for (const auto& [name, water] : {std::pair("daily", ""), {"high", "high"}, {"after", "start"}}) {
       StageCase stage;
       stage.name = name, stage.water = water;
+      stage.changed = std::make_shared<Case>();
       model.description.stages.push_back(stage);
     }
     state.time = 1.0;
@@ -90,6 +91,7 @@ TEST(FloodInStages, ACheckpointRemembersTheStage)
 {
   Staged s, other;
   s.rest(0).end_stage(1, false, 0.28, 0.28);
+  s.state.time = 0.0, s.state.stage = 0;  // as the clock of the model stands
   other.restore(s.save());
   other.rest(2);
   EXPECT_EQ(other.flood().stage_moving, "high");
