@@ -1,9 +1,10 @@
-# Whole builds spend half of their time on reading headers. With TERP_UNITY the files of a room are compiled as one,
+# Whole builds spend half of their time on reading headers. With TERP_UNITY the files of a folder are compiled as one,
 # with precompiled headers. Who changes a single file, or shares a compiler cache between clones, does without: the
-# `dev` preset. A name in an anonymous namespace is then seen by the files beside its own, so it stands once in a room.
+# `dev` preset. A name in an anonymous namespace is then seen by the files beside its own, so it stands once in a
+# folder.
 
 if(TERP_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # One room needs up to 1.9 GB. Where the compiler does not look for memory to free before, it is 9 % faster.
+  # One folder needs up to 1.9 GB. Where the compiler does not look for memory to free before, it is 9 % faster.
   add_compile_options("SHELL:--param ggc-min-heapsize=800000")
 endif()
 
@@ -21,7 +22,7 @@ function(compile_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   foreach(source ${ARGN})
     cmake_path(GET source PARENT_PATH folder)
-    cmake_path(GET folder FILENAME room)
-    set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${room})
+    cmake_path(GET folder FILENAME name)
+    set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${name})
   endforeach()
 endfunction()

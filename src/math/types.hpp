@@ -1,4 +1,4 @@
-// The number, index and size types that every room uses.
+// The number, index and size types that all layers use.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // Which instruction set the kernels of this process use. The kernels are compiled once per set; the choice is made when
 // the program starts, by what the processor offers (decision 0028).
-// Not for: what the kernels offer. A room with kernels has a table of its own, one copy per set (kernel_table.hpp).
+// Not for: what the kernels offer. A layer with kernels has tables of its own, one copy per set (kernel_table.hpp).
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // A JSON text as a tree of plain values. Not for: what the values mean (json_cursor.hpp).
-// The only file of this room that uses a JSON library is json_tree.cpp.
+// The only file of this folder that uses a JSON library is json_tree.cpp.
 #pragma once
 
 #include "math/types.hpp"

@@ -32,8 +32,8 @@ inline constexpr SentenceForm leads_nowhere{
 inline constexpr SentenceForm result_of_none{
     "No calculation names this result. It was not used.", "Geen berekening noemt dit resultaat. Het is niet gebruikt."};
 inline constexpr SentenceForm runs_back{
-    "This line runs back; where it has several elevations at one x, that of the first part holds.",
-    "Deze lijn loopt terug; waar zij bij één x meer hoogten heeft, geldt die van het eerste deel."};
+    "This line runs back. Where an x has several elevations, the first part of the line counts.",
+    "Deze lijn loopt terug. Waar een x meer hoogten heeft, telt het eerste deel van de lijn."};
 inline constexpr SentenceForm missing_key{"This key is missing{}{}, though files of this kind have it. Taken was: {}.",
     "Deze sleutel ontbreekt{}{}, terwijl bestanden van deze soort hem hebben. Aangehouden is: {}."};
 inline constexpr SentenceForm times{" ({} times)", " ({} keer)"};

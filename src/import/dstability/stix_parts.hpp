@@ -1,5 +1,5 @@
 // The members of a .stix file, each read by itself: what stages and calculations name by id.
-// Not for: other rooms. They see the whole project (project.hpp).
+// Not for: other folders. They see the whole project (project.hpp).
 #pragma once
 
 #include "import/dstability/json_cursor.hpp"

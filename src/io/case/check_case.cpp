@@ -74,7 +74,7 @@ void check_holes(const BodyCase& body, const std::string& path, Problems& warnin
     }
 }
 
-/// Whether a section of that case has the name, but not the material: its own name is unknown, as [materials.clay].
+/// Whether the name stands in a section that Terp does not know, as that of a soil in [materials.clay].
 bool is_in_unknown_section(const Node& root, const std::string& name, const Problems& problems)
 {
   return std::ranges::any_of(root.items, [&](const Node& section) {

@@ -1,4 +1,4 @@
-// The table of all keys of the case file as it is written down; keys.hpp is what the rest of the room asks.
+// The table of all keys of the case file as it is written down; keys.hpp is what the rest of the folder asks.
 #pragma once
 
 #include "io/case/keys.hpp"

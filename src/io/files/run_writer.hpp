@@ -1,5 +1,5 @@
-// Writes all that a run shows into its folder. The one class that src/cli/ needs from this room to solve a case.
-// Not for: when something is written (simulation's schedule), nor the formats (the other files of this room).
+// Writes all that a run shows into its folder. The one class that src/cli/ needs from this folder to solve a case.
+// Not for: when something is written (run/loop/reporter), nor the formats (the other files here).
 #pragma once
 
 #include "io/files/checkpoint.hpp"

@@ -191,7 +191,7 @@ bool is_line(const std::string& key)
 
 bool is_outline(const std::string& key) { return key == "polygon" || key == "box"; }
 
-/// Places [m] of a line; empty: it is none.
+/// Places of a line [m]; nothing where the value is no line.
 std::vector<Vec<2>> places_of(const Node& node)
 {
   std::vector<Vec<2>> places;

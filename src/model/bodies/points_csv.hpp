@@ -1,5 +1,5 @@
 // Material points from a table: a CSV file with the columns x, y, volume, material.
-// Not for: which cell holds a point, or whether its material exists (simulation).
+// Not for: which cell holds a point, or whether its material exists (setup_points).
 #pragma once
 
 #include "model/bodies/csv_rows.hpp"

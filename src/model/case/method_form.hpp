@@ -1,5 +1,5 @@
 // The options of [method] by name and word: those of the paper, and in what others differ from them.
-// Not for: reading them (io/case/method_keys), nor what they do (transfer, schemes).
+// Not for: reading them (io/case/method_keys), nor what they do (mpm).
 #pragma once
 
 #include "mpm/kernels/method_options.hpp"

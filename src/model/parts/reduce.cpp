@@ -187,6 +187,13 @@ std::optional<std::size_t> cutoff_of(const MaterialCase& material)
   return k && law->parameters[*k].reduction == Reduction::divide && !is_sand(material) ? k : std::nullopt;
 }
 
+/// Of soil that varies: whether a limit is given, which may act at some places; else whether the limit acts.
+bool has_limit(const MaterialCase& material, std::size_t cutoff)
+{
+  if (!material.fields.empty()) return is_field(material, cutoff) || std::isfinite(material.parameters[cutoff]);
+  return material.parameters[cutoff] <= largest_tension(*find_material(material.model), material.parameters);
+}
+
 /// No tension at the places where the limit would not act.
 void crack_where_no_limit_acts(MaterialCase& material, std::size_t cutoff)
 {
@@ -206,11 +213,7 @@ Case leave_out_tension(Case c)
 {
   for (MaterialCase& material : c.materials)
     if (const auto k = cutoff_of(material)) {
-      const bool is_number = !is_field(material, *k);
-      if (is_number &&
-          (std::isinf(material.parameters[*k]) ||
-              (material.fields.empty() &&
-                  material.parameters[*k] > largest_tension(*find_material(material.model), material.parameters))))
+      if (!has_limit(material, *k))
         material.parameters[*k] = 0.0;
       else if (!material.fields.empty())
         crack_where_no_limit_acts(material, *k);
@@ -222,13 +225,7 @@ std::vector<std::string> soils_that_limit_tension(const Case& c)
 {
   std::vector<std::string> names;
   for (const MaterialCase& material : c.materials)
-    if (const auto k = cutoff_of(material);
-        k &&
-        (is_field(material, *k) ||
-            (std::isfinite(material.parameters[*k]) &&
-                (!material.fields.empty() ||
-                    material.parameters[*k] <= largest_tension(*find_material(material.model), material.parameters)))))
-      names.push_back(material.name);
+    if (const auto k = cutoff_of(material); k && has_limit(material, *k)) names.push_back(material.name);
   return names;
 }
 

@@ -1,5 +1,5 @@
 // What a stage is: its case, its water, its ramp and its end. Not for: how one stage follows another (stages), nor how
-// a case file writes stages (input).
+// a case file writes stages (io/case).
 #pragma once
 
 #include "model/parts/model.hpp"

@@ -1,6 +1,6 @@
 // Material points, stored in blocks: a block holds the points of one material and body in one cell, structure of arrays
 // inside, padded to whole packs. Several materials or bodies in a cell are several blocks (decisions 0022, 0041).
-// Not for: deciding where a point belongs (move.hpp) or what it is worth (transfer, schemes).
+// Not for: deciding where a point belongs (move.hpp) or what it is worth (kernels, schemes).
 #pragma once
 
 #include "math/types.hpp"

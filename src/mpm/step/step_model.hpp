@@ -18,7 +18,7 @@ struct StepModel;
 struct StepState;
 struct Workspace;
 
-/// One step (step.hpp).
+/// One step (kernels.hpp).
 using StepFunction = void (*)(const StepModel&, StepState&, Workspace&);
 
 struct StepModel {

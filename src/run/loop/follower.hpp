@@ -1,5 +1,5 @@
 // What is measured while a run goes on: a follower starts, looks on, saves itself and sums up. The followers stand in
-// the room `followers`; neither State nor the loop nor the checkpoint knows one of them by name.
+// `run/measure`; neither State nor the loop nor the checkpoint knows one of them by name.
 #pragma once
 
 #include "run/report/run_table.hpp"

@@ -1,7 +1,7 @@
 // Bodies that a stage places or digs away. A body comes without stress and weight, so that it changes nothing at first;
 // over the ramp of the stage its weight is let go. One that goes loses its weight over the ramp, then its points are
 // taken out. What holds the weight meanwhile is a force from outside. docs/stages.md, decision 0051.
-// Not for: how a stage names them (input), nor which are there (BodyCase).
+// Not for: how a stage names them (io/case), nor which are there (BodyCase).
 #pragma once
 
 #include "model/bodies/setup_points.hpp"

@@ -1,5 +1,5 @@
 // A run in memory: what `terp run` does with a case, as an object that a program, a test or a study drives.
-// Not for: case files (input) and files of results (output); both are connected to it, as a Case and as observers.
+// Not for: case files (io/case) and files of results (io/files); both are connected to it, as a Case and as observers.
 #pragma once
 
 #include "run/loop/run.hpp"
@@ -16,7 +16,7 @@ inline const std::atomic<bool> never_stop{false};
 /// it. Each Simulation may be driven by a thread of its own; Case and mesh may be shared between them.
 struct Simulation {
   /// Builds the mesh, seeds the points and sets the initial stress of "k0". followers: what is measured besides the
-  /// balance, as all_followers() of `followers`; without them the summary has neither front nor crest. Throws
+  /// balance, as all_followers(); without them the summary has neither front nor crest. Throws
   /// InputError. Where the system grants fewer threads, model.threads says how many there are.
   explicit Simulation(const Case& description, int threads = 1, const FollowerTypes& followers = {});
   /// The same on a mesh that is already there, as in a study of many runs on one mesh.

@@ -50,7 +50,7 @@ void reset_displacement(State& state)
   });
 }
 
-/// Loads of which there was nothing take their place on the ground as it is now. So do those that stand on what the
+/// Places loads that begin with the stage on the ground as it is now. Places loads anew that stand on soil which the
 /// stage digs away.
 void place_new_loads(const Model& before, const Model& model, State& state)
 {

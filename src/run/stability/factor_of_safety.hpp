@@ -1,5 +1,5 @@
 // The factor of safety of a case: settle it, then bisect by trials. The whole way from a case to a result.
-// Not for: files and terminal (output, app).
+// Not for: files and terminal (io, cli).
 #pragma once
 
 #include "model/parts/reduce.hpp"

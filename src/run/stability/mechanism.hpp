@@ -1,6 +1,6 @@
 // How the soil fails in a trial that does not stand: which part of it moves, along which surface, which way. Taken from
 // the motion in the last window of the trial, in which elastic strain hardly grows any more. Definitions:
-// docs/stability.md. Not for: files and pictures (output).
+// docs/stability.md. Not for: files and pictures (io/files).
 #pragma once
 
 #include "model/ground/section.hpp"
