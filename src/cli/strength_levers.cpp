@@ -116,7 +116,7 @@ class Scaling {
   bool scale_number(Node& node) const
   {
     const Real value = node.kind == NodeKind::integer ? static_cast<Real>(node.integer) : node.number,
-               scaled = std::max(lever_.least, value * factor_);
+               scaled = std::clamp(value * factor_, lever_.least, lever_.greatest);
     node.kind = NodeKind::number, node.number = scaled;
     return scaled != value;
   }
@@ -172,6 +172,7 @@ const std::vector<StrengthLever>& strength_levers()
       {"POP", undrained_or_yield, "pop", 0.7, 1.3},
       {"OCR", undrained_or_yield, "ocr", 0.8, 1.25, 1.0},
       {"yield stress in SHANSEP", undrained, "yield_stress", 0.8, 1.25},
+      {"m", undrained, "m", 0.9, 1.1, 0.0, 1.0},
       {"least S_u", undrained, "minimum", 0.85, 1.15},
       {"yield stress", {"yield_stress"}, "", 0.8, 1.25},
       {"S_u", undrained, "", 0.85, 1.15},

@@ -5,12 +5,13 @@
 
 namespace strength_levers_test {
 
-/// Changes of a lever of that name, by its smaller factor.
-ScaledStrength scaled(const std::string& name, const std::string& toml)
+/// Changes of a lever of that name, by its smaller factor or its greater.
+ScaledStrength scaled(
+    const std::string& name, const std::string& toml, Real StrengthLever::*factor = &StrengthLever::less)
 {
   const auto& levers = strength_levers();
   const auto lever = std::ranges::find(levers, name, &StrengthLever::name);
-  return scale_strength(parse_toml(toml), *lever, lever->less);
+  return scale_strength(parse_toml(toml), *lever, (*lever).*factor);
 }
 
 TEST(StrengthLevers, ScaleEveryFormOfAStrengthAsAWhole)
@@ -40,6 +41,9 @@ TEST(StrengthLevers, FindSoilsOfTwoPartsOtherLawsSidesAndStages)
       ElementsAre("material.clay.yield_stress=\"40 kPa\""));
   EXPECT_THAT(scaled("OCR", "[material.clay]\nyield_stress = { ocr = 3.0 }\n").changes,
       ElementsAre(AllOf(HasSubstr("ocr = 2.4"), StartsWith("material.clay.yield_stress="))));
+  const std::string shansep = "[material.clay]\nsu_peak = { shansep = { S = 0.3, m = 0.95, pop = 15e3 } }\n";
+  EXPECT_THAT(scaled("m", shansep).changes, ElementsAre(HasSubstr("m = 0.855")));
+  EXPECT_THAT(scaled("m", shansep, &StrengthLever::more).changes, ElementsAre(HasSubstr("m = 1.0,")));
   EXPECT_THAT(
       scaled("cohesion", "[material.clay]\ncohesion = 5e3\n").changes, ElementsAre("material.clay.cohesion=4000.0"));
   EXPECT_THAT(scaled("strength of sides", "[boundary]\nleft = { friction = 0.5 }\nright = \"roller\"\n").changes,
