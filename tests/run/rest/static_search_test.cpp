@@ -64,7 +64,7 @@ TEST(StaticSearch, ThePointsStayWhereTheyAre)
 TEST(StaticSearch, FindsTheStressThatMotionFinds)
 {
   for (const char* scheme : {"mpm_gp", "mpm_mixed"}) {
-    Case stiff = stiffen(standing_column(scheme, 1.2), 1000.0);  // it keeps its shape in motion
+    Case stiff = stiffen(standing_column(scheme, 1.5), 1000.0);  // it keeps its shape in motion
     stiff.method.shares = Shares::overlap;  // else points on the border of a sub-cell move into another one
     Simulation s(stiff), t(stiff);
     ASSERT_EQ(search(s).end, StaticEnd::rests) << scheme;
