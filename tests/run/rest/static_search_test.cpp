@@ -61,15 +61,16 @@ TEST(StaticSearch, ThePointsStayWhereTheyAre)
   }
 }
 
-TEST(StaticSearch, FindsTheStressThatMotionFinds)
+/// Soil that yields depends on its path (decision 0081); means of MPM-Mixed over many steps do a little.
+TEST(StaticSearch, FindsTheStressOfElasticSoilThatMotionFinds)
 {
-  for (const char* scheme : {"mpm_gp", "mpm_mixed"}) {
-    Case stiff = stiffen(standing_column(scheme, 1.5), 1000.0);  // it keeps its shape in motion
-    stiff.method.shares = Shares::overlap;  // else points on the border of a sub-cell move into another one
-    Simulation s(stiff), t(stiff);
+  for (const auto& [scheme, most] : {std::pair{"mpm_gp", 1e-3}, std::pair{"mpm_mixed", 0.02}}) {
+    Case c = stiffen(standing_column(scheme, 20.0), 1000.0);  // it keeps its shape in motion
+    c.method.shares = Shares::overlap;  // else points on the border of a sub-cell move into another one
+    Simulation s(c), t(c);
     ASSERT_EQ(search(s).end, StaticEnd::rests) << scheme;
     ASSERT_TRUE(settle_in_motion(t.model, t.state, t.work, 1000.0, std::atomic<bool>{false}).reached) << scheme;
-    EXPECT_LT(difference_in_shear(t.state, s.state), 0.03) << scheme;  // as between two dampings of the motion
+    EXPECT_LT(difference_in_shear(t.state, s.state), most) << scheme;
   }
 }
 
