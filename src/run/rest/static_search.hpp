@@ -1,5 +1,5 @@
 // The search for equilibrium without motion: displacements of the nodes that leave no force out of balance, found with
-// the elastic stiffness (decision 0081). Not for: soil that fails, which only motion shows (settle, equilibrium.hpp).
+// the elastic stiffness (decision 0082). Not for: soil that fails, which only motion shows (settle, equilibrium.hpp).
 #pragma once
 
 #include "run/rest/equilibrium.hpp"

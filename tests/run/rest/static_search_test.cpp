@@ -61,7 +61,7 @@ TEST(StaticSearch, ThePointsStayWhereTheyAre)
   }
 }
 
-/// Soil that yields depends on its path (decision 0081); means of MPM-Mixed over many steps do a little.
+/// Soil that yields depends on its path (decision 0082); means of MPM-Mixed over many steps do a little.
 TEST(StaticSearch, FindsTheStressOfElasticSoilThatMotionFinds)
 {
   for (const auto& [scheme, most] : {std::pair{"mpm_gp", 1e-3}, std::pair{"mpm_mixed", 0.02}}) {
