@@ -302,7 +302,7 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
   if (const Real g = std::hypot(model.gravity[0], model.gravity[1]); g > 0.0)
     model.damping.down = {model.gravity[0] / g, model.gravity[1] / g};
   model.scheme = find_scheme(description.scheme);
-  model.step = kernels().step;
+  model.step = kernels().step, model.find_forces = kernels().find_forces, model.strain = kernels().strain;
   if (model.scheme == nullptr) throw InputError(Problem{"scheme", "no such scheme", "", "scheme"});
   model.threads = threads;
   if (of_run != nullptr)

@@ -12,8 +12,8 @@
 namespace terp {
 namespace {
 
-constexpr Kernels table{
-    TERP_TEXT(TERP_KERNEL_COPY), &step_compiled, &add_up_compiled, &measure_triad, &measure_multiply_add};
+constexpr Kernels table{TERP_TEXT(TERP_KERNEL_COPY), &step_compiled, &find_forces_compiled, &strain_compiled,
+    &add_up_compiled, &measure_triad, &measure_multiply_add};
 
 }  // namespace
 }  // namespace terp

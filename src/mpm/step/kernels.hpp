@@ -13,10 +13,16 @@ namespace terp {
 /// StepModel::step. The order of its passes is the method: docs/methods.md.
 void step_compiled(const StepModel& model, StepState& state, Workspace& work);
 
+/// Of soil that does not move: the force out of balance of each active node, without that of sides and of damping, as
+/// `internal` of work.node; its mass as there.
+void find_forces_compiled(const StepModel& model, StepState& state, Workspace& work);
+/// The other half: strains the soil by the displacements v dt of the nodes of work.node. Points stay where they are.
+void strain_compiled(const StepModel& model, StepState& state, Workspace& work);
+
 /// The table of one copy. The other functions are declared, with what they take and return, where they are at home.
 struct Kernels {
   std::string_view instructions;  ///< name of the set
-  StepFunction step;
+  StepFunction step, find_forces, strain;
   decltype(&add_up_compiled) add_up;           ///< totals.hpp
   double (*measure_triad)(std::size_t bytes);  ///< os/machine.hpp
   double (*measure_multiply_add)();

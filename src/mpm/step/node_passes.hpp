@@ -187,6 +187,20 @@ inline void accelerate_node(
   }
 }
 
+/// Force out of balance of soil that does not move, as `internal` of the node; of a light node none.
+inline void find_force(
+    const StepModel& model, const StepState& state, const NodeGather& sum, Index i, Workspace& work, NodeSums& sums)
+{
+  NodeValues& node = work.node[i];
+  node = {};
+  node.mass = sum.mass;
+  sums.finite &= sum.mass == sum.mass;
+  if (!(sum.mass >= mass_limit(model, i))) return;
+  for (int d = 0; d < 2; ++d) node.internal[d] = sum.mass * work.gravity[d] - sum.internal_force[d];
+  if (has_outer_forces(work)) add_outer_forces(model, state, i, work, node.internal);
+  for (int d = 0; d < 2; ++d) sums.finite &= std::isfinite(node.internal[d]);
+}
+
 /// Works of the step with the remapped velocity, which moves and strains the points, and of the forces on what clamps
 /// take from it, which the points keep. They add up to the change of the points' kinetic energy plus 1/2 sum m_p
 /// |dv_p|^2 exactly (docs/methods.md, energy). remapped: before the clamps [m/s].

@@ -267,8 +267,10 @@ void balance_pressure(const StepModel& model, const StepState& state, Workspace&
   }
 }
 
-/// Steps 2 to 4, or Sec. 2.2; then the points go on.
-void update_stress_and_places(const StepModel& model, const SchemeContext& context, StepState& state, Workspace& work)
+/// Steps 2 to 4, or Sec. 2.2. after: what follows in each group, with the displacements of its corners.
+template <class After>
+void update_stress(
+    const StepModel& model, const SchemeContext& context, StepState& state, Workspace& work, After&& after)
 {
   const SchemeFunctions& scheme = model.scheme->functions(model.method.shares);
   if (scheme.strain != nullptr)
@@ -282,6 +284,14 @@ void update_stress_and_places(const StepModel& model, const SchemeContext& conte
     StressSums stress_sums;
     scheme.update_stress(context, group, du, stress_sums);
     enter(stress_sums, sums);
+    after(group, du, points_leaving);
+  });
+}
+
+/// Then the points go on.
+void update_stress_and_places(const StepModel& model, const SchemeContext& context, StepState& state, Workspace& work)
+{
+  update_stress(model, context, state, work, [&](const CellGroup<Quad4>& group, const auto& du, auto& points_leaving) {
     for (int c = 0; c < group.n(); ++c) {
       if (model.spreads_softening())
         work.cell_softens[group.number * pack_width + c] = softens(model, group.points, group.cells[c]);
@@ -290,16 +300,9 @@ void update_stress_and_places(const StepModel& model, const SchemeContext& conte
   });
 }
 
-}  // namespace
-
-void step_compiled(const StepModel& model, StepState& state, Workspace& work)
+SchemeContext context_of(const StepModel& model, const StepState& state, const Workspace& work)
 {
-  start_sums(work);
-  work.gravity = model.gravity_at(state.time + 0.5 * model.dt);  // of the middle of the step
-  place_footings(model, state, work);
-  if (model.has_loads()) set_load_pressures(model, state, work);
-  if (model.water) set_water(model, state, work);
-  const SchemeContext context{.method = model.method,
+  return {.method = model.method,
       .materials = model.materials,
       .dt = model.dt,
       .inverse_extent = model.inverse_extent,
@@ -313,7 +316,24 @@ void step_compiled(const StepModel& model, StepState& state, Workspace& work)
       .held_row = model.held_row,
       .time = state.time,
       .step = state.step};
+}
 
+/// What acts from outside in this step, and what the schemes see of it.
+SchemeContext begin_step(const StepModel& model, StepState& state, Workspace& work)
+{
+  start_sums(work);
+  work.gravity = model.gravity_at(state.time + 0.5 * model.dt);  // of the middle of the step
+  place_footings(model, state, work);
+  if (model.has_loads()) set_load_pressures(model, state, work);
+  if (model.water) set_water(model, state, work);
+  return context_of(model, state, work);
+}
+
+}  // namespace
+
+void step_compiled(const StepModel& model, StepState& state, Workspace& work)
+{
+  const SchemeContext context = begin_step(model, state, work);
   timed(work, points_to_cells, [&] { gather_points(model, context, state, work); });
   if (!work.balance.empty()) timed(work, cell_acceleration, [&] { balance_pressure(model, state, work); });
   timed(work, nodes, [&] {
@@ -343,6 +363,25 @@ void step_compiled(const StepModel& model, StepState& state, Workspace& work)
 
   ++state.step;
   state.time = model.time_of(state.step);
+}
+
+void find_forces_compiled(const StepModel& model, StepState& state, Workspace& work)
+{
+  const SchemeContext context = begin_step(model, state, work);
+  timed(work, points_to_cells, [&] { gather_points(model, context, state, work); });
+  timed(work, nodes, [&] {
+    for_each_node(work,
+        [&](Index i, NodeSums& sums) { find_force(model, state, sum_cells(model, state, work, i), i, work, sums); });
+  });
+  work.finite = std::ranges::all_of(work.node_sums, &NodeSums::finite);
+}
+
+void strain_compiled(const StepModel& model, StepState& state, Workspace& work)
+{
+  start_sums(work);
+  timed(work, stress, [&] {
+    update_stress(model, context_of(model, state, work), state, work, [](const auto&, const auto&, auto&) {});
+  });
 }
 
 }  // namespace terp

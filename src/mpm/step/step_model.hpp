@@ -34,9 +34,10 @@ struct StepModel {
   Vec<2> gravity_before{0.0, 0.0};  ///< from which the ramp of the stage starts [m/s^2]
   Damping damping;
   const Scheme* scheme = nullptr;
-  StepFunction step = nullptr;  ///< of the same copy of the kernels as the laws and the scheme
-  Real dt = 0.0;                ///< [s]; end time over a whole number of steps
-  std::int64_t n_steps = 0;     ///< at most, of all stages
+  StepFunction step = nullptr;                           ///< of the same copy of the kernels as the laws and the scheme
+  StepFunction find_forces = nullptr, strain = nullptr;  ///< halves of a step without motion (kernels.hpp)
+  Real dt = 0.0;                                         ///< [s]; end time over a whole number of steps
+  std::int64_t n_steps = 0;                              ///< at most, of all stages
   std::int64_t first_step = 0;  ///< step of first_time: not 0 where the run began in another time step
   Real first_time = 0.0;        ///< [s]
   Stage stage;                  ///< that the model is of

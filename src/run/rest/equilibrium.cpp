@@ -12,6 +12,7 @@
 #include "model/parts/reduce.hpp"
 #include "run/loop/run.hpp"
 #include "run/rest/search_windows.hpp"
+#include "run/rest/static_search.hpp"
 #include "model/parts/setup.hpp"
 #include "run/report/state_image.hpp"
 
@@ -139,24 +140,41 @@ void undo_stiffening(const Model& model, State& state)
   });
 }
 
+Search at_rest(const Model& model, State& state, Workspace& work)
+{
+  work.damping_local = model.damping.local;
+  work.settling = false;
+  work.search = {};
+  reset_history(model.rows, state);
+  return {.reached = true};
+}
+
 }  // namespace
 
 Search settle(const Model& model, State& state, Workspace& work, Real s, const std::atomic<bool>& stop,
     const SearchCallback& report)
 {
+  state.equilibrium_steps = 0;
+  const StaticEnd end = search_statically(model, state, work, stop, report, state.equilibrium_steps);
+  if (end == StaticEnd::stopped) return {};
+  return end == StaticEnd::rests ? at_rest(model, state, work) : settle_in_motion(model, state, work, s, stop, report);
+}
+
+Search settle_in_motion(const Model& model, State& state, Workspace& work, Real s, const std::atomic<bool>& stop,
+    const SearchCallback& report)
+{
   const InitialCase& initial = model.description.initial;
   SearchWindows windows(model, state, s);
-  const std::int64_t ramp = ramp_windows * windows.steps();
+  const std::int64_t ramp = ramp_windows * windows.steps(), first = state.equilibrium_steps;
   work.damping_local = initial.damping;
   work.begin_search();
-  state.equilibrium_steps = 0;
   const auto goes_on = [&] {
-    const std::int64_t n = ++state.equilibrium_steps;
+    const std::int64_t n = ++state.equilibrium_steps - first;
     work.search.viscous =
         critical_damping(model, work.search, n <= 2);  // the second step has the first change of force
     work.search.share = std::min(1.0, static_cast<Real>(n) / static_cast<Real>(ramp));
     if (n % windows.steps() == 0) windows.enter(state, work.unbalanced_ratio, n > ramp);
-    if (report) report({n, work.unbalanced_ratio, windows.more_steps(work.unbalanced_ratio, initial.limit)});
+    if (report) report({first + n, work.unbalanced_ratio, windows.more_steps(work.unbalanced_ratio, initial.limit)});
     const bool rests = work.unbalanced_ratio <= initial.limit && windows.at_rest();
     return state.left.empty() && !rests && !windows.runs_away();
   };
@@ -168,11 +186,7 @@ Search settle(const Model& model, State& state, Workspace& work, Real s, const s
   if (!state.left.empty()) return {.fault = soil_left};
   if (windows.runs_away())
     return {.fault = describe_failure(model, state, windows.moved(), s), .slides_as_drawn = true};
-  work.damping_local = model.damping.local;
-  work.settling = false;
-  work.search = {};
-  reset_history(model.rows, state);
-  return {.reached = true};
+  return at_rest(model, state, work);
 }
 
 Search find_equilibrium(const Model& model, State& state, const std::atomic<bool>& stop, const SearchCallback& report)

@@ -28,12 +28,17 @@ struct SearchProgress {
 
 using SearchCallback = std::function<void(const SearchProgress&)>;
 
-/// Steps the model with the clock at 0 until its soil rests: the first forces out of balance come on over some windows
-/// of time, and damping follows the slowest motion. It rests when the out-of-balance force is below `initial.limit` and
-/// no part of the soil moves on. Then displacement, velocity, strain and history are set to zero. stiffening: of the
-/// model (stiffen()), by which displacements are reported as those of the soil as it is. report: after every step.
+/// Brings the soil of the model to rest with the clock at 0: without motion where that finds the state at rest
+/// (static_search.hpp), else in motion. Then displacement, velocity, strain and history are set to zero. stiffening: of
+/// the model (stiffen()), by which displacements are reported as those of the soil as it is. report: after every step.
 Search settle(const Model& model, State& state, Workspace& work, Real stiffening, const std::atomic<bool>& stop,
     const SearchCallback& report = {});
+
+/// The same in motion alone. The first forces out of balance come on over some windows of time, and damping follows the
+/// slowest motion. The soil rests when the out-of-balance force is below `initial.limit` and no part of it moves on.
+/// State::equilibrium_steps is added to.
+Search settle_in_motion(const Model& model, State& state, Workspace& work, Real stiffening,
+    const std::atomic<bool>& stop, const SearchCallback& report = {});
 
 /// The stress of InitialStress::equilibrium. The soil settles at displacements so small that it keeps its shape,
 /// without softening; where strengths are divided (Case::at_strength), without any limit to them. The state takes the

@@ -198,12 +198,12 @@ TEST(Equilibrium, ARunThatIsStoppedInTheSearchGoesOnToTheSameBits)
   EXPECT_EQ(first_difference(last.image, expected), "");
 }
 
-TEST(Equilibrium, SaysHowManyStepsItWillTake)
+TEST(Settle, InMotionSaysHowManyStepsItWillTake)
 {
   Simulation s(confined_box(InitialStress::equilibrium));
   std::vector<SearchProgress> told;
-  const std::atomic<bool> stop{false};
-  ASSERT_TRUE(find_equilibrium(s.model, s.state, stop, [&](const SearchProgress& p) { told.push_back(p); }).reached);
+  const auto tell = [&](const SearchProgress& p) { told.push_back(p); };
+  ASSERT_TRUE(settle_in_motion(s.model, s.state, s.work, 1.0, std::atomic<bool>{false}, tell).reached);
   ASSERT_EQ(std::ssize(told), s.state.equilibrium_steps);
   EXPECT_FALSE(told.front().more_steps);
   EXPECT_LE(told.back().out_of_balance, 1e-4);
@@ -236,7 +236,7 @@ TEST(Settle, SoilThatLeavesEndsIt)
   c.materials = {elastic(1e5, 0.3, 2000.0)};  // soft: it bulges by more than half the distance between points
   c.sides[1].kind = SideKind::open;
   Simulation s(c);
-  EXPECT_EQ(settle(s.model, s.state, s.work, 1.0, std::atomic<bool>{false}).fault,
+  EXPECT_EQ(settle_in_motion(s.model, s.state, s.work, 1.0, std::atomic<bool>{false}).fault,
       "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\"");
 }
 
@@ -245,7 +245,7 @@ TEST(Settle, AValueThatIsNotANumberEndsIt)
   Case c = confined_box(InitialStress::equilibrium);
   c.bodies[0].velocity = {NAN, 0.0};
   Simulation s(c);
-  EXPECT_THAT(settle(s.model, s.state, s.work, 1.0, std::atomic<bool>{false}).fault,
+  EXPECT_THAT(settle_in_motion(s.model, s.state, s.work, 1.0, std::atomic<bool>{false}).fault,
       StartsWith("in the search for equilibrium: step 0, t = 0.0000 s: the "));
 }
 

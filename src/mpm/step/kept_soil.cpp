@@ -1,0 +1,62 @@
+#include "mpm/step/kept_soil.hpp"
+
+#include "math/pack.hpp"
+#include "mpm/step/workspace.hpp"
+
+#include <algorithm>
+
+namespace terp {
+
+struct KeptSoil::Parts {
+  std::vector<Real> points, pressure, excess;
+  std::vector<BlockSlip> slips;
+  std::vector<PerGauss<Quad4>> ratios;
+  std::vector<VolumeGradient<Quad4>> volume_gradients;
+  std::vector<GaussValues<Quad4, Pack>> gauss;  // of schemes that change them in their update
+  std::vector<GaussRow<Quad4>> gauss_rows;
+};
+
+namespace {
+
+std::ptrdiff_t n_values(const PointBlocks<2>& points, const PointBlock<2>& block)
+{
+  return static_cast<std::ptrdiff_t>(points.n_rows()) * block.capacity;
+}
+
+}  // namespace
+
+KeptSoil::KeptSoil() : parts_(std::make_unique<Parts>()) {}
+KeptSoil::~KeptSoil() = default;
+
+void KeptSoil::keep(const StepModel& model, const StepState& state, const Workspace& work)
+{
+  Parts& kept = *parts_;
+  kept.points.clear();
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    kept.points.insert(kept.points.end(), block.data, block.data + n_values(state.points, block));
+  });
+  kept.pressure = work.pressure, kept.excess = work.excess;
+  kept.slips = work.slips, kept.ratios = work.ratios;
+  kept.volume_gradients.assign(work.volume_gradients.begin(), work.volume_gradients.end());
+  if (!model.scheme->keeps_gauss_values) return;
+  kept.gauss.assign(work.gauss.begin(), work.gauss.end());
+  kept.gauss_rows.assign(work.gauss_rows.begin(), work.gauss_rows.end());
+}
+
+void KeptSoil::put_back(StepState& state, Workspace& work) const
+{
+  const Parts& kept = *parts_;
+  const Real* from = kept.points.data();
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    const std::ptrdiff_t n = n_values(state.points, block);
+    std::copy_n(from, n, block.data);
+    from += n;
+  });
+  work.pressure = kept.pressure, work.excess = kept.excess;
+  work.slips = kept.slips, work.ratios = kept.ratios;
+  std::ranges::copy(kept.volume_gradients, work.volume_gradients.begin());
+  std::ranges::copy(kept.gauss, work.gauss.begin());
+  std::ranges::copy(kept.gauss_rows, work.gauss_rows.begin());
+}
+
+}  // namespace terp
