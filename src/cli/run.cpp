@@ -47,6 +47,9 @@ void print_summary(const Summary& s, const Model& model, const std::string& fold
   fmt::print("solved in {}: {} points, {} steps of {:.4g} s, {:.1f} M point-steps/s on {} thread{}\n",
       readable_duration(s.wall_s), s.n_points, s.n_steps, s.dt, s.point_steps_per_s / 1e6, s.threads,
       s.threads == 1 ? "" : "s");
+  if (s.search_steps > 0)
+    fmt::print(
+        "  equilibrium      found in {} steps, {} of that time\n", s.search_steps, readable_duration(s.search_s));
   if (s.at_strength != 1.0) fmt::print("  strengths        divided by {:g}\n", s.at_strength);
   if (s.flood)
     fmt::print("  water            {}\n                   {}\n", flood_clause(*s.flood) + '.', flood_caution);
@@ -445,7 +448,7 @@ int resume_run(const RunOptions& options)
     warn_of_missing_threads(options, simulation.model.threads);
     const State& state = simulation.state;
     const Summary before = summary_so_far(folder);
-    simulation.state.wall_s = before.wall_s;
+    simulation.state.wall_s = before.wall_s, simulation.state.search_s = before.search_s;
     simulation.state.instructions = instructions_after(before.instructions);
     RunWriterSettings settings{.folder = folder,
         .case_text = {case_name_in(folder), file.text},

@@ -22,7 +22,8 @@ from pathlib import Path
 
 CASE = Path(__file__).with_name("column.toml")
 AGAIN = 1 / 3                                        # share of resumed runs that are killed too
-CLOCK = {"wall_s", "point_steps_per_s", "threads", "passes"}   # of summary.json: they differ between equal runs
+# Of summary.json: they differ between equal runs.
+CLOCK = {"wall_s", "search_s", "point_steps_per_s", "threads", "passes"}
 
 
 def content_of(path):

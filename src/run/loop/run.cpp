@@ -41,6 +41,7 @@ struct Loop {
   double last_progress = -progress_every;
   double wall_before = state.wall_s;
   std::int64_t first_step = state.step;
+  double searched = 0.0;  // for equilibrium, in this process [s]
 
   void report_due(bool last)
   {
@@ -81,9 +82,10 @@ struct Loop {
     if (!last && wall - last_progress < progress_every) return;
     last_progress = wall;
     const auto done = static_cast<double>(state.step - first_step);
-    const double rate = wall > 0.0 ? done * static_cast<double>(state.points.n_points()) / wall : 0.0;
+    const double of_steps = wall - searched;
+    const double rate = of_steps > 0.0 ? done * static_cast<double>(state.points.n_points()) / of_steps : 0.0;
     const std::int64_t end = last_step_of_run(model, state);
-    const double eta = done > 0.0 ? wall / done * static_cast<double>(end - state.step) : 0.0;
+    const double eta = done > 0.0 ? of_steps / done * static_cast<double>(end - state.step) : 0.0;
     const Real end_time = end == model.n_steps ? model.description.time.end : model.time_of(end);
     const auto& stages = model.description.stages;
     const auto present = stages.begin() + static_cast<std::ptrdiff_t>(std::min(model.stage.number, stages.size()));
@@ -107,6 +109,8 @@ Search start_run(const Model& model, State& state, const std::atomic<bool>& stop
   if (model.description.initial.stress == InitialStress::equilibrium) {
     Search search =
         find_equilibrium(model, state, stop, [&](const SearchProgress& so_far) { loop.report_search(so_far); });
+    loop.searched = seconds_since(loop.start);
+    state.search_s += loop.searched;
     if (!search.reached) return search;
     start_soil(model, state);
     if (const auto wrong = find_wrong_start(model, state, [](std::size_t) { return true; }))
@@ -211,9 +215,11 @@ Summary summarise(const Model& model, const State& state)
   s.n_cells = model.mesh->n_cells();
   s.n_steps = state.step;
   s.dt = model.dt;
-  s.wall_s = state.wall_s;
+  s.wall_s = state.wall_s, s.search_s = state.search_s;
+  s.search_steps = state.equilibrium_steps;
+  const double of_steps = s.wall_s - s.search_s;
   s.point_steps_per_s =
-      state.wall_s > 0.0 ? static_cast<double>(s.n_points) * static_cast<double>(s.n_steps) / state.wall_s : 0.0;
+      of_steps > 0.0 ? static_cast<double>(s.n_points) * static_cast<double>(s.n_steps) / of_steps : 0.0;
   s.threads = model.threads;
   s.instructions = state.instructions.empty() ? std::string(instructions()) : state.instructions;
   s.processor = processor_name();

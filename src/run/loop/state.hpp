@@ -36,6 +36,7 @@ struct State : StepState {
   std::vector<ActiveFollower> followers;  ///< of the model, in its order; each saves itself
   Real largest_v_999 = 0.0;               ///< [m/s]
   double wall_s = 0.0;                    ///< spent solving, over all processes
+  double search_s = 0.0;                  ///< of it, in the search for equilibrium
   std::string instructions = {};  ///< sets that the run was solved with, in their order; empty: that of this process
 };
 

@@ -74,8 +74,10 @@ struct Summary {
   std::optional<MethodOptions> method;  ///< that ran; none: not known, as of a run of an older Terp
   Real at_strength = 1.0;               ///< factor by which all strengths were divided, in the last stage so far [-]
   std::int64_t n_points = 0, n_cells = 0, n_steps = 0;
-  Real dt = 0.0;        ///< [s]
-  double wall_s = 0.0;  ///< spent solving, over all processes that worked on the run
+  Real dt = 0.0;                  ///< [s]
+  double wall_s = 0.0;            ///< spent solving, over all processes that worked on the run
+  double search_s = 0.0;          ///< of it, in the search for equilibrium
+  std::int64_t search_steps = 0;  ///< iterations and steps of the same
   double point_steps_per_s = 0.0;
   int threads = 1;
   std::string instructions;      ///< instruction set of the kernels

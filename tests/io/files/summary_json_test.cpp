@@ -73,7 +73,8 @@ TEST_F(SummaryJson, HoldsEveryNumberUnderItsName)
     "terp_version": ")" TERP_VERSION
                                            R"(", "format": 1, "finished": true, "scheme": "mpm_gp", "at_strength": 1.25,
     "points": 40000, "cells": 1600, "steps": 6598,
-    "dt": 6.0623e-4, "wall_s": 33.5, "point_steps_per_s": 7.9e6, "threads": 2, "instructions": "avx2",
+    "dt": 6.0623e-4, "wall_s": 33.5, "search_s": 0.0, "search_steps": 0, "point_steps_per_s": 7.9e6,
+    "threads": 2, "instructions": "avx2",
     "processor": "a processor",
     "passes": [{"name": "stress", "seconds": 1.5}], "facing": "left", "free_toe": false,
     "front_x": 13.25, "crest_x": 3.75, "crest_y": 1.9, "run_out": 5.25,
