@@ -23,6 +23,7 @@
 #include "model/soils/strength_profile.hpp"
 #include "model/libraries/law_cost.hpp"
 #include "run/findings/setup_warnings.hpp"
+#include "mpm/step/workspace.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -120,8 +121,9 @@ void print_stages(const Model& model, double all_s)
 
 void print_loads(const Model& model, const State& state)
 {
-  for (std::size_t k = 0; k < model.loads.size(); ++k) {
-    const Load& load = model.loads[k];
+  const std::span<const Load> loads = loads_of(model);
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Load& load = loads[k];
     Index n = 0;
     Real low = INFINITY, high = -INFINITY;  // places of these points [m]
     for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {

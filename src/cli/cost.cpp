@@ -6,6 +6,8 @@
 
 #include "math/errors.hpp"
 #include "run/report/output_costs.hpp"
+#include "mpm/step/passes.hpp"
+#include "mpm/step/workspace.hpp"
 
 #include <chrono>
 #include <fmt/format.h>

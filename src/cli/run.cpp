@@ -22,7 +22,9 @@
 #include "run/loop/simulation.hpp"
 #include "model/soils/softening_scales.hpp"
 #include "run/loop/stages.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
+#include "mpm/step/passes.hpp"
+#include "mpm/step/workspace.hpp"
 #include "run/report/state_image.hpp"
 #include "os/stop.hpp"
 #include "os/terminal.hpp"
@@ -341,7 +343,7 @@ Beginning find_beginning(const std::string& from)
             from));
   auto [checkpoint, image] = find_checkpoint(path);
   Beginning found{std::move(checkpoint), std::move(image), ""};
-  const ArrayReader arrays(found.image);
+  const ArrayReader arrays(found.image.arrays);
   if (!arrays.has("stages_done")) return found;
   const auto number = arrays.wholes("stage", 3)[0];
   if (std::ssize(arrays.reals("stages_done")) / 5 > number)

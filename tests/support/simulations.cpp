@@ -1,9 +1,10 @@
+#include "mpm/step/workspace.hpp"
 #include "support/simulations.hpp"
 
 #include "mpm/mesh/locate.hpp"
 
 #include "run/measure/followers.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
 
 #include <cstring>
 
@@ -75,13 +76,13 @@ std::vector<TableRow> rows_of(Simulation& s, std::string_view follower)
 std::vector<Real> array_of(const State& state, const std::string& name)
 {
   const StateImage image = make_image(state);
-  return ArrayReader(image).reals(name);
+  return ArrayReader(image.arrays).reals(name);
 }
 
 std::int64_t flags_set(const State& state, const std::string& name)
 {
   const StateImage image = make_image(state);
-  return std::ranges::count(ArrayReader(image).wholes(name), 1);
+  return std::ranges::count(ArrayReader(image.arrays).wholes(name), 1);
 }
 
 Vec<2> momentum(const State& state)

@@ -1,3 +1,5 @@
+#include "mpm/features/overlap.hpp"
+#include "mpm/features/sides.hpp"
 #include "support/twin.hpp"
 
 #include "soil/laws/material.hpp"
@@ -110,7 +112,7 @@ State make_state(const Model& model, const Json& points)
     put_row(points.at("sigma")[p], Rows::sigma, values);
     put_row(points.at("strain")[p], Rows::strain, values);
     if (!model.rows.added().empty()) put_row(points.at("eps_eq_p")[p], Rows::state, values);
-    if (model.inverse_extent >= 0) values[model.inverse_extent] = 1.0 / std::sqrt(values[Rows::volume]);
+    if (model.with.overlap) values[model.with.overlap->inverse_extent] = 1.0 / std::sqrt(values[Rows::volume]);
     values[Rows::id] = static_cast<Real>(p);
     const Vec<2> centre = model.mesh->centres[cell];
     const auto local = Quad4::local_coordinates(
@@ -162,7 +164,8 @@ Scenario load_scenario(const std::string& name)
 Scenario load_free_scenario(const std::string& name)
 {
   Scenario s = load_scenario(name);
-  s.model.boundary = Boundary(*s.model.mesh, {});
+  s.model.with.sides =
+      std::make_shared<const SidesModel>(SidesModel{Boundary(*s.model.mesh, {}), s.model.with.sides->open});
   s.model.damping.local = 0.0;
   return s;
 }

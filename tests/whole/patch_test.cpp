@@ -1,5 +1,6 @@
 // Patch tests on strongly distorted quadrilaterals: constant strain is exact, constant stress gives no interior force,
 // rigid motion gives no stress.
+#include "mpm/step/workspace.hpp"
 #include "soil/laws/elastic_constants.hpp"
 #include "mpm/step/cell_passes.hpp"
 #include "support/meshes.hpp"

@@ -9,6 +9,7 @@
 #include "io/case/other_files.hpp"
 #include "io/case/side_kinds.hpp"
 #include "run/report/frame_fields.hpp"
+#include "mpm/features/footing.hpp"
 #include "model/parts/initial.hpp"
 #include "model/parts/reduce.hpp"
 

@@ -6,6 +6,7 @@
 #include "model/bodies/setup_points.hpp"
 
 #include "math/errors.hpp"
+#include "mpm/features/overlap.hpp"
 #include "mpm/mesh/box_grid.hpp"
 #include "mpm/mesh/locate.hpp"
 #include "model/meshes/mesh_error.hpp"
@@ -173,7 +174,7 @@ void add_to_state(const Model& model, const NewPoint& p, std::size_t id, std::ve
   values[Rows::volume] = p.volume;
   for (const RowInfo& row : model.rows.added())
     if (!row.initials.empty()) values[row.first] = row.initial_in(p.key.material);
-  if (model.inverse_extent >= 0) values[model.inverse_extent] = 1.0 / std::sqrt(p.volume);
+  if (model.with.overlap) values[model.with.overlap->inverse_extent] = 1.0 / std::sqrt(p.volume);
   values[Rows::id] = static_cast<Real>(id);
   state.points.add(p.key, values);
 }

@@ -51,7 +51,7 @@ int add_held_row(RowTable& rows)
 void check_placed_bodies(const Model& model, const PointBatches& points)
 {
   const std::vector<BodyCase>& bodies = model.description.bodies;
-  if (model.held_row < 0) return;
+  if (!model.with.bodies) return;
   const std::vector<BodyOutline> outlines = outlines_of(model);
   std::vector<Problem> problems;
   for (std::size_t b = 0; b < bodies.size(); ++b) {

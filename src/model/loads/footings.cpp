@@ -1,6 +1,7 @@
 #include "model/loads/footings.hpp"
 
 #include "model/meshes/mesh_error.hpp"
+#include "mpm/features/footings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +35,9 @@ Real longest_way(const Footing& footing)
 std::vector<Problem> find_idle_footings(const Model& model, const StepState& state)
 {
   std::vector<Problem> warnings;
-  for (std::size_t k = 0; k < model.footings.size(); ++k) {
-    const Footing& footing = model.footings[k];
+  const std::span<const Footing> footings = footings_of(model);
+  for (std::size_t k = 0; k < footings.size(); ++k) {
+    const Footing& footing = footings[k];
     const std::string key = fmt::format("footing[{}].", k);
     if (!touches_soil(model, state, place_footing(footing, 0.0, model.dt, outline_slack(*model.mesh))))
       warnings.push_back({key + "box", fmt::format("the footing `{}` touches no soil", footing.name),

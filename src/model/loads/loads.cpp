@@ -4,6 +4,7 @@
 #include "model/loads/loads.hpp"
 
 #include "model/ground/top_points.hpp"
+#include "mpm/features/bodies.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,7 @@ std::vector<TopPoint> top_points_at(const Model& model, const Load& load, const 
     for (Index lane = 0; lane < block.n; ++lane) largest = std::max(largest, block.row(Rows::volume)[lane]);
   });
   const Real margin = 4.0 * std::sqrt(largest);  // what hides the neighbours of the ends lies within it
-  return find_top_points(state.points, load.from - margin, load.to + margin, model.held_row);
+  return find_top_points(state.points, load.from - margin, load.to + margin, held_row_of(model));
 }
 
 }  // namespace
@@ -118,18 +119,20 @@ std::string place_load(const Model& model, const Load& load, StepState& state)
 
 bool stands_on_what_goes(const Model& model, const Load& load, const StepState& state)
 {
-  if (model.held_row < 0) return false;
+  if (!model.with.bodies) return false;
   bool any = false;
+  const int held_row = held_row_of(model);
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    any = any || (block.row(model.held_row)[lane] < 0.0 && block.row(load.row)[lane] != 0.0);
+    any = any || (block.row(held_row)[lane] < 0.0 && block.row(load.row)[lane] != 0.0);
   });
   return any;
 }
 
 void place_first_loads(const Model& model, StepState& state)
 {
-  for (std::size_t k = 0; k < model.loads.size(); ++k) {
-    const Load& load = model.loads[k];
+  const std::span<const Load> loads = loads_of(model);
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Load& load = loads[k];
     if (std::string why = place_load(model, load, state); !why.empty())
       throw InputError(
           Problem{fmt::format("load[{}].from", k), fmt::format("there is no ground under the load `{}`", load.name),
@@ -141,7 +144,7 @@ void place_first_loads(const Model& model, StepState& state)
 
 std::string place_due_loads(const Model& model, StepState& state)
 {
-  for (const Load& load : model.loads) {
+  for (const Load& load : loads_of(model)) {
     if (load.is_permanent() || model.first_step + load.first_step(model.dt, model.first_time) != state.step) continue;
     if (const std::string why = place_load(model, load, state); !why.empty())
       return fmt::format("step {}, t = {:.4f} s: there is no ground under the load `{}`, which begins now\n  {}",

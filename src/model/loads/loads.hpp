@@ -4,8 +4,8 @@
 
 #include "math/errors.hpp"
 #include "model/parts/model.hpp"
+#include "mpm/features/loads.hpp"
 #include "mpm/step/step_state.hpp"
-#include "mpm/step/workspace.hpp"
 
 #include <string>
 #include <vector>

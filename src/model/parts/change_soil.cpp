@@ -124,13 +124,13 @@ bool stores_other_stress(const Model& before, const Model& model)
 
 void change_stored_stress(const Model& before, const Model& model, const Seeds& seeds, StepState& state)
 {
-  const PorePressure pore = before.water ? water_at(before, state.time) : PorePressure();
+  const PorePressure pore = before.with.water ? water_at(before, state.time) : PorePressure();
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const SoilMaterial& from = before.materials[block.material];
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     const Index to = material_in_stage(model, seeds.bodies[id], block.material);
     if (from.stores_effective == model.materials[to].stores_effective) return;
-    Real pressure = before.water ? pore_pressure_at(before, pore, block, lane) : 0.0;
+    Real pressure = before.with.water ? pore_pressure_at(before, pore, block, lane) : 0.0;
     if (from.excess_row >= 0) {
       pressure += block.row(from.excess_row)[lane];
       block.row(from.excess_row)[lane] = 0.0;

@@ -108,7 +108,7 @@ void set_initial_stress(const Model& model, StepState& state)
   const bool first_guess = c.initial.stress == InitialStress::equilibrium;
   const Overburden overburden(model, -model.gravity_at(0.0)[1]);
   if (first_guess && !overburden.is_known()) return;
-  const WaterWay way = model.water ? first_way(model) : WaterWay{};
+  const WaterWay way = model.with.water ? first_way(model) : WaterWay{};
   const WaterSituation& water = situation_of(c.water, way.share > 0.0 ? way.to : way.from);
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};

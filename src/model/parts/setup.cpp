@@ -4,7 +4,15 @@
 // also those of bodies that come later, so that a point has one number in all stages.
 
 #include "model/parts/setup.hpp"
-#include "mpm/kernels/node_diffusion.hpp"
+#include "mpm/features/bodies.hpp"
+#include "mpm/features/excess.hpp"
+#include "mpm/features/footings.hpp"
+#include "mpm/features/loads.hpp"
+#include "mpm/features/mean_force.hpp"
+#include "mpm/features/overlap.hpp"
+#include "mpm/features/sides.hpp"
+#include "mpm/features/slip.hpp"
+#include "mpm/features/softening.hpp"
 
 #include "math/errors.hpp"
 #include "mpm/kernels/time_step.hpp"
@@ -82,7 +90,7 @@ std::vector<SoilMaterial> make_materials(const Case& c, const Case& whole)
 void check_room_for_state(const Model& model, const std::vector<Index>& used)
 {
   if (!model.scheme->keeps_gauss_values || model.method.shares != Shares::overlap) return;
-  const int others = HistoryRows::end + (model.slips_in_cut_cells() ? 1 : 0) + (model.has_excess_pressure() ? 1 : 0);
+  const int others = HistoryRows::end + (model.with.slip ? 1 : 0) + (has_excess_pressure(model) ? 1 : 0);
   const int room = PatchView::most_rows - others;
   for (const Index m : used) {
     const SoilMaterial& material = model.materials[m];
@@ -127,6 +135,14 @@ int add_slip_row(RowTable& rows)
       .owner = "slip"});
 }
 
+int add_extent_row(RowTable& rows)
+{
+  return rows.add({.name = "inverse_extent",
+      .unit = "1/m",
+      .meaning = "1 / side of the square by which the point counts in sub-cells",
+      .owner = "method"});
+}
+
 /// A formula may give no number at some place.
 void check_velocities(const Case& c, const Mesh<2>& mesh)
 {
@@ -142,12 +158,24 @@ void check_velocities(const Case& c, const Mesh<2>& mesh)
   }
 }
 
-std::vector<Footing> make_footings(const Case& c)
+std::shared_ptr<const FootingsModel> make_footings(const Case& c)
 {
-  std::vector<Footing> footings;
+  FootingsModel footings;
   for (const FootingCase& f : c.footings)
-    footings.push_back({f.name, f.low, f.high, f.velocity, f.ramp, f.contact == FootingContact::rough});
-  return footings;
+    footings.all.push_back({f.name, f.low, f.high, f.velocity, f.ramp, f.contact == FootingContact::rough});
+  return footings.all.empty() ? nullptr : std::make_shared<const FootingsModel>(std::move(footings));
+}
+
+/// Of a stage: the bodies that it places or digs away; null: no stage does.
+std::shared_ptr<const BodiesModel> make_bodies(const Case& c, std::size_t number, RowTable& rows)
+{
+  if (std::ranges::none_of(c.bodies, comes_or_goes)) return nullptr;
+  BodiesModel bodies{.held_row = add_held_row(rows)};
+  for (const BodyCase& body : c.bodies) {
+    bodies.places |= body.placed == number + 1;
+    bodies.removes |= body.removed == number + 1;
+  }
+  return std::make_shared<const BodiesModel>(bodies);
 }
 
 OpenSides make_open_sides(const Case& c, const Mesh<2>& mesh)
@@ -257,7 +285,7 @@ std::shared_ptr<const Overburden> ground_in(const Case& whole, std::size_t numbe
   model.description = case_of_stage(whole, number);
   model.materials = make_materials(model.description, whole);
   set_ramp(whole, number, model);
-  model.loads.clear();
+  model.with.loads = nullptr;
   return std::make_shared<const Overburden>(model);
 }
 
@@ -291,10 +319,9 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
   model.materials = make_materials(description, whole);
   model.method = description.method;
   check_velocities(description, *model.mesh);
-  model.boundary = Boundary(*model.mesh, description.sides);
-  model.footings = make_footings(description);
-  model.body_force = description.forces.body.at;
-  model.open_sides = make_open_sides(description, *model.mesh);
+  model.with.sides = std::make_shared<const SidesModel>(
+      SidesModel{Boundary(*model.mesh, description.sides), make_open_sides(description, *model.mesh)});
+  model.with.footings = make_footings(description);
   set_ramp(whole, number, model);
   model.damping = {.local = description.forces.local_damping,
       .averaging_time = description.forces.averaging_time,
@@ -312,30 +339,30 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
   const std::vector<Index> used = used_materials(whole);
   settle_laws(whole, used, model);
   set_method_by_law(used, model);
-  if (slips_in_cut_cells(model, used)) model.slip_row = add_slip_row(model.rows);
+  if (slips_in_cut_cells(model, used))
+    model.with.slip = std::make_shared<const SlipModel>(SlipModel{add_slip_row(model.rows)});
   check_room_for_state(model, used);
   if (model.scheme->functions(model.method.shares).integrate != nullptr)
-    model.inverse_extent = model.rows.add({.name = "inverse_extent",
-        .unit = "1/m",
-        .meaning = "1 / side of the square by which the point counts in sub-cells",
-        .owner = "method"});
-  add_rows_of_loads(model.loads, model.rows);
-  if (std::ranges::any_of(description.bodies, comes_or_goes)) model.held_row = add_held_row(model.rows);
-  for (const BodyCase& body : description.bodies) {
-    model.places_bodies |= body.placed == number + 1;
-    model.removes_bodies |= body.removed == number + 1;
+    model.with.overlap = std::make_shared<const OverlapModel>(OverlapModel{add_extent_row(model.rows)});
+  if (model.with.loads) {
+    LoadsModel loads = *model.with.loads;
+    add_rows_of_loads(loads.all, model.rows);
+    model.with.loads = std::make_shared<const LoadsModel>(std::move(loads));
   }
+  model.with.bodies = make_bodies(description, number, model.rows);
   Real length = 0.0;  // the largest of those in use
   for (const Index m : used)
     if (model.materials[m].increment_row >= 0) length = std::max(length, model.materials[m].softening.length);
   for (const Index m : used) model.materials[m].softening_scale = scale_by_cell(*model.mesh, model.materials[m]);
   check_cells_in_length(model, used);
-  if (length > 0.0) model.diffusion = std::make_shared<const NodeDiffusion>(make_node_diffusion(*model.mesh, length));
+  if (length > 0.0)
+    model.with.softening =
+        std::make_shared<const SofteningModel>(SofteningModel{make_node_diffusion(*model.mesh, length)});
   if (of_run != nullptr)
     model.largest_density = of_run->largest_density, model.n_steps = of_run->n_steps, model.dt = of_run->dt;
   else
     set_time_step(whole, used, model);
-  if (description.water.is_given()) model.water = model.nodal_water = std::make_shared<const NodalWater>(model);
+  if (description.water.is_given()) model.with.water = model.nodal_water = std::make_shared<const NodalWater>(model);
   model.flood_level = find_flood_level(whole, model);
   set_stage(whole, number, model);
   return model;
@@ -388,7 +415,7 @@ StepState seed_soil(Model& model)
   check_softening_lengths(model, state);
   check_reference_widths(model, state);
   state.points.reserve(static_cast<std::int64_t>(n / 4));
-  if (model.damping.averaging_time > 0.0) state.mean_force.resize(model.mesh->nodes.size());
+  if (model.damping.averaging_time > 0.0) state.with.mean_force.set({std::vector<Vec<2>>(model.mesh->nodes.size())});
   set_point_parameters(model, seeds, state);
   place_first_loads(model, state);
   set_initial_stress(model, state);

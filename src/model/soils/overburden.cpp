@@ -4,6 +4,7 @@
 #include "model/soils/overburden.hpp"
 
 #include "model/bodies/setup_points.hpp"
+#include "mpm/features/loads.hpp"
 #include "model/water/water_pressure.hpp"
 
 #include <algorithm>
@@ -34,8 +35,8 @@ Overburden Overburden::before_stage(const Model& model)
 Overburden::Overburden(const Model& model, Real gravity, const IsThere& is_there)
     : water_(model.description.water), gravity_(gravity)
 {
-  for (const Load& load : model.loads)
-    if (load.is_permanent()) loads_.push_back({load.from, load.to, model.pressure_of(load, 0.0)});
+  for (const Load& load : loads_of(model))
+    if (load.is_permanent()) loads_.push_back({load.from, load.to, pressure_of(model, load, 0.0)});
   const std::vector<BodyOutline> outlines = outlines_of(model);
   for (std::size_t b = 0; b < outlines.size(); ++b) {
     const BodyCase& body = model.description.bodies[b];

@@ -4,6 +4,7 @@
 #include "model/water/nodal_water.hpp"
 
 #include "model/soils/overburden.hpp"
+#include "mpm/features/loads.hpp"
 
 #include <algorithm>
 
@@ -28,9 +29,9 @@ NodalWater::NodalWater(const Model& model)
   if (std::ranges::any_of(model.description.bodies, changes))
     sections_[1] = section_of(Overburden::before_stage(model), has_weight);
   for (std::size_t k = 0; k <= water_.situations.size(); ++k) fields_.push_back(field_of(situation_of(water_, k), 0.0));
-  for (const Load& load : model.loads) {
+  for (const Load& load : loads_of(model)) {
     stretches_.push_back({load.from, load.to});
-    first_loads_.push_back(model.pressure_of(load, 0.0));
+    first_loads_.push_back(pressure_of(model, load, 0.0));
   }
 }
 
@@ -141,8 +142,9 @@ WaterMoment NodalWater::moment_at(const StageWater& stage, Real time, Real share
 
 static WaterMoment moment_of(const Model& model, Real time)
 {
-  return model.water->moment_at(
-      model.stage.water, time, model.ramp.share_at(time), -model.gravity_at(time)[1], model.held_row >= 0);
+  const bool holds_bodies = model.with.bodies != nullptr;
+  return model.with.water->moment_at(
+      model.stage.water, time, model.ramp.share_at(time), -model.gravity_at(time)[1], holds_bodies);
 }
 
 WaterWay first_way(const Model& model) { return moment_of(model, 0.0).way; }
@@ -150,9 +152,9 @@ WaterWay first_way(const Model& model) { return moment_of(model, 0.0).way; }
 PorePressure water_at(const Model& model, Real time)
 {
   std::vector<Real> loads;
-  for (const Load& load : model.loads) loads.push_back(model.pressure_of(load, time));
+  for (const Load& load : loads_of(model)) loads.push_back(pressure_of(model, load, time));
   PorePressure pore;
-  model.water->set(moment_of(model, time), loads, model.ramp.share_at(time), pore);
+  model.with.water->set(moment_of(model, time), loads, model.ramp.share_at(time), pore);
   return pore;
 }
 

@@ -18,7 +18,7 @@ struct CappedWater {
   std::size_t situation = 0;  ///< in which
 };
 
-class NodalWater : public StepWater {
+class NodalWater : public WaterModel {
  public:
   /// Of a model whose mesh, materials, gravity, loads and ramp are set.
   explicit NodalWater(const Model& model);

@@ -2,7 +2,7 @@
 // Not for: nodes, soil, caps.
 #pragma once
 
-#include "mpm/step/step_water.hpp"
+#include "mpm/features/water.hpp"
 #include "model/water/water_case.hpp"
 
 #include <span>

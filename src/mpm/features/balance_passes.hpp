@@ -7,7 +7,9 @@
 // with a_K alone is not symmetric, so that it would feed them (decision 0068).
 #pragma once
 
+#include "mpm/features/balance.hpp"
 #include "mpm/step/node_passes.hpp"
+#include "mpm/step/walks.hpp"
 
 namespace terp {
 
@@ -18,7 +20,7 @@ inline constexpr Real most_followed = 1.2;
 inline void start_balance(const StepModel& model, const StepState& state, Index i, Workspace& work)
 {
   const NodeGather sum = sum_cells(model, state, work, i);
-  BalanceNode& node = work.balance_node[i];
+  BalanceNode& node = work.with.balance->nodes[i];
   node = {};
   if (!(sum.mass >= mass_limit(model, i))) return;
   node.mass = sum.mass;
@@ -36,21 +38,22 @@ inline void start_balance(const StepModel& model, const StepState& state, Index 
 /// Acceleration of a node, without damping, by the accelerations of the cells of the sweep before.
 inline void accelerate_for_balance(const StepModel& model, const StepState& state, Index i, Workspace& work)
 {
-  BalanceNode& node = work.balance_node[i];
+  BalanceNode& node = work.with.balance->nodes[i];
   if (node.mass == 0.0) return;
   Vec<2> force = sum_balance(model, state, work, i);
   for (int d = 0; d < 2; ++d) force[d] += node.force[d];
-  if (work.settling) {
-    const Real held = 1.0 - work.search.share;
-    if (work.search.share == 0.0)
+  if (const SearchScratch* search = work.with.search.get()) {
+    const Real held = 1.0 - search->share;
+    if (search->share == 0.0)
       force = {0.0, 0.0};  // all is held in this step
     else
-      for (int d = 0; d < 2; ++d) force[d] += held * work.search.held[i][d];
+      for (int d = 0; d < 2; ++d) force[d] += held * search->held[i][d];
   }
   Vec<2> v;
   for (int d = 0; d < 2; ++d) v[d] = node.v[d] + force[d] / node.mass * model.dt;
-  if (model.boundary.at(i) != nullptr) model.boundary.constrain(i, node.mass, model.dt, v);
-  if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.footings[k].hold(v);
+  const Boundary& boundary = model.with.sides->boundary;
+  if (boundary.at(i) != nullptr) boundary.constrain(i, node.mass, model.dt, v);
+  if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.with.footings->placed[k].hold(v);
   for (int d = 0; d < 2; ++d) node.acceleration[d] = (v[d] - node.v[d]) / model.dt;
 }
 
@@ -62,14 +65,26 @@ inline void set_cell_acceleration(const StepModel& model, const StepState& state
   Vec<2> a{0.0, 0.0};
   Real all = 0.0;
   for (int i = 0; i < Quad4::n_corners; ++i) {
-    const Vec<2>& of_node = work.balance_node[model.mesh->cells[cell][i]].acceleration;
+    const Vec<2>& of_node = work.with.balance->nodes[model.mesh->cells[cell][i]].acceleration;
     all += mass[i];
     for (int d = 0; d < 2; ++d) a[d] += mass[i] * of_node[d];
   }
   const auto squared = [](const Vec<2>& v) { return v[0] * v[0] + v[1] * v[1]; };
   const Real most = most_followed * most_followed * squared(work.gravity) * all * all, size = squared(a);
   const Real part = size > most ? std::sqrt(most / size) : 1.0;
-  for (int d = 0; d < 2; ++d) work.balance[slot].acceleration[d] = part * a[d] / all;
+  for (int d = 0; d < 2; ++d) work.with.balance->cells[slot].acceleration[d] = part * a[d] / all;
+}
+
+/// The acceleration of each cell in this step, for the slope of its pressure: Jacobi sweeps, of which each takes a
+/// tenth of the error (decision 0068).
+inline void balance_pressure(const StepModel& model, const StepState& state, Workspace& work)
+{
+  constexpr int n_sweeps = 3;
+  for_each_node(work, [&](Index i, NodeSums&) { start_balance(model, state, i, work); });
+  for (int sweep = 0; sweep < n_sweeps; ++sweep) {
+    for_each_node(work, [&](Index i, NodeSums&) { accelerate_for_balance(model, state, i, work); });
+    for_each_slot(state, work, [&](Index slot, Index) { set_cell_acceleration(model, state, slot, work); });
+  }
 }
 
 }  // namespace terp

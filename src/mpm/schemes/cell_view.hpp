@@ -21,7 +21,7 @@ struct SchemeContext {
   const std::vector<SoilMaterial>& materials;
   Real dt = 0.0;                       ///< length of the step [s]
   int inverse_extent = -1;             ///< row of the points, with shares that overlap
-  int slip_row = -1;                   ///< row of the points: plastic work of the last step (Model::slip_row)
+  int slip_row = -1;                   ///< row of the points: plastic work of the last step (SlipModel)
   const PorePressure* pore = nullptr;  ///< on the nodes; nullptr: no water
   bool all_drains = false;             ///< no soil is undrained: in the search for equilibrium
   Real excess_kept = 1.0;              ///< part of its excess pressure that drained soil keeps in this step

@@ -1,11 +1,17 @@
 // What the step does in an occupied cell or a group of them: views, corner values, and the motion of points.
 #pragma once
 
+#include "mpm/features/balance.hpp"
+#include "mpm/features/excess.hpp"
+#include "mpm/features/overlap.hpp"
+#include "mpm/features/slip.hpp"
+#include "mpm/features/strain_shares.hpp"
+#include "mpm/features/volume_change.hpp"
 #include "mpm/points/rows_of_packs.hpp"
 #include "mpm/schemes/cell_group.hpp"
+#include "mpm/step/step_model.hpp"
 #include "mpm/step/step_state.hpp"
 #include "mpm/step/workspace.hpp"
-#include "mpm/kernels/map_load.hpp"
 
 namespace terp {
 
@@ -25,10 +31,19 @@ inline CellGroup<Quad4> view_group(const StepModel& model, StepState& state, Wor
     const std::span of_all(all);
     return of_all.empty() ? of_all : of_all.subspan(first, n);
   };
-  return {occupied.subspan(first, n), *model.mesh, state.points, corners.subspan(first, n), work.pressure, work.gauss,
-      work.gauss_rows, work.n_gauss_rows, first / pack_width, n_groups, next_cell, !in_cache, work.patches.get(),
-      here(work.outer[outer_water].corners), work.excess, work.volume_gradients, here(work.balance),
-      here(work.outer[outer_balance].corners), work.ratios, work.slips};
+  CellGroup<Quad4> group{occupied.subspan(first, n), *model.mesh, state.points, corners.subspan(first, n),
+      work.pressure, work.gauss, work.gauss_rows, work.n_gauss_rows, first / pack_width, n_groups, next_cell,
+      !in_cache};
+  group.water_force = here(work.outer[outer_water].corners);
+  group.balance_force = here(work.outer[outer_balance].corners);
+  ScratchSlots& with = work.with;
+  if (with.overlap) group.patches = &with.overlap->patches;
+  if (with.excess) group.excess = with.excess->pressure;
+  if (with.volume_change) group.volume_gradients = with.volume_change->gradients;
+  if (with.balance) group.balance = here(with.balance->cells);
+  if (with.strain_shares) group.ratios = with.strain_shares->ratios;
+  if (with.slip) group.slips = with.slip->blocks;
+  return group;
 }
 
 /// Values of the cell's corners; part: &NodeValues::v or &NodeValues::dv; times `factor`.
@@ -70,51 +85,6 @@ inline void map_mass_and_momentum(const CellGroup<Quad4>& group, int c)
   if (!group.water_force.empty()) group.water_force[c] = {};
   for_each_block(
       view.points, view.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, view.corners); });
-}
-
-/// grad p at the centre of a cell [Pa/m]; 0 without water.
-inline Vec<2> pressure_gradient(const StepModel& model, Index cell, std::span<const Real> pressure)
-{
-  Vec<2> gradient{0.0, 0.0};
-  if (pressure.empty()) return gradient;
-  for (int i = 0; i < Quad4::n_corners; ++i)
-    for (int d = 0; d < 2; ++d)
-      gradient[d] += pressure[model.mesh->cells[cell][i]] * model.mesh->geometry(cell).centre_gradient[i][d];
-  return gradient;
-}
-
-/// f_i += m_p N_i(x_p) b(x_p, x_p0, t), of the block's points.
-inline void map_body_force(const BodyForce& body, const PointBlock<2>& block, std::span<const Real> x_initial,
-    Real time, CornerVectors<Quad4>& force)
-{
-  for (Index p = 0; p < block.n; ++p) {
-    const std::size_t id = static_cast<std::size_t>(block.row(Rows::id)[p]);
-    const Vec<2> b =
-        body({block.row(Rows::x)[p], block.row(Rows::x + 1)[p]}, {x_initial[2 * id], x_initial[2 * id + 1]}, time);
-    const auto N = Quad4::shape_functions<Real>({block.row(Rows::xi)[p], block.row(Rows::xi + 1)[p]});
-    for (int d = 0; d < 2; ++d)
-      for (int i = 0; i < Quad4::n_corners; ++i) force[d][i] += block.row(Rows::mass)[p] * N[i] * b[d];
-  }
-}
-
-/// Forces of the loads at the corners of cell c, of what holds the weight of bodies that come or go, and of
-/// forces.body.
-inline void map_loads(
-    const StepModel& model, const StepState& state, const CellGroup<Quad4>& group, int c, Workspace& work)
-{
-  const Index cell = group.cells[c];
-  CornerVectors<Quad4>& force = work.outer[outer_load].corners[group.number * pack_width + c];
-  force = {};
-  for_each_block(group.points, cell, [&](const PointBlock<2>& block, Index) {
-    for (std::size_t k = 0; k < model.loads.size(); ++k)
-      if (work.load_pressure[k] != 0.0)
-        map_load(block, model.loads[k].row, work.load_pressure[k], model.mesh->geometry(cell),
-            model.mesh->centres[cell], force);
-    if (work.held.act())
-      map_held_weight<Quad4>(
-          block, model.held_row, work.held, work.gravity, pressure_gradient(model, cell, work.pore.pressure), force);
-    if (model.body_force) map_body_force(model.body_force, block, state.x_initial, state.time + 0.5 * model.dt, force);
-  });
 }
 
 /// v_p of a cell from the accelerated nodes, and the momentum of the points with it. Returns the kinetic energy that

@@ -1,6 +1,12 @@
 #include "mpm/step/kept_soil.hpp"
 
 #include "math/pack.hpp"
+#include "mpm/features/excess.hpp"
+#include "mpm/features/slip.hpp"
+#include "mpm/features/strain_shares.hpp"
+#include "mpm/features/volume_change.hpp"
+#include "mpm/schemes/scheme.hpp"
+#include "mpm/step/step_model.hpp"
 #include "mpm/step/workspace.hpp"
 
 #include <algorithm>
@@ -35,9 +41,12 @@ void KeptSoil::keep(const StepModel& model, const StepState& state, const Worksp
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     kept.points.insert(kept.points.end(), block.data, block.data + n_values(state.points, block));
   });
-  kept.pressure = work.pressure, kept.excess = work.excess;
-  kept.slips = work.slips, kept.ratios = work.ratios;
-  kept.volume_gradients.assign(work.volume_gradients.begin(), work.volume_gradients.end());
+  kept.pressure = work.pressure;
+  if (work.with.excess) kept.excess = work.with.excess->pressure;
+  if (work.with.slip) kept.slips = work.with.slip->blocks;
+  if (work.with.strain_shares) kept.ratios = work.with.strain_shares->ratios;
+  if (const auto& volume = work.with.volume_change)
+    kept.volume_gradients.assign(volume->gradients.begin(), volume->gradients.end());
   if (!model.scheme->keeps_gauss_values) return;
   kept.gauss.assign(work.gauss.begin(), work.gauss.end());
   kept.gauss_rows.assign(work.gauss_rows.begin(), work.gauss_rows.end());
@@ -52,9 +61,11 @@ void KeptSoil::put_back(StepState& state, Workspace& work) const
     std::copy_n(from, n, block.data);
     from += n;
   });
-  work.pressure = kept.pressure, work.excess = kept.excess;
-  work.slips = kept.slips, work.ratios = kept.ratios;
-  std::ranges::copy(kept.volume_gradients, work.volume_gradients.begin());
+  work.pressure = kept.pressure;
+  if (work.with.excess) work.with.excess->pressure = kept.excess;
+  if (work.with.slip) work.with.slip->blocks = kept.slips;
+  if (work.with.strain_shares) work.with.strain_shares->ratios = kept.ratios;
+  if (work.with.volume_change) std::ranges::copy(kept.volume_gradients, work.with.volume_change->gradients.begin());
   std::ranges::copy(kept.gauss, work.gauss.begin());
   std::ranges::copy(kept.gauss_rows, work.gauss_rows.begin());
 }

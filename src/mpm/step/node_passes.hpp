@@ -1,8 +1,14 @@
 // What the step does at one node: sum of the cells, forces, boundary, and the works of the step.
 #pragma once
 
+#include "mpm/features/balance.hpp"
+#include "mpm/features/footings.hpp"
+#include "mpm/features/mean_force.hpp"
+#include "mpm/features/rest.hpp"
+#include "mpm/features/search.hpp"
+#include "mpm/features/sides.hpp"
+#include "mpm/step/step_model.hpp"
 #include "mpm/step/step_state.hpp"
-#include "mpm/step/workspace.hpp"
 
 #include <algorithm>
 
@@ -39,7 +45,7 @@ inline Vec<2> sum_balance(const StepModel& model, const StepState& state, const 
     const auto [cell, corner] = model.mesh->cells_of_node[k];
     const Index slot = state.points.slot_of_cell()[cell];
     if (slot < 0) continue;
-    const CellBalance& of_cell = work.balance[slot];
+    const CellBalance& of_cell = work.with.balance->cells[slot];
     const Vec<2> force =
         of_cell.force(corner, {of_cell.acceleration[0] - work.gravity[0], of_cell.acceleration[1] - work.gravity[1]});
     for (int d = 0; d < 2; ++d) sum[d] -= force[d];
@@ -97,39 +103,6 @@ inline Real mass_limit(const StepModel& model, Index node)
 /// Least part of the mass of a full cell at a node that counts for rest: below it a single grain moves the node.
 inline constexpr Real part_that_rests = 0.05;
 
-/// Number of the footing that holds a place, the last if several do; -1: none.
-inline int footing_at(const Workspace& work, Vec<2> x)
-{
-  for (int k = static_cast<int>(work.footings.size()) - 1; k >= 0; --k)
-    if (work.footings[k].holds(x)) return k;
-  return -1;
-}
-
-/// The footing has the last word on the nodes inside it. impulse: what that takes is added [N s per m].
-inline void push_by_footing(const PlacedFooting& footing, Real mass, Vec<2>& v, Vec<2>& impulse)
-{
-  const Vec<2> before = v;
-  footing.hold(v);
-  for (int d = 0; d < 2; ++d) impulse[d] += mass * (v[d] - before[d]);
-}
-
-/// In the search for equilibrium the first forces out of balance come on by and by: what has not come is held.
-inline void hold_back(SearchForces& search, Index i, Vec<2>& out_of_balance)
-{
-  if (search.share == 0.0) search.held[i] = {-out_of_balance[0], -out_of_balance[1]};
-  for (int d = 0; d < 2; ++d) out_of_balance[d] += (1.0 - search.share) * search.held[i][d];
-}
-
-/// What the search needs for damping that follows the slowest motion: v . dR/dt and v . M v.
-inline void follow_motion(SearchForces& search, Index i, Vec<2> force, Vec<2> v, Real momentum_per_v, NodeSums& sums)
-{
-  for (int d = 0; d < 2; ++d) {
-    sums.stiffness += v[d] * (search.last[i][d] - force[d]);
-    sums.inertia += momentum_per_v * v[d] * v[d];
-    search.last[i][d] = force[d];
-  }
-}
-
 /// Step 2: out-of-balance force, damping, acceleration, boundary.
 inline void accelerate_node(
     const StepModel& model, StepState& state, const NodeGather& sum, Index i, Workspace& work, NodeSums& sums)
@@ -143,8 +116,9 @@ inline void accelerate_node(
     sums.finite &= sum.mass == sum.mass;
     return;
   }
+  SearchScratch* const search = work.with.search.get();
   Damping damping = model.damping;
-  damping.local = work.damping_local;
+  if (search != nullptr) damping.local = search->damping_local;
   Vec<2> v_0, v_free, out_of_balance;
   for (int d = 0; d < 2; ++d) {
     v_0[d] = sum.momentum[d] / sum.mass;
@@ -152,32 +126,35 @@ inline void accelerate_node(
     node.internal[d] = -sum.internal_force[d];
   }
   if (has_outer_forces(work)) add_outer_forces(model, state, i, work, out_of_balance);
-  if (work.settling) hold_back(work.search, i, out_of_balance);
+  if (search != nullptr) hold_back(*search, i, out_of_balance);
   sums.kinetic += 0.5 * sum.mass * (v_0[0] * v_0[0] + v_0[1] * v_0[1]);
   const int k = footing_at(work, model.mesh->nodes[i]);
-  const PlacedFooting* const footing = k < 0 ? nullptr : &work.footings[k];
-  const bool on_side = model.boundary.at(i) != nullptr;  // most nodes are on none, and take the short way
+  const PlacedFooting* const footing = k < 0 ? nullptr : &work.with.footings->placed[k];
+  const Boundary& boundary = model.with.sides->boundary;
+  const bool on_side = boundary.at(i) != nullptr;  // most nodes are on none, and take the short way
   Vec<2> force = out_of_balance, v = v_0;
   if (on_side) {
-    force = model.boundary.free_force(i, out_of_balance);
-    v = model.boundary.free_velocity(i, v_0, out_of_balance);
+    force = boundary.free_force(i, out_of_balance);
+    v = boundary.free_velocity(i, v_0, out_of_balance);
   }
   if (footing != nullptr) {
     force = footing->free_part(force);
     v = footing->free_part(v);
   }
-  if (work.settling) {
-    damping.viscous += work.search.viscous;
-    follow_motion(work.search, i, force, v, sum.mass * model.dt, sums);
+  if (search != nullptr) {
+    damping.viscous += search->viscous;
+    follow_motion(*search, i, force, v, sum.mass * model.dt, sums);
   } else if (damping.averaging_time > 0.0) {
-    follow_force(damping, force, model.dt, state.mean_force[i]);
-    force = state.mean_force[i];
+    Vec<2>& mean = state.with.mean_force->force[i];
+    follow_force(damping, force, model.dt, mean);
+    force = mean;
   }
   node.damping = damping_force(damping, force, sum.mass, v);
   for (int d = 0; d < 2; ++d) v_free[d] = v_0[d] + (out_of_balance[d] + node.damping[d]) / sum.mass * model.dt;
   node.v = v_free;
-  if (on_side) model.boundary.constrain(i, sum.mass, model.dt, node.v);
-  if (footing != nullptr) push_by_footing(*footing, sum.mass, node.v, sums.footing[k]);
+  if (on_side) boundary.constrain(i, sum.mass, model.dt, node.v);
+  if (footing != nullptr)
+    push_by_footing(*footing, sum.mass, node.v, work.with.footings->chunk_impulses[work.chunk_of(sums)][k]);
   for (int d = 0; d < 2; ++d) {
     node.dv[d] = node.v[d] - v_0[d];
     node.boundary[d] = sum.mass * (node.v[d] - v_free[d]) / model.dt;
@@ -230,13 +207,14 @@ inline void remap_velocity(const StepModel& model, const NodeGather& sum, Index 
   const Vec<2> v_1 = node.v;
   for (int d = 0; d < 2; ++d) node.v[d] = sum.momentum[d] / node.mass;
   const Vec<2> remapped = node.v;
-  if (model.boundary.at(i) != nullptr) {
+  const Boundary& boundary = model.with.sides->boundary;
+  if (boundary.at(i) != nullptr) {
     const bool across_alone = model.method.remap_contact == RemapContact::across;
-    model.boundary.clamp(i, node.mass, model.dt, v_1, node.boundary, node.v, across_alone);
+    boundary.clamp(i, node.mass, model.dt, v_1, node.boundary, node.v, across_alone);
   }
-  if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.footings[k].hold(node.v);
+  if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.with.footings->placed[k].hold(node.v);
   add_works(model, work, i, remapped, sums);
-  if (work.watches_rest && node.mass >= part_of_full_mass(model, i, part_that_rests))
+  if (work.with.rest && node.mass >= part_of_full_mass(model, i, part_that_rests))
     sums.fastest = std::max(sums.fastest, node.v[0] * node.v[0] + node.v[1] * node.v[1]);
 }
 

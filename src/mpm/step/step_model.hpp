@@ -2,18 +2,15 @@
 // Not for: the case that it was made from (model.hpp).
 #pragma once
 
-#include "mpm/features/conditions.hpp"
-#include "mpm/features/footing.hpp"
-#include "mpm/features/load.hpp"
+#include "mpm/features/slots.hpp"
 #include "mpm/kernels/damping.hpp"
-#include "mpm/points/move.hpp"
+#include "mpm/mesh/mesh.hpp"
+#include "mpm/points/soil_material.hpp"
 #include "mpm/schemes/scheme.hpp"
 #include "mpm/step/stage.hpp"
-#include "mpm/step/step_water.hpp"
 
 namespace terp {
 
-struct NodeDiffusion;
 struct StepModel;
 struct StepState;
 struct Workspace;
@@ -25,11 +22,6 @@ struct StepModel {
   SharedMesh mesh;  ///< one for all runs of a study
   std::vector<SoilMaterial> materials;
   MethodOptions method;
-  Boundary boundary;
-  OpenSides open_sides;  ///< sides that soil may leave by, shape [n_cells]
-  std::vector<Footing> footings;
-  std::vector<Load> loads;
-  BodyForce body_force;             ///< beside gravity; empty: none
   Vec<2> gravity{0.0, 0.0};         ///< [m/s^2]
   Vec<2> gravity_before{0.0, 0.0};  ///< from which the ramp of the stage starts [m/s^2]
   Damping damping;
@@ -44,14 +36,8 @@ struct StepModel {
   Ramp ramp;                    ///< from the values of the stage before
   Real largest_density = 0.0;   ///< [kg/m^3], for the small-mass limit
   RowTable rows;                ///< what a point carries
-  std::shared_ptr<const NodeDiffusion> diffusion = {};  ///< of nonlocal softening; nullptr: without
-  int inverse_extent = -1;                              ///< row of the points, with shares that overlap
-  int slip_row = -1;  ///< of the points: plastic work of the last step, where soils slip in cut cells; -1: they do not
-  /// Row of the points: whose weight is held (placed_bodies.hpp); -1: no stage places or removes bodies.
-  int held_row = -1;
-  bool places_bodies = false, removes_bodies = false;  ///< in the stage
-  std::shared_ptr<const StepWater> water = {};         ///< pore pressure on the nodes; nullptr: no water
   int threads = 1;
+  ModelSlots with = {};  ///< the features
 
   Real time_of(std::int64_t step_number) const { return first_time + static_cast<Real>(step_number - first_step) * dt; }
   Vec<2> gravity_at(Real time) const
@@ -60,25 +46,6 @@ struct StepModel {
     if (!(share < 1.0)) return gravity;
     return {gravity_before[0] + share * (gravity[0] - gravity_before[0]),
         gravity_before[1] + share * (gravity[1] - gravity_before[1])};
-  }
-  Real pressure_of(const Load& load, Real time) const { return load.pressure_at(time, ramp.share_at(time)); }
-  bool spreads_softening() const { return diffusion != nullptr; }
-  bool slips_in_cut_cells() const { return slip_row >= 0; }
-  /// Of schemes that integrate at Gauss points.
-  bool hands_back_transposed() const
-  {
-    return method.strain_shares == StrainShares::transposed && looks_at(*scheme, "strain_shares");
-  }
-  bool takes_volume_change_of_soil() const
-  {
-    return method.volume_change == VolumeChange::soil && looks_at(*scheme, "volume_change");
-  }
-  bool balances_pressure() const { return method.pressure == Pressure::balanced && looks_at(*scheme, "pressure"); }
-  /// Whether forces from outside beside gravity and water may act: loads, bodies that come or go, forces.body.
-  bool has_loads() const { return !loads.empty() || held_row >= 0 || body_force; }
-  bool has_excess_pressure() const
-  {
-    return std::ranges::any_of(materials, [](const SoilMaterial& m) { return m.excess_row >= 0; });
   }
 };
 

@@ -2,6 +2,7 @@
 // Not for: how far the run is (state.hpp).
 #pragma once
 
+#include "mpm/features/slots.hpp"
 #include "mpm/points/point_blocks.hpp"
 #include "mpm/step/outer_forces.hpp"
 
@@ -70,8 +71,7 @@ struct StepState {
   PointBlocks<2> points;
   std::vector<Real> x_initial;  ///< by id, shape [n_points, 2] [m]
   WorkTotals work;
-  /// Running mean of the out-of-balance force, of damping with an averaging time [N per m]; shape [n_nodes], or empty.
-  std::vector<Vec<2>> mean_force;
+  StateSlots with;              ///< the features
   std::int64_t clamped = 0;     ///< points that ever had to be put back at a wall
   std::vector<bool> put_back;   ///< which, by id
   std::vector<LeftPoint> left;  ///< points that crossed an open side, in the order in which they did

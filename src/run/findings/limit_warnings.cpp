@@ -55,7 +55,7 @@ void find_thin_layers(const Model& model, const State& state, Problems& found)
 {
   for (const ThinLayer& layer : find_layers(model, state)) {
     const Real fewest = layer.at_surface ? fewest_in_cover : fewest_in_layer;
-    const bool slides = layer.at_surface ? layer.driving > level : model.slips_in_cut_cells();
+    const bool slides = layer.at_surface ? layer.driving > level : model.with.slip != nullptr;
     if (!slides || !(layer.cells() < fewest * (1.0 - 1e-6))) continue;
     const std::string& name = model.materials[layer.material].name;
     found.push_back({fmt::format("material.\"{}\"", name),

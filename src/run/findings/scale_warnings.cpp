@@ -4,6 +4,7 @@
 
 #include "model/soils/overburden.hpp"
 #include "model/bodies/setup_points.hpp"
+#include "mpm/features/conditions.hpp"
 #include "run/findings/setup_warnings.hpp"
 #include "model/water/water_pressure.hpp"
 
@@ -306,7 +307,7 @@ void find_no_motion(const Model& model, Problems& warnings)
   const auto footing_moves = [](const FootingCase& footing) { return footing.velocity != Vec<2>{0.0, 0.0}; };
   if (c.forces.gravity != Vec<2>{0.0, 0.0} || std::ranges::any_of(c.bodies, moves) ||
       std::ranges::any_of(c.sides, is_driven) || std::ranges::any_of(c.footings, footing_moves) || !c.loads.empty() ||
-      c.forces.body.at || model.water)
+      c.forces.body.at || model.with.water)
     return;
   warnings.push_back({"forces.gravity", "there is no gravity, and nothing else moves the soil",
       "All soil stays at rest. Usual: gravity = [0.0, -9.81] in [forces].", "forces.gravity"});

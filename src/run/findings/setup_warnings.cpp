@@ -1,6 +1,7 @@
 // Checks do not rely on each other. Each looks at the model as it is before the first step, and adds to one list. Small
 // checks stand in this file; larger groups have files of their own.
 
+#include "mpm/features/conditions.hpp"
 #include "run/findings/setup_warnings.hpp"
 
 #include "model/meshes/mesh_error.hpp"

@@ -35,7 +35,7 @@ std::vector<Real> shares_in_shared_cells(const Model& model, const State& state)
 
 void find_shared_layers(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
-  if (model.slips_in_cut_cells()) return;
+  if (model.with.slip) return;
   const char* remedy = looks_at(*model.scheme, "cut_cells") ? "method.cut_cells = \"slip\"" : "another scheme";
   const std::vector<Real> shares = shares_in_shared_cells(model, state);
   for (std::size_t m = 0; m < shares.size(); ++m) {

@@ -449,7 +449,7 @@ void find_strengths_of_other_water(const Model& model, std::vector<Problem>& war
 
 void find_odd_water(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
-  if (!model.water) return;
+  if (!model.with.water) return;
   find_strengths_of_other_water(model, warnings);
   find_idle_water(model, warnings);
   find_short_lines(model, state, warnings);

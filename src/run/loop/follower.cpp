@@ -3,6 +3,7 @@
 #include "run/report/history.hpp"
 #include "run/report/ledger.hpp"
 #include "model/parts/model.hpp"
+#include "mpm/step/workspace.hpp"
 
 namespace terp {
 namespace {

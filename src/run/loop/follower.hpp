@@ -3,7 +3,6 @@
 #pragma once
 
 #include "run/report/run_table.hpp"
-#include "mpm/step/workspace.hpp"
 
 #include <memory>
 #include <span>
@@ -16,6 +15,7 @@ struct State;
 struct Summary;
 struct LedgerContext;
 struct TotalsRequest;
+struct Workspace;
 class ArrayWriter;
 class ArrayReader;
 

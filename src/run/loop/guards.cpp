@@ -4,6 +4,7 @@
 
 #include "model/meshes/mesh_error.hpp"
 #include "run/report/ledger.hpp"
+#include "mpm/step/workspace.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "run/loop/state.hpp"
-#include "mpm/step/workspace.hpp"
 
 #include <string>
 
 namespace terp {
+
+struct Workspace;
 
 /// Points that may be put back at walls before the run stops, as a part of all [-].
 inline constexpr Real most_clamped = 1e-3;

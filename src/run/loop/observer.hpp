@@ -1,10 +1,8 @@
 // What a run shows to the outside. simulation/ calls an Observer; output/ and src/cli/ implement it.
 #pragma once
 
+#include "mpm/step/state_arrays.hpp"
 #include "run/report/run_table.hpp"
-
-#include <cstdint>
-#include <variant>
 
 namespace terp {
 
@@ -28,15 +26,6 @@ struct Frame {
   std::int64_t n_points() const { return static_cast<std::int64_t>(x.size() / 2); }
   std::int64_t n_whole() const { return n_all > 0 ? n_all : n_points(); }
   bool ends() const { return first + n_points() == n_whole(); }
-};
-
-/// A named array of a checkpoint, or rows of it.
-struct NamedArray {
-  std::string name;
-  std::vector<std::int64_t> shape;  ///< of the whole
-  std::variant<std::vector<Real>, std::vector<std::int64_t>> values;
-  std::int64_t first =
-      0;  ///< row of the whole that the first values are; arrays come from their first row to their last
 };
 
 /// Everything a checkpoint holds, or a part of a large one.

@@ -13,7 +13,7 @@
 #include "model/parts/setup.hpp"
 #include "model/bodies/setup_points.hpp"
 #include "run/loop/stages.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
 #include "run/report/state_image.hpp"
 
 #include <algorithm>
@@ -26,9 +26,10 @@ namespace {
 /// The load of the other run that stands on the same stretch under the same name; nullptr: there is none.
 const Load* same_load(const Model& before, const Load& load)
 {
-  const auto found = std::ranges::find_if(before.loads,
+  const std::span<const Load> loads = loads_of(before);
+  const auto found = std::ranges::find_if(loads,
       [&](const Load& other) { return other.name == load.name && other.from == load.from && other.to == load.to; });
-  return found == before.loads.end() ? nullptr : &*found;
+  return found == loads.end() ? nullptr : &*found;
 }
 
 /// The step before which a load has taken its place, of a model at its state.
@@ -59,7 +60,7 @@ StateImage image_for(const Model& before, const Model& model, const State& state
 {
   StateImage image = make_image(state);
   std::vector<NamedArray> loads;
-  for (const Load& load : model.loads)
+  for (const Load& load : loads_of(model))
     if (const Load* other = same_load(before, load)) {
       const auto found = std::ranges::find(image.arrays, row_name(before, other->row), &NamedArray::name);
       loads.push_back(*found);
@@ -75,11 +76,11 @@ StateImage image_for(const Model& before, const Model& model, const State& state
   const std::int64_t n = state.points.n_points();
   for (const RowInfo& row : model.rows.added()) {
     const std::string name = "points/" + row.name;
-    if (!row.saved || !may_differ(row) || ArrayReader(image).has(name)) continue;
+    if (!row.saved || !may_differ(row) || ArrayReader(image.arrays).has(name)) continue;
     image.arrays.push_back({name, {n}, std::vector<Real>(static_cast<std::size_t>(n), row.initial), 0});
   }
   const std::size_t n_forces = 2 * model.mesh->nodes.size();
-  if (model.damping.averaging_time > 0.0 && state.mean_force.empty())
+  if (model.damping.averaging_time > 0.0 && !state.with.mean_force)
     image.arrays.push_back({"mean_force", {static_cast<std::int64_t>(n_forces)}, std::vector<Real>(n_forces, 0.0), 0});
   return image;
 }
@@ -97,8 +98,9 @@ Seeds seeds_of_both(const Model& before, const Model& model)
 /// Loads that stand on the soil in this run and did not in the other one, or elsewhere, take their place.
 void place_loads(const Model& before, const State& at_end, const Model& model, State& state)
 {
-  for (std::size_t k = 0; k < model.loads.size(); ++k) {
-    const Load& load = model.loads[k];
+  const std::span<const Load> loads = loads_of(model);
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Load& load = loads[k];
     const Load* other = same_load(before, load);
     const bool stays = other != nullptr && was_placed(before, at_end, *other);
     if (!was_placed(model, state, load) || (stays && !stands_on_what_goes(model, load, state))) continue;

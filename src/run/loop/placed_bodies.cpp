@@ -6,7 +6,8 @@
 
 #include "math/errors.hpp"
 #include "model/meshes/mesh_error.hpp"
-#include "mpm/step/outer_passes.hpp"
+#include "mpm/features/bodies.hpp"
+#include "mpm/features/water.hpp"
 #include "mpm/step/stored_energy.hpp"
 #include "model/water/nodal_water.hpp"
 #include "model/soils/point_parameters.hpp"
@@ -55,7 +56,7 @@ std::vector<bool> bodies_in(const State& state, const std::vector<Index>& body, 
 /// Total stress of soil that stores it: that of the water around it.
 void start_stress(const Model& model, const PorePressure& pore, const PointBlock<2>& block, Index lane)
 {
-  if (!model.water || model.materials[block.material].stores_effective) return;
+  if (!model.with.water || model.materials[block.material].stores_effective) return;
   const Real pressure = pore_pressure_at(model, pore, block, lane);
   for (int k = 0; k < 3; ++k) block.row(Rows::sigma + k)[lane] = -pressure;
 }
@@ -66,12 +67,12 @@ void place(const Model& model, const std::vector<Index>& body, const std::vector
   add_points(
       model, make_points(model), [&](const BodyCase& b) { return comes[static_cast<std::size_t>(&b - first)]; }, state);
   state.points.update_occupied();
-  const PorePressure pore = model.water ? water_at(model, state.time) : PorePressure();
+  const PorePressure pore = model.with.water ? water_at(model, state.time) : PorePressure();
   std::vector<bool> is_new(model.mesh->cells.size(), false);
   Real area = 0.0;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     if (!comes[static_cast<std::size_t>(body[static_cast<std::size_t>(block.row(Rows::id)[lane])])]) return;
-    block.row(model.held_row)[lane] = 1.0;
+    block.row(held_row_of(model))[lane] = 1.0;
     start_stress(model, pore, block, lane);
     state.mass_placed += block.row(Rows::mass)[lane];
     area += block.row(Rows::volume)[lane];
@@ -90,7 +91,7 @@ void place(const Model& model, const std::vector<Index>& body, const std::vector
 
 void change_bodies(const Model& model, const Seeds& seeds, State& state)
 {
-  if (model.held_row < 0) return;
+  if (!model.with.bodies) return;
   const std::vector<BodyCase>& bodies = model.description.bodies;
   const std::vector<Index>& body = seeds.bodies;
   std::vector<bool> comes = bodies_in(state, body, bodies.size()), goes = comes;
@@ -100,7 +101,7 @@ void change_bodies(const Model& model, const Seeds& seeds, State& state)
   }
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const auto of = static_cast<std::size_t>(body[static_cast<std::size_t>(block.row(Rows::id)[lane])]);
-    block.row(model.held_row)[lane] = goes[of] ? -1.0 : 0.0;
+    block.row(held_row_of(model))[lane] = goes[of] ? -1.0 : 0.0;
   });
   if (std::ranges::find(comes, true) == comes.end()) return;
   place(model, body, comes, state);
@@ -109,14 +110,14 @@ void change_bodies(const Model& model, const Seeds& seeds, State& state)
 
 void remove_held_bodies(const Model& model, State& state)
 {
-  if (model.held_row < 0) return;
+  if (!model.with.bodies) return;
   const Real before = kinetic_and_stored_energy(model, state);
   std::vector<Real> values(static_cast<std::size_t>(state.points.n_rows()));
   bool any = false;
   for (const Index cell : state.points.occupied())
     for (Index b = state.points.first_block(cell); b >= 0; b = state.points.block(b).next)
       for (Index lane = state.points.block(b).n; lane-- > 0;) {
-        if (!(state.points.block(b).row(model.held_row)[lane] < 0.0)) continue;
+        if (!(state.points.block(b).row(held_row_of(model))[lane] < 0.0)) continue;
         state.points.take(b, lane, values);
         state.mass_removed += values[Rows::mass];
         any = true;
@@ -128,7 +129,7 @@ void remove_held_bodies(const Model& model, State& state)
 
 bool remove_due_bodies(const Model& model, State& state)
 {
-  if (model.held_row < 0 || state.step != step_of_removal(model, state)) return false;
+  if (!model.with.bodies || state.step != step_of_removal(model, state)) return false;
   const std::int64_t n = state.points.n_points();
   remove_held_bodies(model, state);
   return state.points.n_points() != n;

@@ -4,11 +4,12 @@
 
 #include "run/loop/observer.hpp"
 #include "run/loop/state.hpp"
-#include "mpm/step/workspace.hpp"
 
 #include <span>
 
 namespace terp {
+
+struct Workspace;
 
 /// True at the steps nearest to whole multiples of `every` [s]; never if every is 0.
 /// step: counted from the time `from` [s].

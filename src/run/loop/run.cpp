@@ -4,6 +4,9 @@
 #include "run/loop/run.hpp"
 
 #include "math/errors.hpp"
+#include "mpm/features/rest.hpp"
+#include "mpm/step/stored_energy.hpp"
+#include "mpm/step/workspace.hpp"
 #include "os/instructions.hpp"
 #include "run/rest/equilibrium.hpp"
 #include "run/loop/guards.hpp"
@@ -169,7 +172,7 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
     loop.report_due(false);
   }
   if (state.rows_reported.empty()) loop.report_due(true);  // it begins with the state of another run
-  work.watches_rest = model.stage.rest.steps > 0 || model.flood_level.is_known();
+  watch_speed(model.stage.rest.steps > 0 || model.flood_level.is_known(), work);
   const auto report_what_is_due = [&] {
     watch_rest(model, work, state);
     const bool ends = ends_now(model, work, state);

@@ -5,13 +5,14 @@
 #include "run/loop/observer.hpp"
 #include "run/loop/state.hpp"
 #include "run/report/summary.hpp"
-#include "mpm/step/workspace.hpp"
 
 #include <atomic>
 #include <functional>
 #include <span>
 
 namespace terp {
+
+struct Workspace;
 
 /// What bounds a loop of steps, and what follows each step.
 struct StepPolicy {

@@ -5,6 +5,9 @@
 #include "run/loop/simulation.hpp"
 
 #include "math/errors.hpp"
+#include "mpm/features/water.hpp"
+#include "mpm/step/stored_energy.hpp"
+#include "mpm/step/workspace.hpp"
 #include "run/report/frame.hpp"
 #include "run/report/ledger.hpp"
 #include "model/soils/point_parameters.hpp"
@@ -101,7 +104,10 @@ void check_value(const Model& model, const State& state, const std::string& name
 }  // namespace
 
 Simulation::Simulation(const Case& description, int threads, const FollowerTypes& followers)
-    : model(with_followers(build_model(description, threads), followers)), state(build_state(model)), work(model, state)
+    : model(with_followers(build_model(description, threads), followers)),
+      state(build_state(model)),
+      work_(std::make_unique<Workspace>(model, state)),
+      work(*work_)
 {
   model.threads = work.threads.count();
 }
@@ -109,16 +115,22 @@ Simulation::Simulation(const Case& description, int threads, const FollowerTypes
 Simulation::Simulation(const Case& description, SharedMesh mesh, int threads, const FollowerTypes& followers)
     : model(with_followers(build_model(description, std::move(mesh), threads), followers)),
       state(build_state(model)),
-      work(model, state)
+      work_(std::make_unique<Workspace>(model, state)),
+      work(*work_)
 {
   model.threads = work.threads.count();
 }
 
 Simulation::Simulation(Model ready_model, State ready_state)
-    : model(model_for(std::move(ready_model), ready_state)), state(std::move(ready_state)), work(model, state)
+    : model(model_for(std::move(ready_model), ready_state)),
+      state(std::move(ready_state)),
+      work_(std::make_unique<Workspace>(model, state)),
+      work(*work_)
 {
   model.threads = work.threads.count();
 }
+
+Simulation::~Simulation() = default;
 
 Outcome Simulation::start(const std::atomic<bool>& stop)
 {
@@ -217,8 +229,7 @@ void Simulation::restore(const StateImage& image)
             saved.step, saved.time, model.dt, time));
   state = std::move(saved);
   model = model_for(std::move(model), state);
-  work.damping_local = model.damping.local;
-  work.forget_water();
+  forget_water(work);
   work.fit(model, state);
 }
 

@@ -23,6 +23,7 @@ struct Simulation {
   Simulation(const Case& description, SharedMesh mesh, int threads = 1, const FollowerTypes& followers = {});
   /// Goes on from a state, as from a checkpoint.
   Simulation(Model ready_model, State ready_state);
+  ~Simulation();
 
   /// What comes before the first step: the search for equilibrium if the case asks for it, and the outputs at t = 0.
   /// The first step does it, too; called on its own, fields can be set after it. Does nothing in a run that has
@@ -59,7 +60,12 @@ struct Simulation {
 
   Model model;
   State state;
-  Workspace work;
+
+ private:
+  std::unique_ptr<Workspace> work_;
+
+ public:
+  Workspace& work;
   std::vector<Observer*> observers = {};  ///< are shown what the run puts out; not owned
 
  private:

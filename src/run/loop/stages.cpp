@@ -5,9 +5,12 @@
 #include "run/loop/stages.hpp"
 
 #include "math/errors.hpp"
+#include "mpm/features/rest.hpp"
+#include "mpm/features/water.hpp"
 #include "mpm/points/moved.hpp"
 #include "model/parts/change_soil.hpp"
 #include "mpm/step/stored_energy.hpp"
+#include "mpm/step/workspace.hpp"
 #include "model/loads/loads.hpp"
 #include "run/loop/placed_bodies.hpp"
 #include "model/soils/point_parameters.hpp"
@@ -54,9 +57,10 @@ void reset_displacement(State& state)
 /// stage digs away.
 void place_new_loads(const Model& before, const Model& model, State& state)
 {
-  for (std::size_t k = 0; k < model.loads.size(); ++k) {
-    const Load& load = model.loads[k];
-    const bool is_new = load.is_permanent() && !(before.loads[k].pressure > 0.0) && load.pressure > 0.0;
+  const std::span<const Load> loads = loads_of(model);
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Load& load = loads[k];
+    const bool is_new = load.is_permanent() && !(loads_of(before)[k].pressure > 0.0) && load.pressure > 0.0;
     if (!is_new && (!(load.pressure > 0.0) || !stands_on_what_goes(model, load, state))) continue;
     if (const std::string why = place_load(model, load, state); !why.empty())
       throw RunError(fmt::format("t = {:.4f} s: there is no ground under the load `{}`, which the stage `{}` {}\n  {}",
@@ -113,7 +117,7 @@ void watch_rest(const Model& model, const Workspace& work, State& state)
   if (rest.by_mean)
     state.quiet_steps = may_rest && rests_by_mean(rest, state) ? rest.steps : 0;
   else
-    state.quiet_steps = may_rest && work.fastest_node < rest.speed ? state.quiet_steps + 1 : 0;
+    state.quiet_steps = may_rest && fastest_node(work) < rest.speed ? state.quiet_steps + 1 : 0;
 }
 
 bool ends_now(const Model& model, const Workspace& work, State& state)
@@ -126,7 +130,7 @@ bool ends_now(const Model& model, const Workspace& work, State& state)
       .end = state.time,
       .steps = state.step - state.stage_start,
       .at_rest = at_rest,
-      .fastest = rest.steps > 0 ? work.fastest_node : std::numeric_limits<Real>::quiet_NaN()});
+      .fastest = rest.steps > 0 ? fastest_node(work) : std::numeric_limits<Real>::quiet_NaN()});
   return true;
 }
 
@@ -157,7 +161,7 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   };
   const bool sets_parameters = std::ranges::any_of(model.description.stages[next.stage.number].changes, is_of_material);
   // Points of a file are read again for them: not in a stage that changes loads or water alone.
-  const bool needs_seeds = sets_parameters || stores_other_stress(model, next) || next.held_row >= 0;
+  const bool needs_seeds = sets_parameters || stores_other_stress(model, next) || next.with.bodies;
   const Seeds seeds = needs_seeds ? seeds_of(make_points(next)) : Seeds{};
   const std::vector<Real> carried = carried_pressures(model, state);
   if (stores_other_stress(model, next)) change_stored_stress(model, next, seeds, state);
@@ -176,8 +180,7 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
     for (const ActiveFollower& active : state.followers) active.follower->count_displacement_anew(model, state);
     reset_displacement(state);
   }
-  work.damping_local = model.damping.local;
-  work.forget_water();
+  forget_water(work);
   work.fit(model, state);
 }
 

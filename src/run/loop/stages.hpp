@@ -4,9 +4,10 @@
 
 #include "model/parts/stage_case.hpp"
 #include "run/loop/state.hpp"
-#include "mpm/step/workspace.hpp"
 
 namespace terp {
+
+struct Workspace;
 
 /// The step at which the stage ends at the latest.
 std::int64_t last_step_of_stage(const Model& model, const State& state);

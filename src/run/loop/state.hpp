@@ -2,6 +2,7 @@
 #pragma once
 
 #include "run/loop/follower.hpp"
+#include "mpm/step/stage.hpp"
 #include "mpm/step/step_state.hpp"
 
 #include <map>

@@ -9,7 +9,7 @@
 #include "run/report/ledger_context.hpp"
 #include "run/report/mesh_frame.hpp"
 #include "mpm/step/node_passes.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
 #include "run/report/summary.hpp"
 
 #include <cmath>

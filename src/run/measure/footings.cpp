@@ -2,11 +2,11 @@
 // the mean since the row before: what the nodes gave to the footing, step by step, over the time.
 
 #include "math/plane.hpp"
+#include "mpm/features/footings.hpp"
 #include "run/measure/followers.hpp"
 #include "run/report/ledger_context.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
 #include "run/report/summary.hpp"
-#include "mpm/step/workspace.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,22 +49,25 @@ Real resistance(const Footing& footing, Vec<2> reaction)
 class Footings : public Follower {
   std::vector<FootingMeter> meters_;  ///< in the order of the case
 
-  void start(const Model& model, const State&) override { meters_.assign(model.footings.size(), {}); }
+  void start(const Model& model, const State&) override { meters_.assign(footings_of(model).size(), {}); }
 
   void step(const Model&, const Workspace& work) override
   {
-    for (std::size_t k = 0; k < work.footings.size(); ++k) {
-      const Vec<2> impulse = work.footing_impulse[k];
+    if (!work.with.footings) return;
+    const FootingsScratch& footings = *work.with.footings;
+    for (std::size_t k = 0; k < footings.placed.size(); ++k) {
+      const Vec<2> impulse = footings.impulses[k];
       for (int d = 0; d < 2; ++d) meters_[k].impulse[d] -= impulse[d];
-      meters_[k].work += dot(impulse, work.footings[k].velocity);
+      meters_[k].work += dot(impulse, footings.placed[k].velocity);
     }
   }
 
   std::vector<TableRow> rows(const Model& model, const State& state) override
   {
     std::vector<TableRow> rows;
-    for (std::size_t k = 0; k < model.footings.size(); ++k) {
-      const Footing& footing = model.footings[k];
+    const std::span<const Footing> footings = footings_of(model);
+    for (std::size_t k = 0; k < footings.size(); ++k) {
+      const Footing& footing = footings[k];
       FootingMeter& meter = meters_[k];
       if (const Real interval = state.time - meter.since; interval > 0.0) {
         meter.reaction = {meter.impulse[0] / interval, meter.impulse[1] / interval};
@@ -81,9 +84,10 @@ class Footings : public Follower {
 
   void summarise(const Model& model, const State& state, Summary& summary) const override
   {
+    const std::span<const Footing> footings = footings_of(model);
     for (std::size_t k = 0; k < meters_.size(); ++k)
-      summary.footings.push_back({model.footings[k].name, model.footings[k].displacement(state.time),
-          meters_[k].reaction, meters_[k].largest, meters_[k].work});
+      summary.footings.push_back({footings[k].name, footings[k].displacement(state.time), meters_[k].reaction,
+          meters_[k].largest, meters_[k].work});
   }
 
   void save(ArrayWriter& arrays) const override
@@ -97,7 +101,7 @@ class Footings : public Follower {
 
   void load(const Model& model, const State&, const ArrayReader& arrays) override
   {
-    meters_.assign(model.footings.size(), {});
+    meters_.assign(footings_of(model).size(), {});
     const Real* v = arrays.reals("meters", 7 * meters_.size()).data();
     for (FootingMeter& m : meters_) {
       m = {.impulse = {v[0], v[1]}, .since = v[2], .reaction = {v[3], v[4]}, .largest = v[5], .work = v[6]};

@@ -3,7 +3,7 @@
 
 #include "run/measure/followers.hpp"
 #include "run/report/ledger.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
 #include "run/report/summary.hpp"
 #include "soil/libraries/user_law.hpp"
 

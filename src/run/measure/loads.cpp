@@ -1,5 +1,6 @@
 // What the loads of a case do: their forces and where they act; loads.csv.
 
+#include "mpm/features/loads.hpp"
 #include "run/measure/followers.hpp"
 #include "run/report/ledger_context.hpp"
 
@@ -43,9 +44,9 @@ class Loads : public Follower {
   std::vector<TableRow> rows(const Model& model, const State& state) override
   {
     std::vector<TableRow> rows;
-    for (const Load& load : model.loads) {
+    for (const Load& load : loads_of(model)) {
       const Carried sum = add_up(load, state.points);
-      const Real pressure = load.pressure_at(state.time, model.ramp.share_at(state.time));
+      const Real pressure = pressure_of(model, load, state.time);
       if (!(sum.width > 0.0)) continue;
       rows.emplace_back(loads_table(), load.name).values = {
           state.time, pressure, sum.width, pressure * sum.width, sum.x / sum.width, sum.y / sum.width};

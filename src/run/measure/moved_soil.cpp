@@ -5,7 +5,7 @@
 #include "mpm/mesh/mesh.hpp"
 #include "model/ground/ground_section.hpp"
 #include "run/report/ledger.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
 #include "run/report/summary.hpp"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "math/errors.hpp"
 #include "run/measure/followers.hpp"
 #include "run/loop/state.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
 #include "run/report/summary.hpp"
 
 namespace terp {

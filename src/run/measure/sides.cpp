@@ -7,7 +7,7 @@
 #include "math/nan.hpp"
 #include "run/report/ledger_context.hpp"
 #include "model/loads/side_shape.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
 #include "run/report/summary.hpp"
 
 #include <algorithm>

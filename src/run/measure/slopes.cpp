@@ -9,7 +9,7 @@
 #include "run/measure/followers.hpp"
 #include "model/ground/ground_section.hpp"
 #include "run/report/ledger.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
 #include "run/report/summary.hpp"
 
 #include <algorithm>

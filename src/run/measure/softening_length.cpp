@@ -6,7 +6,7 @@
 #include "math/nan.hpp"
 #include "run/report/ledger_context.hpp"
 #include "model/soils/softening_scales.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
 #include "run/report/summary.hpp"
 
 #include <cmath>

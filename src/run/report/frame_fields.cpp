@@ -136,7 +136,7 @@ std::vector<FrameField> frame_fields(const Model& model, const State& state)
     };
     add(field_of(common), read, fields);
   }
-  if (model.water) add_pore_pressure(model, state, fields);
+  if (model.with.water) add_pore_pressure(model, state, fields);
   for (const SoilMaterial& of : model.materials)
     for (const DerivedInfo& info : of.type->derived)
       if (!has(fields, info.name)) add_derived(model, info, fields);

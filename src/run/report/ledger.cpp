@@ -5,6 +5,8 @@
 #include "run/report/ledger.hpp"
 
 #include "mpm/step/kernels.hpp"
+#include "mpm/features/rest.hpp"
+#include "mpm/step/workspace.hpp"
 #include "run/report/mesh_frame.hpp"
 
 #include <algorithm>
@@ -166,7 +168,7 @@ TableRow keep_ledger(const Model& model, State& state, Workspace& work)
       .totals = totals,
       .kinetic_nodal = state.step == 0 ? kinetic_energy(map_motion(model, state)) : work.kinetic_nodal,
       .left_energy = energy_of_left(state),
-      .fastest_node = work.watches_rest ? work.fastest_node : NAN};
+      .fastest_node = fastest_node(work)};
   state.largest_v_999 = std::max(state.largest_v_999, totals.v_999);
   FollowerTypes types;
   for (const ActiveFollower& active : state.followers) types.push_back(active.type);

@@ -3,12 +3,13 @@
 #pragma once
 
 #include "run/report/ledger_context.hpp"
-#include "mpm/step/workspace.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace terp {
+
+struct Workspace;
 
 /// What the works moved so far, and the energy of the start [J per m]: the scale of the energy balance.
 Real energy_exchanged(const State& state);

@@ -1,11 +1,13 @@
 // An image is a list of arrays that are read in parts, so that a large state needs no second copy in memory. A new
-// member of State that does not follow from others needs a line in arrays_of and one in restore. The order of the
+// member of State that does not follow from others needs a line in arrays_of and one in restore;
+// features save and load their own. The order of the
 // numbers in an array is the format of checkpoints: a new number gets an array of its own, which older ones may lack.
 
 #include "run/report/state_image.hpp"
 
 #include "math/errors.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/features/feature.hpp"
+#include "mpm/step/state_arrays.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +88,7 @@ std::vector<SavedRow> get_rows(const RowTable& table, const StateImage& image, s
           fmt::format("the checkpoint does not fit this case: its points have no `{}` ({}), which the "
                       "points of this case carry",
               row.name, row.meaning));
-    rows.push_back({row, ArrayReader(image).reals(name, n_points * static_cast<std::size_t>(row.n)).data()});
+    rows.push_back({row, ArrayReader(image.arrays).reals(name, n_points * static_cast<std::size_t>(row.n)).data()});
   }
   for (const NamedArray& array : image.arrays) {
     if (!array.name.starts_with(points_room)) continue;
@@ -102,7 +104,7 @@ std::vector<SavedRow> get_rows(const RowTable& table, const StateImage& image, s
 void get_points(const Model& model, const StateImage& image, State& state)
 {
   state.points = PointBlocks<2>(model.mesh->n_cells(), model.rows);
-  const ArrayReader arrays(image);
+  const ArrayReader arrays(image.arrays);
   const auto& cell = arrays.wholes("points/cell");
   const auto& material = arrays.wholes("points/material", cell.size());
   const bool has_bodies = std::ranges::find(image.arrays, "points/body", &NamedArray::name) != image.arrays.end();
@@ -219,11 +221,8 @@ std::vector<ArraySource> arrays_of(const State& state)
   add_points(state, arrays);
   arrays.refer("x_initial", state.x_initial);
   if (!state.moved_before.empty()) arrays.refer("moved_before", state.moved_before);
-  if (!state.mean_force.empty()) {
-    std::vector<Real> values;
-    for (const Vec<2>& force : state.mean_force) values.insert(values.end(), force.begin(), force.end());
-    arrays.copy("mean_force", std::move(values));
-  }
+  for (const Feature* feature : all_features())
+    if (feature->save != nullptr) feature->save(state, arrays);
   const WorkTotals& w = state.work;
   const EnergyMarks& marks = state.energy_marks;
   arrays.copy("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, w.exchanged,
@@ -301,7 +300,10 @@ std::int64_t most_values_of_part(const State& state)
                                               : points_per_part * state.points.n_rows();
 }
 
-std::int64_t count_points(const StateImage& image) { return std::ssize(ArrayReader(image).reals("x_initial")) / 2; }
+std::int64_t count_points(const StateImage& image)
+{
+  return std::ssize(ArrayReader(image.arrays).reals("x_initial")) / 2;
+}
 
 State restore(const Model& model, const StateImage& image)
 {
@@ -310,16 +312,13 @@ State restore(const Model& model, const StateImage& image)
   State state;
   state.time = image.time;
   state.step = image.step;
-  const ArrayReader arrays(image);
+  const ArrayReader arrays(image.arrays);
   get_points(model, image, state);
   state.x_initial = arrays.reals("x_initial");
   if (arrays.has("moved_before"))
     state.moved_before = arrays.reals("moved_before", static_cast<std::size_t>(state.n_ids()));
-  if (model.damping.averaging_time > 0.0) {
-    state.mean_force.resize(model.mesh->nodes.size());
-    const auto& values = arrays.reals("mean_force", 2 * state.mean_force.size());
-    for (std::size_t i = 0; i < state.mean_force.size(); ++i) state.mean_force[i] = {values[2 * i], values[2 * i + 1]};
-  }
+  for (const Feature* feature : all_features())
+    if (feature->load != nullptr) feature->load(model, arrays, state);
   get_left(arrays, state);
   check_ids(model, state);
   const auto& w = arrays.reals("work", 17);

@@ -5,6 +5,9 @@
 
 #include "run/rest/equilibrium.hpp"
 
+#include "mpm/features/loads.hpp"
+#include "mpm/features/search.hpp"
+#include "mpm/features/sides.hpp"
 #include "mpm/kernels/time_step.hpp"
 #include "run/rest/elastic_model.hpp"
 #include "run/rest/no_equilibrium.hpp"
@@ -50,7 +53,7 @@ void reset_history(const RowTable& table, State& state)
 
 /// Critical damping of the motion as it is, of which the stiffness is a Rayleigh quotient: c = 2 sqrt(v K v / v M v),
 /// smoothed [1/s]. None where more motion meets less force, as in soil that fails.
-Real critical_damping(const Model& model, const SearchForces& search, bool first)
+Real critical_damping(const Model& model, const SearchScratch& search, bool first)
 {
   constexpr Real weight = 0.02;  // of the newest value: a mean of 50 steps
   const Real square = search.inertia > 0.0 ? std::max(search.stiffness / search.inertia, 0.0) : 0.0;
@@ -87,7 +90,11 @@ Model model_of_search(const Model& model)
     still.stage = model.stage;
     still.ramp = model.ramp;
     still.gravity_before = model.gravity_before;
-    for (std::size_t k = 0; k < model.loads.size(); ++k) still.loads[k].before = model.loads[k].before;
+    if (model.with.loads) {
+      LoadsModel loads = *still.with.loads;
+      for (std::size_t k = 0; k < loads.all.size(); ++k) loads.all[k].before = model.with.loads->all[k].before;
+      still.with.loads = std::make_shared<const LoadsModel>(std::move(loads));
+    }
     return still;
   }
   for (std::size_t m = 0; m < c.materials.size(); ++m) {
@@ -96,7 +103,8 @@ Model model_of_search(const Model& model)
         material.type->make_varying(c.materials[m].parameters, varying_parameters(c.materials[m], *material.type));
     material.water_stiffness *= stiffening;
   }
-  still.boundary = Boundary(*model.mesh, c.sides);
+  still.with.sides =
+      std::make_shared<const SidesModel>(SidesModel{Boundary(*model.mesh, c.sides), model.with.sides->open});
   still.damping.viscous = c.forces.viscous_damping;
   still.dt /= std::sqrt(stiffening);
   still.description = std::move(c);
@@ -142,9 +150,7 @@ void undo_stiffening(const Model& model, State& state)
 
 Search at_rest(const Model& model, State& state, Workspace& work)
 {
-  work.damping_local = model.damping.local;
-  work.settling = false;
-  work.search = {};
+  work.with.search.clear();
   reset_history(model.rows, state);
   return {.reached = true};
 }
@@ -166,13 +172,11 @@ Search settle_in_motion(const Model& model, State& state, Workspace& work, Real 
   const InitialCase& initial = model.description.initial;
   SearchWindows windows(model, state, s);
   const std::int64_t ramp = ramp_windows * windows.steps(), first = state.equilibrium_steps;
-  work.damping_local = initial.damping;
-  work.begin_search();
+  SearchScratch& forces = begin_search(initial.damping, work);
   const auto goes_on = [&] {
     const std::int64_t n = ++state.equilibrium_steps - first;
-    work.search.viscous =
-        critical_damping(model, work.search, n <= 2);  // the second step has the first change of force
-    work.search.share = std::min(1.0, static_cast<Real>(n) / static_cast<Real>(ramp));
+    forces.viscous = critical_damping(model, forces, n <= 2);  // the second step has the first change of force
+    forces.share = std::min(1.0, static_cast<Real>(n) / static_cast<Real>(ramp));
     if (n % windows.steps() == 0) windows.enter(state, work.unbalanced_ratio, n > ramp);
     if (report) report({first + n, work.unbalanced_ratio, windows.more_steps(work.unbalanced_ratio, initial.limit)});
     const bool rests = work.unbalanced_ratio <= initial.limit && windows.at_rest();

@@ -4,7 +4,6 @@
 
 #include "model/parts/model.hpp"
 #include "run/loop/state.hpp"
-#include "mpm/step/workspace.hpp"
 
 #include <atomic>
 #include <functional>
@@ -12,6 +11,8 @@
 #include <string>
 
 namespace terp {
+
+struct Workspace;
 
 /// How the search ended; neither: it was stopped, and begins anew later.
 struct Search {

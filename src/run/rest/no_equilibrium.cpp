@@ -6,6 +6,7 @@
 
 #include "model/meshes/mesh_error.hpp"
 #include "model/parts/model.hpp"
+#include "mpm/step/workspace.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,10 @@
 
 #include "math/errors.hpp"
 #include "run/loop/state.hpp"
-#include "mpm/step/workspace.hpp"
 
 namespace terp {
+
+struct Workspace;
 
 /// The soil cannot stand in the section as it is drawn, and slides before the run begins. Not thrown where a search
 /// only ran out of steps: then nothing is known.

@@ -26,7 +26,7 @@ Real quantile_by_mass(std::vector<std::pair<Real, Real>>& list, Real share)
 Statics::Statics(const Model& model, State& state, Workspace& work) : model_(model), state_(state), work_(work)
 {
   start_.keep(model, state, work);
-  work_.settling = true;
+  begin_search(0.0, work);
 }
 
 void Statics::find_forces(Real held_share)
@@ -42,7 +42,7 @@ void Statics::find_forces(Real held_share)
     all_.insert(all_.end(), force.begin(), force.end());
     if (!held_.empty())
       for (int d = 0; d < 2; ++d) force[d] -= held_share * held_[all_.size() - 2 + static_cast<std::size_t>(d)];
-    if (model_.boundary.at(i) != nullptr) force = model_.boundary.free_force(i, force);
+    if (model_.with.sides->boundary.at(i) != nullptr) force = model_.with.sides->boundary.free_force(i, force);
     forces_.insert(forces_.end(), force.begin(), force.end());
     sum += std::abs(force[0]) + std::abs(force[1]);
     weight += node.mass * (std::abs(work_.gravity[0]) + std::abs(work_.gravity[1]));

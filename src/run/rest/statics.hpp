@@ -3,6 +3,8 @@
 #pragma once
 
 #include "model/parts/model.hpp"
+#include "mpm/features/search.hpp"
+#include "mpm/features/sides.hpp"
 #include "mpm/step/kept_soil.hpp"
 #include "mpm/step/workspace.hpp"
 #include "run/loop/state.hpp"
@@ -18,7 +20,7 @@ class Statics {
  public:
   /// The workspace settles meanwhile. Both must outlive this.
   Statics(const Model& model, State& state, Workspace& work);
-  ~Statics() { work_.settling = false; }
+  ~Statics() { work_.with.search.clear(); }
   Statics(const Statics&) = delete;
   Statics& operator=(const Statics&) = delete;
 

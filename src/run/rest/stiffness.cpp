@@ -3,6 +3,8 @@
 
 #include "run/rest/stiffness.hpp"
 
+#include "mpm/features/sides.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -122,7 +124,7 @@ SparseCholesky factor_stiffness(const Model& model, const State& state, const Wo
   const Real largest = *std::ranges::max_element(row_sum);
   for (Index k = 0; k < n; ++k) entries.push_back({k, k, of_light_nodes * largest});
   for (const Index i : work.active_nodes)
-    if (const NodeCondition* at = model.boundary.at(i))
+    if (const NodeCondition* at = model.with.sides->boundary.at(i))
       for (int s = 0; s < at->n; ++s) {
         const auto held = held_by(at->sides[static_cast<std::size_t>(s)]);
         for (Index d = 0; d < 2; ++d)

@@ -6,6 +6,7 @@
 
 #include "math/errors.hpp"
 #include "mpm/mesh/locate.hpp"
+#include "mpm/step/workspace.hpp"
 #include "run/rest/elastic_model.hpp"
 #include "run/rest/equilibrium.hpp"
 #include "model/ground/ground_section.hpp"

@@ -2,6 +2,7 @@
 
 #include "math/errors.hpp"
 #include "model/ground/ground_section.hpp"
+#include "mpm/step/workspace.hpp"
 
 #include <algorithm>
 #include <cmath>

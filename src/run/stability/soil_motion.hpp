@@ -5,9 +5,10 @@
 #include "math/types.hpp"
 #include "model/parts/model.hpp"
 #include "run/loop/state.hpp"
-#include "mpm/step/workspace.hpp"
 
 namespace terp {
+
+struct Workspace;
 
 /// Whether a point counts, by id; empty: all do.
 using Judged = std::vector<char>;

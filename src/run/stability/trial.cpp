@@ -10,6 +10,7 @@
 #include "model/meshes/setup_mesh.hpp"
 #include "run/report/state_image.hpp"
 #include "run/stability/soil_motion.hpp"
+#include "mpm/step/workspace.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -2,7 +2,7 @@
 // strain of the point alone, so that a slip surface takes the same energy on any mesh (decision 0045).
 //
 //   z    = d_eps_p / eps_95 where k < 7/3 eps_95, else 0      increment of the step; eps_95 = softened_strain()
-//   zbar = z spread over the distance l                       mpm/step/softening_passes.hpp
+//   zbar = z spread over the distance l                       mpm/features/softening_passes.hpp
 //   q   += eps_95 (m zbar + (1 - m) z)                        over-nonlocal strain, 1 <= m <= 2
 //   k    = max(k, q); without halo max(k, min(q, eps_p))      drives the strength of the next step
 //

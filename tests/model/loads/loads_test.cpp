@@ -1,4 +1,5 @@
 #include "model/loads/loads.hpp"
+#include "mpm/features/loads.hpp"
 #include "support/simulations.hpp"
 
 namespace loads_test {
@@ -33,7 +34,7 @@ Carried carried_by(const State& state, int row)
 TEST(Loads, TheSharesHaveTheSumAndTheFirstMomentOfTheStretch)
 {
   const Simulation s(loaded("mpm_gp"));
-  const Carried sum = carried_by(s.state, s.model.loads[0].row);
+  const Carried sum = carried_by(s.state, loads_of(s.model)[0].row);
   EXPECT_NEAR(sum.width, 0.84, 1e-15);
   EXPECT_NEAR(sum.moment / sum.width, 1.79, 1e-15);
   EXPECT_EQ(sum.n, 19);  // points lie 0.05 m apart: 17 within it, and one beside each end
@@ -47,7 +48,7 @@ TEST(Loads, OfUnequalPointsHaveThemToo)
   c.bodies[1].polygon = {{2.0, 0.5}, {3.0, 0.5}, {3.0, 1.5}, {2.0, 1.5}};
   c.bodies[1].points_per_cell = {2, 2};
   const Simulation s(c);
-  const Carried sum = carried_by(s.state, s.model.loads[0].row);
+  const Carried sum = carried_by(s.state, loads_of(s.model)[0].row);
   EXPECT_NEAR(sum.width, 0.84, 1e-15);
   EXPECT_NEAR(sum.moment / sum.width, 1.79, 1e-15);
 }

@@ -2,6 +2,7 @@
 #include "mpm/step/cell_passes.hpp"
 #include "model/water/nodal_water.hpp"
 #include "mpm/step/node_passes.hpp"
+#include "mpm/step/workspace.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
 

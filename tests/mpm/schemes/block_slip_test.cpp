@@ -1,5 +1,7 @@
+#include "mpm/features/slip.hpp"
 #include "mpm/schemes/block_slip.hpp"
 
+#include "mpm/step/workspace.hpp"
 #include "support/simulations.hpp"
 #include "support/two_soils.hpp"
 
@@ -18,7 +20,7 @@ std::unique_ptr<Simulation> after_a_step(
   edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     const auto soil = static_cast<std::size_t>(block.material);
     for (int k = 0; k < 4; ++k) block.row(Rows::sigma + k)[lane] = sigma[soil][static_cast<std::size_t>(k)];
-    block.row(s.model.slip_row)[lane] = plastic_work[soil];
+    block.row(s.model.with.slip->row)[lane] = plastic_work[soil];
   });
   make_steps(s);
   return run;
@@ -47,8 +49,8 @@ TEST(CutCells, SlipOnlyAfterPlasticWorkAboveRoundOff)
     const auto run_s = after_a_step(20.0, weak_and_strong, {0.0, work});
     const Simulation& s = *run_s;  // J/m^3; sigma : sigma/G is 5
     for_each_cut_cell(s, [&](Index first, Index second) {
-      EXPECT_EQ(s.work.slips[first].acts(), slips) << work;
-      EXPECT_EQ(s.work.slips[second].acts(), slips) << work;
+      EXPECT_EQ(s.work.with.slip->blocks[first].acts(), slips) << work;
+      EXPECT_EQ(s.work.with.slip->blocks[second].acts(), slips) << work;
     });
   }
 }
@@ -60,7 +62,7 @@ void expect_kinks(const Simulation& s, Real slipped)
   for (const Index cell : s.state.points.occupied()) {
     const Vec<2>& at = s.model.mesh->centres[cell];
     if (std::abs(at[0] - 2.6) > 1.0 || std::abs(at[1] - 2.4) > 0.125) continue;
-    const BlockSlip& first = s.work.slips[s.state.points.first_block(cell)];
+    const BlockSlip& first = s.work.with.slip->blocks[s.state.points.first_block(cell)];
     EXPECT_TRUE(first.acts());
     EXPECT_NEAR(first.kink.slipped, slipped, 1e-9);
     ++n;
@@ -88,12 +90,12 @@ TEST(CutCells, GiveBackByAKinkNoMoreThanTheirPlasticWork)
     const auto run_s = after_a_step(30.0, sigma, {1e-3, 0.0});
     const Simulation& s = *run_s;
     for_each_cut_cell(s, [&](Index first, Index second) {
-      const Kink& kink = s.work.slips[first].kink;
+      const Kink& kink = s.work.with.slip->blocks[first].kink;
       if (kink.slipped == 0.0) return;
       Real lost = kink.force, plastic_work = 0.0;
       std::array<Real, 2> tau{};
       for (const Index b : {first, second}) {
-        const BlockSlip& slip = s.work.slips[b];
+        const BlockSlip& slip = s.work.with.slip->blocks[b];
         const auto soil = static_cast<std::size_t>(s.state.points.block(b).material);
         tau[soil] = slip.normal * (slip.sigma[0] - slip.sigma[1]) + 2.0 * slip.shear * slip.sigma[3];
         lost -= kink.share * slip.weight * tau[soil];

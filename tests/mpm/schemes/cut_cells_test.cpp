@@ -1,5 +1,7 @@
+#include "mpm/features/slip.hpp"
 #include "mpm/schemes/cut_cells.hpp"
 
+#include "mpm/step/workspace.hpp"
 #include "soil/laws/material.hpp"
 #include "mpm/step/cell_passes.hpp"
 #include "support/simulations.hpp"
@@ -38,8 +40,8 @@ INSTANTIATE_TEST_SUITE_P(EveryScheme, SoilsOfACutCell,
 void make_slipping_steps(Simulation& s, std::int64_t n, Real plastic_work = 1.0)
 {
   for (std::int64_t k = 0; k < n; ++k) {
-    edit_points(
-        s.state, [&](const PointBlock<2>& block, Index lane) { block.row(s.model.slip_row)[lane] = plastic_work; });
+    edit_points(s.state,
+        [&](const PointBlock<2>& block, Index lane) { block.row(s.model.with.slip->row)[lane] = plastic_work; });
     make_steps(s);
   }
 }
@@ -225,7 +227,7 @@ TEST_P(SoilsOfACutCell, KeepThePlasticWorkOfTheLastStepAtTheirPoints)
   }
   Real kept = 0.0;
   edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
-    const Real work = block.row(s.model.slip_row)[lane];
+    const Real work = block.row(s.model.with.slip->row)[lane];
     if (block.material == 1) {
       EXPECT_EQ(work, 0.0);
     }
@@ -426,7 +428,7 @@ TEST(CutCellsOfAFluid, DoNotSlip)
   c.bodies[1].material = "water";
   Simulation s(c);
   make_steps(s);
-  for (const BlockSlip& slip : s.work.slips) EXPECT_FALSE(slip.acts());
+  for (const BlockSlip& slip : s.work.with.slip->blocks) EXPECT_FALSE(slip.acts());
 }
 
 }  // namespace cut_cells_test

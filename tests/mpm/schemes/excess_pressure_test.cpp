@@ -1,5 +1,6 @@
 // Excess pressure of elastic soil: with K_w/n its motion is that of soil that stores total stress and has the undrained
 // Poisson's ratio, whatever the scheme and the mesh, and on its way from cell to cell.
+#include "mpm/features/search.hpp"
 #include "mpm/schemes/excess_pressure.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
@@ -77,8 +78,7 @@ TEST_P(ExcessPressure, AndEffectiveStressMoveSoilAsTotalStressOfTheUndrainedStif
 TEST(ExcessPressureOfABlock, IsNoneWhileTheSearchForEquilibriumGoesOn)
 {
   Simulation s(flying_block({"mpm_gp", Shares::point}, 0.2, Drainage::undrained_effective));
-  s.work.begin_search();
-  s.work.search.share = 1.0;
+  begin_search(s.model.damping.local, s.work).share = 1.0;
   make_steps(s, 20);
   const int row = s.model.materials[0].excess_row;
   for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) { EXPECT_EQ(block.row(row)[lane], 0.0); });

@@ -1,3 +1,5 @@
+#include "mpm/features/overlap.hpp"
+#include "mpm/step/workspace.hpp"
 #include "support/simulations.hpp"
 
 namespace overlap_test {
@@ -86,7 +88,7 @@ TEST_P(Overlap, FindsPartnersAnewWhereverABlockIsMadeOrLeft)
   for (int k = 0; k < 40; ++k) {
     for (int step = 0; step < 20; ++step) {
       kept.step();
-      anew.work.patches->partners.clear();
+      anew.work.with.overlap->patches.partners.clear();
       anew.step();
     }
     most = std::max(most, kept.state.points.n_blocks());

@@ -1,5 +1,7 @@
+#include "mpm/features/balance.hpp"
 #include "mpm/schemes/pressure_balance.hpp"
 
+#include "mpm/step/workspace.hpp"
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
@@ -138,7 +140,7 @@ TEST(PressureBalance, OfSoilWhoseStrengthFollowsThePressureActsAtTheSurfaceAlone
     int n = 0;
     for (std::size_t slot = 0; slot < s.state.points.occupied().size(); ++slot) {
       const bool upper = s.model.mesh->centres[s.state.points.occupied()[slot]][1] > 3.0;
-      n += upper == at_surface && s.work.balance[slot].moment[0] != CellBalance::Matrix{};
+      n += upper == at_surface && s.work.with.balance->cells[slot].moment[0] != CellBalance::Matrix{};
     }
     return n;
   };

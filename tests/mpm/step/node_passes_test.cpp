@@ -1,5 +1,6 @@
 // The node passes by hand, on one cell with one point in its middle: each corner has a quarter of its mass.
 #include "mpm/step/node_passes.hpp"
+#include "mpm/step/workspace.hpp"
 #include "support/simulations.hpp"
 
 namespace node_passes_test {

@@ -1,4 +1,5 @@
 #include "mpm/step/totals.hpp"
+#include "mpm/step/workspace.hpp"
 #include "os/instructions.hpp"
 #include "mpm/step/kernels.hpp"
 #include "support/simulations.hpp"

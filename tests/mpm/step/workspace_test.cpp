@@ -1,3 +1,4 @@
+#include "mpm/step/passes.hpp"
 #include "mpm/step/workspace.hpp"
 #include "support/simulations.hpp"
 #include <atomic>
@@ -105,8 +106,6 @@ TEST(Workspace, FitsItsArraysToTheOccupiedCellsAndListsTheirNodesInOrder)
   EXPECT_THAT(s.work.active_nodes, ElementsAre(18, 19, 20, 35, 36, 37));
   EXPECT_EQ(s.work.node.size(), s.model.mesh->nodes.size());
 }
-
-TEST(Workspace, StartsWithTheDampingOfTheModel) { EXPECT_EQ(Simulation(column("mpm_gp")).work.damping_local, 0.1); }
 
 TEST(Workspace, KeepsTheTimeOfEachPass)
 {

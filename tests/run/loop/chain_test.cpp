@@ -1,4 +1,5 @@
 #include "model/water/nodal_water.hpp"
+#include "mpm/features/loads.hpp"
 #include "run/loop/other_run.hpp"
 #include "model/soils/overburden.hpp"
 #include "model/soils/soil_fields.hpp"
@@ -53,10 +54,10 @@ TEST(Chain, KeepsTheRowsOfThePointsThroughAllStages)
       s.advance_to(0.3);
       const RowTable rows = s.model.rows;
       const std::vector<Point> before = points_by_id(s.state);
-      const int load = s.model.loads[0].row, strain = row_of(s.model.materials[1], Role::plastic_strain);
+      const int load = loads_of(s.model)[0].row, strain = row_of(s.model.materials[1], Role::plastic_strain);
       enter_next_stage(s.model, s.state, s.work);
       EXPECT_TRUE(s.model.rows == rows);
-      EXPECT_EQ(s.model.loads[0].row, load);
+      EXPECT_EQ(loads_of(s.model)[0].row, load);
       EXPECT_EQ(row_of(s.model.materials[1], Role::plastic_strain), strain);
       const std::vector<Point> after = points_by_id(s.state);
       Real largest = 0.0;

@@ -1,3 +1,4 @@
+#include "mpm/step/workspace.hpp"
 #include "run/measure/followers.hpp"
 #include "model/meshes/mesh_error.hpp"
 #include "run/loop/guards.hpp"

@@ -1,3 +1,4 @@
+#include "mpm/features/loads.hpp"
 #include "run/loop/other_run.hpp"
 #include "run/loop/stages.hpp"
 #include "support/simulations.hpp"
@@ -44,8 +45,8 @@ Real mass_of(const State& state)
 Real carried(const Simulation& s, std::size_t load)
 {
   Real sum = 0.0;
-  for_each_point(
-      s.state.points, [&](const PointBlock<2>& block, Index lane) { sum += block.row(s.model.loads[load].row)[lane]; });
+  for_each_point(s.state.points,
+      [&](const PointBlock<2>& block, Index lane) { sum += block.row(loads_of(s.model)[load].row)[lane]; });
   return sum;
 }
 

@@ -1,4 +1,7 @@
 // The weight of a body on the ground, and its balance: ledger, `placed_body`.
+#include "mpm/features/bodies.hpp"
+#include "mpm/features/loads.hpp"
+#include "mpm/step/workspace.hpp"
 #include "run/loop/placed_bodies.hpp"
 
 #include "run/report/frame.hpp"
@@ -85,9 +88,9 @@ TEST(PlacedBodies, ChangeNothingAtFirstAndLetTheirWeightGoOverTheRamp)
   const Real t = 20.0 * s.model.dt;
   EXPECT_GT(fastest, 0.0);
   EXPECT_LT(fastest, 1.5 * 0.5 * g * t * t / 1.0) << "v = g t^2 / (2 ramp)";
-  EXPECT_NEAR(s.work.held.placed, 1.0 - (t - 0.5 * s.model.dt) / 1.0, 1e-9);
+  EXPECT_NEAR(s.work.with.bodies->held.placed, 1.0 - (t - 0.5 * s.model.dt) / 1.0, 1e-9);
   run_stages(s, 2);
-  EXPECT_EQ(s.work.held.placed, 0.0);
+  EXPECT_EQ(s.work.with.bodies->held.placed, 0.0);
   EXPECT_FALSE(s.work.outer[outer_load].acts);
 }
 
@@ -284,8 +287,8 @@ TEST(PlacedBodies, ThatGoLeaveTheLoadOnThemToTheGroundBelow)
   const auto force = [&] {
     Real width = 0.0;
     for_each_point(s.state.points,
-        [&](const PointBlock<2>& block, Index lane) { width += block.row(s.model.loads[0].row)[lane]; });
-    return width * s.model.loads[0].pressure;
+        [&](const PointBlock<2>& block, Index lane) { width += block.row(loads_of(s.model)[0].row)[lane]; });
+    return width * loads_of(s.model)[0].pressure;
   };
   EXPECT_NEAR(force(), 12e3, 1e-6);
   const Real with_fill = (run_stages(s, 1), stress_at_base(s.state));

@@ -1,4 +1,5 @@
 #include "model/meshes/setup_mesh.hpp"
+#include "mpm/step/workspace.hpp"
 #include "support/simulations.hpp"
 
 namespace simulation_test {

@@ -1,4 +1,6 @@
 // A stage that ends while soil moves decides the verdict, whatever comes after it.
+#include "mpm/features/rest.hpp"
+#include "mpm/step/workspace.hpp"
 #include "run/measure/flood_dike.hpp"
 
 namespace flood_stages_test {
@@ -27,7 +29,7 @@ struct Staged : Drawn {
     state.stage = static_cast<std::int64_t>(number);
     state.stages_done.push_back({.start = state.time, .end = state.time + 1.0, .at_rest = at_rest, .fastest = fastest});
     state.time += 1.0;
-    work.watches_rest = true, work.fastest_node = speed;
+    work.with.rest.set({speed});
     look();
     return *this;
   }

@@ -1,3 +1,5 @@
+#include "mpm/features/rest.hpp"
+#include "mpm/step/workspace.hpp"
 #include "run/measure/flood_dike.hpp"
 #include "run/findings/flood_warnings.hpp"
 #include "run/loop/other_run.hpp"
@@ -460,7 +462,7 @@ TEST(Flood, SoilStillMovesThatWouldGoFarInAFreeFallThroughTheReliefThoughTheRunW
 {
   const auto still_moves = [](Real speed, Real time) {
     Drawn s;
-    s.work.watches_rest = true, s.work.fastest_node = speed;
+    s.work.with.rest.set({speed});
     s.state.time = time;
     s.look();
     return s.flood().still_moves;

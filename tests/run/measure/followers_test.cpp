@@ -1,6 +1,6 @@
 #include "run/measure/followers.hpp"
 #include "io/files/files.hpp"
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
 #include "support/simulations.hpp"
 
 namespace followers_test {

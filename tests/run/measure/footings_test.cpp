@@ -1,4 +1,6 @@
 #include "model/loads/footings.hpp"
+#include "mpm/features/footings.hpp"
+#include "mpm/features/search.hpp"
 #include "run/findings/setup_warnings.hpp"
 #include "support/simulations.hpp"
 
@@ -78,7 +80,7 @@ TEST(Footings, DampingDoesNotPushWhatAFootingHolds)
   make_steps(s, 100);
   EXPECT_EQ(s.state.work.damping, 0.0);
   const Vec<2> p = momentum(s.state);
-  EXPECT_NEAR(p[1], 1990.0 * 2.0 * s.work.footings[0].velocity[1], 1e-6);
+  EXPECT_NEAR(p[1], 1990.0 * 2.0 * s.work.with.footings->placed[0].velocity[1], 1e-6);
   EXPECT_NEAR(meter_of(s.state).impulse[1], -p[1] - 1990.0 * 2.0 * 9.81 * s.state.time,
       1e-6);  // it carries the weight: pulled down
 }
@@ -92,7 +94,7 @@ TEST(Footings, ARowHoldsTheMeanSinceTheRowBefore)
   TableRow row = keep_row(s);
   EXPECT_EQ(row.text, "plate");
   EXPECT_NEAR(row["reaction_y"], -p / t, 1e-9 * std::abs(p / t));
-  EXPECT_EQ(row["displacement_y"], s.model.footings[0].displacement(t)[1]);
+  EXPECT_EQ(row["displacement_y"], footings_of(s.model)[0].displacement(t)[1]);
   EXPECT_EQ(row["work"], meter_of(s.state).work);
   make_steps(s, 30);
   row = keep_row(s);
@@ -133,10 +135,9 @@ TEST(Footings, GiveTheSameBitsOnAnyNumberOfThreads)
 TEST(Footings, AreAwayWhileTheSoilSettles)
 {
   Simulation s = followed(pushed("mpm_gp"));
-  s.work.begin_search();
-  s.work.search.share = 1.0;
+  begin_search(s.model.damping.local, s.work).share = 1.0;
   make_steps(s, 5);
-  EXPECT_TRUE(s.work.footings.empty());
+  EXPECT_TRUE(s.work.with.footings->placed.empty());
   EXPECT_EQ(momentum(s.state)[1], 0.0);
 }
 

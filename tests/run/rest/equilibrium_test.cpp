@@ -1,3 +1,4 @@
+#include "mpm/step/workspace.hpp"
 #include "run/rest/equilibrium.hpp"
 #include "run/rest/no_equilibrium.hpp"
 #include "support/simulations.hpp"

@@ -1,5 +1,6 @@
 #include "run/rest/static_search.hpp"
 #include "model/parts/reduce.hpp"
+#include "mpm/step/workspace.hpp"
 #include "support/simulations.hpp"
 
 namespace static_search_test {

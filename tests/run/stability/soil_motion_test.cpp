@@ -1,3 +1,4 @@
+#include "mpm/step/workspace.hpp"
 #include "run/stability/soil_motion.hpp"
 #include "model/parts/setup.hpp"
 #include "support/cases.hpp"

@@ -1,14 +1,26 @@
 // The named arrays of a checkpoint: how what is saved hands them over, and how it takes them back.
 #pragma once
 
-#include "run/loop/observer.hpp"
+#include "math/types.hpp"
 
 #include <functional>
-#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
 
 namespace terp {
 
-/// An array of an image, and how to read n of its rows from `first` on.
+/// A named array of a checkpoint, or rows of it.
+struct NamedArray {
+  std::string name;
+  std::vector<std::int64_t> shape;  ///< of the whole
+  std::variant<std::vector<Real>, std::vector<std::int64_t>> values;
+  std::int64_t first =
+      0;  ///< row of the whole that the first values are; arrays come from their first row to their last
+};
+
+/// An array of a checkpoint, and how to read n of its rows from `first` on.
 struct ArraySource {
   using Values = decltype(NamedArray::values);
   std::string name;
@@ -61,8 +73,11 @@ class ArrayReader {
  public:
   static constexpr std::size_t any_size = SIZE_MAX;
 
-  explicit ArrayReader(const StateImage& image, std::string prefix = {}) : image_(image), prefix_(std::move(prefix)) {}
-  ArrayReader below(std::string_view name) const { return ArrayReader(image_, prefix_ + std::string(name) + '/'); }
+  explicit ArrayReader(const std::vector<NamedArray>& arrays, std::string prefix = {})
+      : arrays_(arrays), prefix_(std::move(prefix))
+  {
+  }
+  ArrayReader below(std::string_view name) const { return ArrayReader(arrays_, prefix_ + std::string(name) + '/'); }
 
   bool has(std::string_view name) const;
   const std::vector<Real>& reals(std::string_view name, std::size_t size = any_size) const;
@@ -70,7 +85,7 @@ class ArrayReader {
   std::vector<bool> flags(std::string_view name, std::size_t size) const;
 
  private:
-  const StateImage& image_;
+  const std::vector<NamedArray>& arrays_;
   std::string prefix_;
 };
 

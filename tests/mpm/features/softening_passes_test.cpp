@@ -1,5 +1,6 @@
-#include "mpm/step/softening_passes.hpp"
+#include "mpm/features/softening_passes.hpp"
 
+#include "mpm/step/workspace.hpp"
 #include "support/simulations.hpp"
 
 namespace softening_passes_test {
@@ -90,9 +91,9 @@ TEST(SofteningPasses, TheDriverNeverFallsAndTheStrengthNeverRises)
 TEST(SofteningPasses, CostNothingWithoutALength)
 {
   const Simulation off(column("mpm_gp", 0.25));
-  EXPECT_FALSE(off.model.spreads_softening());
+  EXPECT_FALSE(off.model.with.softening);
   EXPECT_EQ(off.model.rows.n_rows(), Rows::state + 1);
-  EXPECT_TRUE(off.work.softening_corners.empty());
+  EXPECT_FALSE(off.work.with.softening);
   EXPECT_EQ(Simulation(softening_column("mpm_gp")).model.rows.n_rows(), Rows::state + 4);
 }
 
@@ -100,21 +101,22 @@ TEST(SofteningPasses, ReachCellsWithinTheirSubStepsAndTwoMore)
 {
   Simulation s(softening_column("mpm_gp"));
   const std::vector<Index>& cells = s.state.points.occupied();
-  const int rings = s.model.diffusion->n_substeps + 2;
+  const int rings = s.model.with.softening->diffusion.n_substeps + 2;
   const auto middle = [&](Index cell) { return s.model.mesh->centres[cell]; };
   const std::size_t seed = cells.size() / 3;
-  std::ranges::fill(s.work.cell_softens, 0);
+  std::ranges::fill(s.work.with.softening->cell_softens, 0);
   EXPECT_FALSE(find_reach_of_softening(s.model, s.state, s.work));
-  s.work.cell_softens[seed] = 1;
+  s.work.with.softening->cell_softens[seed] = 1;
   ASSERT_TRUE(find_reach_of_softening(s.model, s.state, s.work));
   const auto rings_from_seed = [&](Vec<2> x) {
     const Vec<2> from = middle(cells[seed]);
     return std::max(std::abs(x[0] - from[0]), std::abs(x[1] - from[1])) / 0.25;
   };
   for (Index cell = 0; cell < s.model.mesh->n_cells(); ++cell)
-    EXPECT_EQ(s.work.softening_reach.has_cell[cell] != 0, rings_from_seed(middle(cell)) < rings + 0.1) << cell;
+    EXPECT_EQ(s.work.with.softening->reach.has_cell[cell] != 0, rings_from_seed(middle(cell)) < rings + 0.1) << cell;
   for (Index i = 0; i < s.model.mesh->n_nodes(); ++i)  // those whose cells are all reached
-    EXPECT_EQ(s.work.softening_reach.has_node[i] != 0, rings_from_seed(s.model.mesh->nodes[i]) < rings - 0.4) << i;
+    EXPECT_EQ(s.work.with.softening->reach.has_node[i] != 0, rings_from_seed(s.model.mesh->nodes[i]) < rings - 0.4)
+        << i;
 }
 
 /// Two boxes of soil on a mesh of 0.25 m; in the left one all points have softened by 1 in this step.
@@ -137,14 +139,15 @@ Real softening_of_the_right(Simulation& s)
   edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     block.row(row)[lane] = block.material == 0 ? 1.0 : s.model.materials[1].increment_row < 0 ? 0.0 : -0.0;
   });
-  std::ranges::fill(s.work.softening_reach.has_cell, 1);
-  NodeSpread& spread = *s.work.softening;
+  std::ranges::fill(s.work.with.softening->reach.has_cell, 1);
+  NodeSpread& spread = s.work.with.softening->spread;
+  const NodeDiffusion& diffusion = s.model.with.softening->diffusion;
   for (std::size_t k = 0; k < s.state.points.occupied().size(); ++k)
-    collect_softening(s.model, s.state.points, s.state.points.occupied()[k], s.work.softening_corners[k]);
-  for (const Index i : s.work.active_nodes) gather_softening(s.model, s.state, s.work, i, spread);
-  for (Index g = 0; g < s.model.diffusion->n_groups(); ++g) set_rates(*s.model.diffusion, g, spread);
-  for (int n = 0; n < s.model.diffusion->n_substeps; ++n) {
-    for (Index g = 0; g < s.model.diffusion->n_groups(); ++g) spread_nodes(*s.model.diffusion, g, spread);
+    collect_softening(s.model, s.state.points, s.state.points.occupied()[k], s.work.with.softening->corners[k]);
+  for (const Index i : s.work.active_nodes) gather_softening(s.model, s.state, i, *s.work.with.softening);
+  for (Index g = 0; g < diffusion.n_groups(); ++g) set_rates(diffusion, g, spread);
+  for (int n = 0; n < diffusion.n_substeps; ++n) {
+    for (Index g = 0; g < diffusion.n_groups(); ++g) spread_nodes(diffusion, g, spread);
     std::swap(spread.value, spread.next);
   }
   for (const Index cell : s.state.points.occupied()) soften_points(s.model, s.state.points, cell, spread.value);

@@ -1,7 +1,7 @@
 // Velocities that the mesh does not see fade; those that it sees stay (decision 0048).
 #include "support/simulations.hpp"
 
-namespace point_noise_test {
+namespace relaxation_passes_test {
 
 /// A block in flight without gravity or sides, whose points relax at once.
 Simulation flying(const std::string& scheme, Real relaxation_time)
@@ -32,7 +32,7 @@ void shake(State& state)
   });
 }
 
-TEST(PointNoise, WhatPointsMoveAgainstEachOtherFades)
+TEST(RelaxationPasses, WhatPointsMoveAgainstEachOtherFades)
 {
   Simulation s = flying("mpm_gp", 1e-9), kept = flying("mpm_gp", 0.0);
   for (Simulation* each : {&s, &kept}) shake(each->state);
@@ -48,7 +48,7 @@ TEST(PointNoise, WhatPointsMoveAgainstEachOtherFades)
   EXPECT_EQ(kept.state.work.relaxation, 0.0);
 }
 
-TEST(PointNoise, AVelocityThatTheMeshCarriesStays)
+TEST(RelaxationPasses, AVelocityThatTheMeshCarriesStays)
 {
   const auto stretch = [](Vec<2> x) { return Vec<2>{0.3 - 0.2 * x[0] + 0.1 * x[1], 0.1 * x[0] + 0.05 * x[1]}; };
   Simulation s = flying("mpm_gp", 1e-9), kept = flying("mpm_gp", 0.0);
@@ -67,7 +67,7 @@ TEST(PointNoise, AVelocityThatTheMeshCarriesStays)
   EXPECT_LT(change, 1e-5 * start);  // what the pull towards the nodes takes
 }
 
-TEST(PointNoise, FadesWithItsTimeConstantWhateverTheStep)
+TEST(RelaxationPasses, FadesWithItsTimeConstantWhateverTheStep)
 {
   const Real time = 40.0 * flying("standard_mpm", 0.0).model.dt;
   const auto left_after = [&](Real relaxation_time) {
@@ -81,7 +81,7 @@ TEST(PointNoise, FadesWithItsTimeConstantWhateverTheStep)
   EXPECT_NEAR(left_after(0.5 * time), std::exp(-4.0), 0.03);
 }
 
-TEST(PointNoise, SameBitsOnThreadsAndAfterASave)
+TEST(RelaxationPasses, SameBitsOnThreadsAndAfterASave)
 {
   Case c = column("mpm_gp");
   c.method.relaxation_time = 0.02;
@@ -96,4 +96,4 @@ TEST(PointNoise, SameBitsOnThreadsAndAfterASave)
   EXPECT_NE(one.state.work.relaxation, 0.0);
 }
 
-}  // namespace point_noise_test
+}  // namespace relaxation_passes_test

@@ -2,11 +2,10 @@
 // spread there, and come back to the points. Only soil that can soften takes part.
 #pragma once
 
-#include "mpm/points/rows_of_packs.hpp"
-#include "mpm/step/step_state.hpp"
-#include "mpm/step/workspace.hpp"
+#include "mpm/features/softening.hpp"
 #include "mpm/kernels/map_to_corners.hpp"
-#include "mpm/kernels/node_diffusion.hpp"
+#include "mpm/points/rows_of_packs.hpp"
+#include "mpm/step/walks.hpp"
 
 #include <algorithm>
 
@@ -29,13 +28,13 @@ inline bool softens(const StepModel& model, const PointBlocks<2>& points, Index 
 inline bool find_reach_of_softening(const StepModel& model, const StepState& state, Workspace& work)
 {
   const Mesh<2>& mesh = *model.mesh;
-  SofteningReach& reach = work.softening_reach;
+  SofteningReach& reach = work.with.softening->reach;
   reach.clear();
   const std::vector<Index>& cells = state.points.occupied();
   for (std::size_t slot = 0; slot < cells.size(); ++slot)
-    if (work.cell_softens[slot] != 0) reach.enter(cells[slot]);
+    if (work.with.softening->cell_softens[slot] != 0) reach.enter(cells[slot]);
   std::size_t begin = 0;
-  for (int ring = 0; ring < model.diffusion->n_substeps + 2 && begin < reach.cells.size(); ++ring)
+  for (int ring = 0; ring < model.with.softening->diffusion.n_substeps + 2 && begin < reach.cells.size(); ++ring)
     for (const std::size_t end = reach.cells.size(); begin < end; ++begin)
       for (const Index i : mesh.cells[reach.cells[begin]]) {
         if (std::exchange(reach.has_node[i], 1) != 0) continue;
@@ -79,16 +78,17 @@ inline void collect_softening(
 }
 
 /// Sums of the cells around a node: what it starts from.
-inline void gather_softening(
-    const StepModel& model, const StepState& state, const Workspace& work, Index i, NodeSpread& spread)
+inline void gather_softening(const StepModel& model, const StepState& state, Index i, SofteningScratch& softening)
 {
   const Mesh<2>& mesh = *model.mesh;
+  const NodeDiffusion& diffusion = model.with.softening->diffusion;
+  NodeSpread& spread = softening.spread;
   Real volume = 0.0, increment = 0.0, length_squared = 0.0;
   for (Index k = mesh.first_cell_of_node[i]; k < mesh.first_cell_of_node[i + 1]; ++k) {
     const auto [cell, corner] = mesh.cells_of_node[k];
     const Index slot = state.points.slot_of_cell()[cell];
-    if (slot < 0 || work.softening_reach.has_cell[cell] == 0) continue;
-    const CornerSoftening& from = work.softening_corners[slot];
+    if (slot < 0 || softening.reach.has_cell[cell] == 0) continue;
+    const CornerSoftening& from = softening.corners[slot];
     volume += from.volume[corner];
     increment += from.increment[corner];
     length_squared += from.length_squared[corner];
@@ -96,16 +96,15 @@ inline void gather_softening(
   const Real inverse = volume > 0.0 ? 1.0 / volume : 0.0;
   spread.inverse_volume[i] = inverse;
   spread.value[i] = increment * inverse;
-  spread.filling[i] = volume / model.diffusion->full_volume[i];
-  spread.variance[i] = variance_to_spread(length_squared * inverse, model.diffusion->mapping_variance[i]);
+  spread.filling[i] = volume / diffusion.full_volume[i];
+  spread.variance[i] = variance_to_spread(length_squared * inverse, diffusion.mapping_variance[i]);
 }
 
 /// The same of the nodes of a group that softening can reach.
-inline void gather_group(
-    const StepModel& model, const StepState& state, const Workspace& work, Index g, NodeSpread& spread)
+inline void gather_group(const StepModel& model, const StepState& state, SofteningScratch& softening, Index g)
 {
   for (Index i = pack_width * g; i < pack_width * (g + 1); ++i)
-    if (work.softening_reach.has_node[i] != 0) gather_softening(model, state, work, i, spread);
+    if (softening.reach.has_node[i] != 0) gather_softening(model, state, i, softening);
 }
 
 /// What the corners of a cell hold goes to its points, whose strength follows it in the next step.
@@ -126,6 +125,38 @@ inline void soften_points(const StepModel& model, PointBlocks<2>& points, Index 
           {.law = material.view(block, first), .spread = spread, .n = n, .n_points = block.n - first});
     }
   });
+}
+
+/// The strength of the next step follows what softened in this one, spread over the length of each material. Only
+/// where that can reach.
+inline void spread_softening(const StepModel& model, StepState& state, Workspace& work)
+{
+  const NodeDiffusion& diffusion = model.with.softening->diffusion;
+  NodeSpread& spread = work.with.softening->spread;
+  const SofteningReach& reach = work.with.softening->reach;
+  std::vector<CornerSoftening>& corners = work.with.softening->corners;
+  const auto for_each_cell = [&](auto&& f) {
+    for_each_slot(state, work, [&](Index slot, Index) {
+      const Index cell = state.points.occupied()[slot];
+      if (reach.has_cell[cell] != 0) f(slot, cell);
+    });
+  };
+  const auto for_each_node_group = [&](auto&& f) {
+    work.threads.for_each_range(
+        diffusion.n_groups(), nodes_per_chunk / pack_width, [&](Index begin, Index end, Index, int) {
+          for (Index g = begin; g < end; ++g)
+            if (reach.has_any_of_group(g)) f(g);
+        });
+  };
+  for_each_cell([&](Index slot, Index cell) { collect_softening(model, state.points, cell, corners[slot]); });
+  for (NodeNumbers* numbers : {&spread.value, &spread.next, &spread.filling}) numbers->clear();
+  for_each_node_group([&](Index g) { gather_group(model, state, *work.with.softening, g); });
+  for_each_node_group([&](Index g) { set_rates(diffusion, g, spread); });
+  for (int n = 0; n < diffusion.n_substeps; ++n) {
+    for_each_node_group([&](Index g) { spread_nodes(diffusion, g, spread); });
+    std::swap(spread.value, spread.next);
+  }
+  for_each_cell([&](Index, Index cell) { soften_points(model, state.points, cell, spread.value); });
 }
 
 }  // namespace terp

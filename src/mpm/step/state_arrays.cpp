@@ -1,4 +1,4 @@
-#include "run/report/state_arrays.hpp"
+#include "mpm/step/state_arrays.hpp"
 
 #include "math/errors.hpp"
 
@@ -8,9 +8,9 @@ namespace terp {
 namespace {
 
 template <class T>
-const std::vector<T>& find_array(const StateImage& image, const std::string& name, std::size_t size)
+const std::vector<T>& find_array(const std::vector<NamedArray>& arrays, const std::string& name, std::size_t size)
 {
-  for (const NamedArray& array : image.arrays) {
+  for (const NamedArray& array : arrays) {
     if (array.name != name) continue;
     const auto* values = std::get_if<std::vector<T>>(&array.values);
     if (values == nullptr || (size != ArrayReader::any_size && values->size() != size)) break;
@@ -23,17 +23,17 @@ const std::vector<T>& find_array(const StateImage& image, const std::string& nam
 
 bool ArrayReader::has(std::string_view name) const
 {
-  return std::ranges::find(image_.arrays, prefix_ + std::string(name), &NamedArray::name) != image_.arrays.end();
+  return std::ranges::find(arrays_, prefix_ + std::string(name), &NamedArray::name) != arrays_.end();
 }
 
 const std::vector<Real>& ArrayReader::reals(std::string_view name, std::size_t size) const
 {
-  return find_array<Real>(image_, prefix_ + std::string(name), size);
+  return find_array<Real>(arrays_, prefix_ + std::string(name), size);
 }
 
 const std::vector<std::int64_t>& ArrayReader::wholes(std::string_view name, std::size_t size) const
 {
-  return find_array<std::int64_t>(image_, prefix_ + std::string(name), size);
+  return find_array<std::int64_t>(arrays_, prefix_ + std::string(name), size);
 }
 
 std::vector<bool> ArrayReader::flags(std::string_view name, std::size_t size) const

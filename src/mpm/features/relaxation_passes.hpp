@@ -4,9 +4,10 @@
 // cell, nodes take their means U weighted by mass, and points approach sum N_i U_i. Momentum is kept to round-off.
 #pragma once
 
-#include "mpm/points/rows_of_packs.hpp"
-#include "mpm/step/workspace.hpp"
+#include "mpm/features/relaxation.hpp"
 #include "mpm/kernels/map_to_corners.hpp"
+#include "mpm/points/rows_of_packs.hpp"
+#include "mpm/step/walks.hpp"
 
 #include <cmath>
 
@@ -76,7 +77,7 @@ inline void solve_corner_fit(const std::array<Vec<2>, Quad4::n_corners>& node, C
 }
 
 /// Momentum over mass of the corners of the occupied cells around a node, in order of cell number [m/s].
-inline Vec<2> mean_of_fits(const StepModel& model, const StepState& state, const Workspace& work, Index node)
+inline Vec<2> mean_of_fits(const StepModel& model, const StepState& state, std::span<const CornerFit> fits, Index node)
 {
   Real mass = 0.0;
   Vec<2> momentum{0.0, 0.0};
@@ -84,8 +85,8 @@ inline Vec<2> mean_of_fits(const StepModel& model, const StepState& state, const
     const auto [cell, corner] = model.mesh->cells_of_node[k];
     const Index slot = state.points.slot_of_cell()[cell];
     if (slot < 0) continue;
-    mass += work.fits[slot].mass[corner];
-    for (int d = 0; d < 2; ++d) momentum[d] += work.fits[slot].momentum[d][corner];
+    mass += fits[slot].mass[corner];
+    for (int d = 0; d < 2; ++d) momentum[d] += fits[slot].momentum[d][corner];
   }
   return mass > 0.0 ? Vec<2>{momentum[0] / mass, momentum[1] / mass} : Vec<2>{0.0, 0.0};
 }
@@ -110,6 +111,35 @@ inline Real relax_points(PointBlocks<2>& points, Index cell, const std::array<Ve
     }
   });
   return sum(gained);
+}
+
+/// What points move against each other unseen by the nodes fades.
+inline void relax_velocities(const StepModel& model, StepState& state, Workspace& work)
+{
+  RelaxationScratch& relaxation = *work.with.relaxation;
+  const Real time = static_cast<Real>(noise_interval(model)) * model.dt;
+  const Real share = 1.0 - std::exp(-time / model.method.relaxation_time);
+  const auto for_each_cell = [&](auto&& f) {
+    for_each_slot(state, work, [&](Index slot, Index chunk) { f(slot, state.points.occupied()[slot], chunk); });
+  };
+  const auto take_means = [&] {
+    for_each_node(
+        work, [&](Index i, NodeSums&) { relaxation.fitted[i] = mean_of_fits(model, state, relaxation.fits, i); });
+  };
+  const auto corners_of = [&](Index cell) {
+    std::array<Vec<2>, Quad4::n_corners> at;
+    for (int i = 0; i < Quad4::n_corners; ++i) at[i] = relaxation.fitted[model.mesh->cells[cell][i]];
+    return at;
+  };
+  for_each_cell([&](Index slot, Index cell, Index) { sum_corner_fit(state.points, cell, relaxation.fits[slot]); });
+  take_means();
+  for_each_cell([&](Index slot, Index cell, Index) { solve_corner_fit(corners_of(cell), relaxation.fits[slot]); });
+  take_means();
+  for (CellSums& sums : work.cell_sums) sums.relaxation = 0.0;
+  for_each_cell([&](Index, Index cell, Index chunk) {
+    work.cell_sums[chunk].relaxation += relax_points(state.points, cell, corners_of(cell), share);
+  });
+  for (const CellSums& sums : work.cell_sums) state.work.relaxation += sums.relaxation;
 }
 
 }  // namespace terp
