@@ -53,6 +53,12 @@ export function percent(part: number | null | undefined): string {
   return fixed(typeof part === "number" ? 100 * part : null, 1, `${THIN}%`);
 }
 
+/** Of a share of one: "0.02 %", "3.1 %", "12 %". */
+export function percentOf(part: number): string {
+  const value = 100 * part;
+  return value < 0.095 ? `${numberText(value, 1)}${THIN}%` : fixed(value, value < 9.95 ? 1 : 0, `${THIN}%`);
+}
+
 export function unitSuffix(unit: string): string {
   return unit === "-" || unit === "" ? "" : ` [${unit}]`;
 }
