@@ -5,7 +5,7 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { pixelRatio, type Store } from "../logic/store";
 import { canvasTheme, FONT } from "../view/theme";
-import { numberText, readableUnit, unitSuffix } from "../logic/numbers";
+import { numberText, readableUnit, tickTexts, unitSuffix } from "../logic/numbers";
 import { say } from "../logic/texts";
 import { element } from "../shell/element";
 
@@ -132,10 +132,10 @@ export class Chart {
       scales: { x: { time: false, range: this.rangeX() },
         y: { range: this.options.yRange ? () => this.options.yRange! : this.rangeY() } },
       axes: [
-        { ...axis, label: this.options.xLabel, size: 26 * s, values: (_, ticks) => ticks.map((t) => numberText(t)) },
+        { ...axis, label: this.options.xLabel, size: 26 * s, values: (_, ticks) => tickTexts(ticks) },
         { ...axis, label: `${this.options.yLabel ?? ""}${unitSuffix(unit)}`.trim(),
           size: (_, values) => (14 + 6.4 * Math.max(2, ...(values ?? []).map((v) => v.length))) * s,
-          values: (_, ticks) => ticks.map((t) => numberText(t)) },
+          values: (_, ticks) => tickTexts(ticks) },
       ],
       series: [
         { label: this.options.xLabel.replace(/ \[.*/, ""), value: text },

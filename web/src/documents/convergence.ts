@@ -84,7 +84,7 @@ function timeCharts({ runs }: MeshSequence, tables: Tables, store: Store): HTMLE
   });
   const columns = solved[0]?.rows.columns.filter(({ name }) => name !== "time") ?? [];
   return cards(columns.map(({ name, label, unit }) => chart(store,
-    { title: quantityLabel(name, label ?? name), xLabel: say("time_axis"), unit },
+    { title: quantityLabel(name, label ?? name), xLabel: say("time_axis"), unit: unitText(unit) },
     solved.flatMap(({ cell, rows }, k) => {
       const [x, y] = [rows.column("time"), rows.column(name)];
       return x && y ? [styled(solved.length - 1 - k, { label: `${cell}\u00a0m`, x, y })] : [];

@@ -26,6 +26,14 @@ export function numberText(value: number | null | undefined, digits = 4): string
   return part ? decimalSign(`${grouped}.${part}`) : grouped;
 }
 
+/** Numbers beside each other, with as many digits as tell them apart. */
+export function tickTexts(ticks: readonly number[]): string[] {
+  for (let digits = 4; ; digits += 2) {
+    const texts = ticks.map((tick) => numberText(tick, digits));
+    if (digits >= 10 || new Set(texts).size === texts.length) return texts;
+  }
+}
+
 export function withUnit(value: number | null | undefined, unit: string, digits = 4): string {
   const text = numberText(value, digits);
   return text === "–" || unit === "-" || unit === "" ? text : `${text}${unit === "%" ? THIN : "\u00a0"}${unit}`;

@@ -7,7 +7,7 @@ import { answerOf as answerOfCurve } from "../../src/documents/fragility";
 import { countsOf, verdictWords } from "../../src/documents/reach";
 import { answerOf } from "../../src/documents/study";
 import { linesOf } from "../../src/documents/sweep";
-import { percentOf } from "../../src/logic/numbers";
+import { percentOf, tickTexts } from "../../src/logic/numbers";
 import { classesOf, kindsAt, medianOf, outcomesOf } from "../../src/logic/realisations";
 import { chooseLanguage } from "../../src/logic/texts";
 import { event, exampleCurve, exampleReach, exampleStudy, sectionOf, type MadeDocument } from "../support/documents";
@@ -123,6 +123,11 @@ describe("a reach", () => {
     expect(verdictWords(sections[1]!).verdict).toBe("Overstroming, nadat de sterktes door 1,12 zijn gedeeld en nadat de rivier op 3,50\u00a0m is gebracht");
     expect(verdictWords(sections[3]!).verdict).toBe("Geweigerd");
   });
+});
+
+it("gives the numbers of an axis the digits that tell them apart", () => {
+  expect(tickTexts([0, 0.5, 1])).toEqual(["0", "0.5", "1"]);
+  expect(tickTexts([1.9991, 1.9992, 1.9993])).toEqual(["1.9991", "1.9992", "1.9993"]);
 });
 
 it("rounds a share as it is read", () => {
