@@ -25,7 +25,5 @@ std::optional<Bounds> rough_bounds(const Study& study, const ReliabilityResult& 
 std::string adaptive_text(const Study& study, const Realisations& rows, const ReliabilityResult& result);
 std::vector<std::string> remarks_on_adaptive(
     const Study& study, const Realisations& rows, const StudyEstimates& estimates);
-/// <section> of the page; empty without a result.
-std::string adaptive_section(const Study& study, const std::optional<ReliabilityResult>& result);
 
 }  // namespace terp

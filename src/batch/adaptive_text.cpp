@@ -1,10 +1,8 @@
-// The terminal and the page take the probability, the event and the design point from the same functions here. The
-// realisations are no random sample, so P is never a share of them. An estimate has a lognormal distribution here, so
-// its bounds are a factor about it. The design point comes in standard normal variables and is shown in the units of
+// The realisations are no random sample, so P is never a share of them. An estimate has a lognormal distribution here,
+// so its bounds are a factor about it. The design point comes in standard normal variables and is shown in the units of
 // the keys.
 
 #include "io/case/keys.hpp"
-#include "page/plain_page.hpp"
 #include "model/soils/gaussian_field.hpp"
 #include "batch/adaptive.hpp"
 #include "batch/fragility.hpp"
@@ -43,10 +41,6 @@ std::string event_words(const Study& study)
 {
   return study.settings.adaptive.of_flood ? flood_words : slide_words(study.settings);
 }
-
-constexpr const char* words_of_influence =
-    "Influence is the share of a number in the variance of the limit state about the design point (squares of "
-    "direction cosines).";
 
 }  // namespace
 
@@ -94,26 +88,6 @@ std::vector<std::string> remarks_on_adaptive(const Study& study, const Realisati
         "The search ended at a place that is not on the limit state: it is no design point. Give a larger `number` and "
         "begin anew (--force), or choose `subset`.");
   return remarks;
-}
-
-std::string adaptive_section(const Study& study, const std::optional<ReliabilityResult>& r)
-{
-  if (!r) return "";
-  const std::string foot =
-      fmt::format("{} is the probability of: {}. {}", event_name(study), event_words(study), words_of_probability);
-  std::string out =
-      "<section><h2>Probability</h2>\n" +
-      html_cell("p",
-          fmt::format("{} {}{}.", event_name(study), r->probability > 0.0 ? "= " : "is ", result_words(study, *r)),
-          " class=\"answer\"");
-  if (r->design_point.empty()) return out + html_cell("p", foot, " class=\"muted\"") + "</section>\n";
-  std::string rows;
-  const std::vector<Real> values = draw_at(study, r->design_point).inputs;
-  for (std::size_t k = 0; k < values.size(); ++k)
-    rows += "<tr>" + html_cell("th", design_value(study, values, k)) +
-            html_cell("td", fmt::format("{:.3f}", r->importance[k])) + "</tr>\n";
-  return out + '\n' + html_table({"design point", "influence"}, rows) +
-         html_cell("p", foot + ' ' + words_of_influence, " class=\"muted\"") + "</section>\n";
 }
 
 }  // namespace terp

@@ -1,4 +1,4 @@
-// A fragility curve for a terminal, as a table, as a section of the page, and as D-Stability takes it.
+// A fragility curve for a terminal, as a table, and as D-Stability takes it.
 #pragma once
 
 #include "batch/fragility.hpp"
@@ -15,8 +15,6 @@ std::vector<std::string> remarks_on_fragility(const Study& study, const Fragilit
 
 /// fragility.csv: a line per level; numbers to the bit, nan or inf where there is no finite one.
 std::string fragility_csv(const Study& study, const FragilityCurve& curve);
-
-std::string fragility_section(const Study& study, const FragilityCurve& curve);
 
 /// The load is a water level in m, as D-Stability has it.
 bool is_water_level(const FragilityLoad& load);

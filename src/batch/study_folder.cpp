@@ -10,6 +10,7 @@
 #include "batch/study_page.hpp"
 #include "batch/study_text.hpp"
 #include "os/files.hpp"
+#include "page/page.hpp"
 #include "os/terminal.hpp"
 
 #include <fmt/format.h>
@@ -165,7 +166,7 @@ void write_results(const Study& study, const StudyPlace& place, const Realisatio
     if (is_water) place.write(fragility_of_slides, dstability_curve(study, curve, false));
     if (is_water && curve.judges_flood) place.write(fragility_of_floods, dstability_curve(study, curve, true));
   }
-  place.write(study_report, page_of_study(study, rows, written));
+  place.write(study_report, make_page(page_template(), study_payload(study, rows, written)));
 }
 
 }  // namespace terp

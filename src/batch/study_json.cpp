@@ -5,6 +5,7 @@
 #include "batch/adaptive.hpp"
 #include "batch/fragility.hpp"
 #include "batch/study_text.hpp"
+#include "io/case/keys.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,35 @@ Json event_json(const EventEstimate& e)
 {
   return {{"probability", or_null(e.probability())}, {"low", e.bounds.low}, {"high", e.bounds.high},
       {"happened", e.happened}, {"solved", e.solved}, {"failed", e.failed}};
+}
+
+/// beta of a P: infinite where P is 0 or 1, which becomes null.
+Json beta_json(const std::optional<Real>& p) { return p ? Json(reliability_index(*p)) : Json(); }
+
+Json levels_json(const FragilityCurve& curve)
+{
+  Json levels = Json::array();
+  for (const LevelEstimate& at : curve.levels) {
+    Json level{{"level", at.level}, {"slide", event_json(at.slide)}, {"flood", event_json(at.flood)},
+        {"flood_after_slide", event_json(at.flood_after_slide)}};
+    for (const auto& [name, event] : {std::pair("slide", &at.slide), std::pair("flood", &at.flood)})
+      level[name]["beta"] = beta_json(event->probability());
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+/// The most probable place of the event, in the units of the keys.
+Json design_json(const Study& study, const ReliabilityResult& r)
+{
+  Json design = Json::array();
+  if (r.design_point.empty()) return design;
+  const std::vector<Real> values = draw_at(study, r.design_point).inputs;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::string& key = study.settings.numbers[k].key;
+    design.push_back({{"key", key}, {"value", values[k]}, {"unit", unit_at(key)}});
+  }
+  return design;
 }
 
 Json integral_json(const std::optional<CurveIntegral>& i)
@@ -41,10 +71,12 @@ void add_method(const Study& study, const StudyEstimates& e, Json& json)
   json["slide"] = study.settings.adaptive.of_flood ? Json() : event;
   json["flood"] = study.settings.adaptive.of_flood ? event : Json();
   json["flood_after_slide"] = Json();
-  json["method"] = r ? Json{{"probability", is_hit ? Json(r->probability) : Json()},
-                           {"at_most", is_hit ? Json() : Json(r->at_most)}, {"cov", or_null(r->cov)},
-                           {"converged", r->converged}, {"design_point", r->design_point}, {"influence", r->importance}}
-                     : Json();
+  json["method"] =
+      r ? Json{{"probability", is_hit ? Json(r->probability) : Json()}, {"at_most", is_hit ? Json() : Json(r->at_most)},
+              {"cov", or_null(r->cov)}, {"beta", is_hit ? beta_json(r->probability) : Json()},
+              {"converged", r->converged}, {"design_point", r->design_point}, {"design_values", design_json(study, *r)},
+              {"influence", r->importance}}
+        : Json();
 }
 
 Json group_json(const PairGroup& g) { return {{"pairs", g.n}, {"happened", g.happened}, {"unknown", g.unknown}}; }
@@ -88,6 +120,8 @@ void add_events(const Study& study, const Realisations& rows, const StudyEstimat
   if (!study.settings.fragility) return;
   const FragilityCurve curve = estimate_fragility(study, rows);
   json["load"] = study.settings.fragility->label();
+  json["judges_flood"] = curve.judges_flood;
+  json["levels"] = levels_json(curve);
   json["slide_over_levels"] = integral_json(curve.slide);
   json["flood_over_levels"] = integral_json(curve.flood);
 }
@@ -98,10 +132,12 @@ std::string study_json(const Study& study, const Realisations& rows)
 {
   const StudyEstimates e = estimate(study, rows);
   const StudySettings& s = study.settings;
-  Json json{{"title", s.title.empty() ? s.name : s.title}, {"estimator", info_of(s.estimator).name},
-      {"realisations", e.n_made}, {"solved", e.counts.solved}, {"slid_as_drawn", e.counts.slid_as_drawn},
-      {"failed", e.counts.failed}, {"rule_met", e.rule_met}, {"confidence", s.confidence},
-      {"digits", digits_of_study(study)}};
+  Json json{{"title", s.title.empty() ? s.name : s.title}, {"case", s.case_path},
+      {"event",
+          {{"volume", s.event.volume}, {"displacement", s.event.displacement}, {"of_flood", s.adaptive.of_flood}}},
+      {"estimator", info_of(s.estimator).name}, {"realisations", e.n_made}, {"solved", e.counts.solved},
+      {"slid_as_drawn", e.counts.slid_as_drawn}, {"failed", e.counts.failed}, {"rule_met", e.rule_met},
+      {"confidence", s.confidence}, {"digits", digits_of_study(study)}};
   add_events(study, rows, e, json);
   json["sensitivities"] = Json::array();
   const bool at_random = !info_of(s.estimator).adaptive;

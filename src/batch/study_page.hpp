@@ -1,22 +1,17 @@
-// The page of a study: one HTML file with everything in it, without the viewer of runs.
+// The data of the pages of a study: results.json, with the realisations and what becomes of P as they grow in number.
 #pragma once
 
 #include "batch/estimates.hpp"
+#include "page/payload.hpp"
 
 #include <string>
 
 namespace terp {
 
 /// written: when, in UTC.
-std::string page_of_study(const Study& study, const Realisations& rows, const std::string& written);
+Payload study_payload(const Study& study, const Realisations& rows, const std::string& written);
 
 /// The page of `terp study sample`: what would be drawn, before a long run.
-std::string page_of_samples(const Study& study, Index n, const std::string& written);
-
-/// Its part of a sweep: events and outcomes against the first key that takes numbers; empty if there is none.
-std::string sweep_section(const Study& study, const Realisations& rows, Index n);
-
-/// <svg> of a field over its trend in a realisation; without the values of soundings. Colours: half to twice the trend.
-std::string field_picture(const Study& study, std::size_t field, Index realisation);
+Payload samples_payload(const Study& study, Index n, const std::string& written);
 
 }  // namespace terp

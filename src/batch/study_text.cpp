@@ -139,15 +139,6 @@ std::string estimate_text(const EventEstimate& event)
   return fmt::format("{}, {} to {}", p ? p_text(*p) : "-", p_text(event.bounds.low), p_text(event.bounds.high));
 }
 
-std::string missing_words(const EventEstimate& e)
-{
-  if (e.failed == 0) return "";
-  return fmt::format(
-      "Of {} of {} realisations it is not known. They are no random sample, as it is mostly weak soil that a "
-      "run fails with, so the estimate may be too low: use the bounds, in which each counts as both.",
-      e.failed, e.solved + e.failed);
-}
-
 std::string counts_text(const EventCounts& c)
 {
   return fmt::format("{} solved, {}{} failed", c.solved,

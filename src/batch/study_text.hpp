@@ -10,9 +10,6 @@ namespace terp {
 /// "0.125, 0.082 to 0.18"; "-" of nothing.
 std::string estimate_text(const EventEstimate& event);
 
-/// What to think of an estimate of which some realisations are missing, as a sentence; empty where none is.
-std::string missing_words(const EventEstimate& event);
-
 /// "12 solved, 3 slide as drawn, 0 failed".
 std::string counts_text(const EventCounts& counts);
 
@@ -39,12 +36,6 @@ inline constexpr const char* flood_words = "the land floods (docs/flood.md)";
 
 /// How many of the slides end in a flood, in a sentence; empty where floods are not judged or nothing slid.
 std::string worth_of_residual_strength(const StudyEstimates& estimates);
-
-/// What P is, and what it is not.
-inline constexpr const char* words_of_probability =
-    "The probability is that of this section with the random input of the study file, under the load and the water of "
-    "the case: not per year, and not of the length of a dike. Bounds hold what the number of realisations leaves open, "
-    "not what the model or the input leave open.";
 
 /// What to know before the numbers are used: failures, the stop rule, the estimator.
 std::vector<std::string> remarks_on_study(

@@ -9,7 +9,8 @@
 #include "io/files/run_folder.hpp"
 #include "os/threads.hpp"
 #include "cli/progress.hpp"
-#include "page/reach_page.hpp"
+#include "page/document.hpp"
+#include "page/page.hpp"
 #include "os/children.hpp"
 #include "os/files.hpp"
 #include "os/stop.hpp"
@@ -274,7 +275,9 @@ int write_reach(const std::vector<PlannedSection>& plan, const AssessCommand& co
     n_faults += s.is_solved ? 0 : 1;
   }
   const std::string now = now_in_utc();
-  write_file_atomically(path_in(command.output, page_file), reach_page(sections, command.language, now));
+  const PageDocument page(reach_json(sections, now, true));
+  write_file_atomically(
+      path_in(command.output, page_file), make_page(page_template(), page.payload("reach", now, command.language)));
   write_file_atomically(path_in(command.output, csv_file), reach_csv(sections));
   write_file_atomically(path_in(command.output, json_file), reach_json(sections, now));
   for (const ReachSection& s : sections) fmt::print("  {:<30} {}\n", s.record.name, printable(sentence_on(s)));

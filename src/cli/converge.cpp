@@ -6,7 +6,8 @@
 #include "io/files/files.hpp"
 #include "io/files/run_folder.hpp"
 #include "cli/progress.hpp"
-#include "page/mesh_study_page.hpp"
+#include "page/convergence_page.hpp"
+#include "page/page.hpp"
 #include "os/stop.hpp"
 #include "cli/what_decides.hpp"
 
@@ -143,7 +144,8 @@ int converge_case(const ConvergeOptions& options)
   study.case_name = plan.case_name, study.title = plan.title;
   const std::string now = now_in_utc();
   write_file_atomically(path_in(plan.folder, convergence_json), study_json(study, now));
-  write_file_atomically(path_in(plan.folder, convergence_page), study_page(study, now));
+  write_file_atomically(
+      path_in(plan.folder, convergence_page), make_page(page_template(), convergence_payload(study, now)));
   if (run.json) fmt::print("{}", study_json(study, now));
   if (speaks) fmt::print("{}", study_text(study));
   if (run.report) write_report(plan);

@@ -13,6 +13,7 @@
 #include "model/meshes/setup_mesh.hpp"
 #include "batch/study_folder.hpp"
 #include "batch/study_page.hpp"
+#include "page/page.hpp"
 #include "batch/study_text.hpp"
 #include "cli/study_run.hpp"
 #include "os/stop.hpp"
@@ -162,7 +163,7 @@ int sample_study(const Study& study, const std::string& folder, const StudyComma
   check_study_folder(study, folder);
   make_folder(folder);
   const std::string page = path_in(folder, "sample.html");
-  write_file_atomically(page, page_of_samples(study, n, now_in_utc()));
+  write_file_atomically(page, make_page(page_template(), samples_payload(study, n, now_in_utc())));
   const auto names = study.input_names();
   for (Index k = 0; k < std::min<Index>(n, 10); ++k) {
     const Index number = study.first_of_turn(k * study.n_levels());

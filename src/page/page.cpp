@@ -19,11 +19,10 @@ std::string_view built_page()
 }
 
 constexpr std::string_view bare_page = R"(<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>Terp report</title></head>
-<body><p>This Terp was built without its report page: the data of the runs are in this file, but nothing shows them.
-Install Node.js, build Terp again (make build) and write the report anew.</p>
+<meta charset="utf-8"><title>Terp report</title>
+<p>This Terp was built without its report page: the data are in this file, but nothing shows them.
+Install Node.js, build Terp again (make build) and write the page anew.</p>
 <!--terp-data-->
-</body></html>
 )";
 
 }  // namespace

@@ -434,15 +434,6 @@ Json comparison_of(const std::vector<Source>& sources)
   return Json::parse(comparison_json(compare_runs(runs, names)));
 }
 
-/// The document as text that may stand inside a <script> of a page, whatever its texts hold: only in a text can a "<"
-/// stand.
-std::string text_for_a_page(const Json& document)
-{
-  std::string text = document.dump(-1, ' ', false, Json::error_handler_t::replace);
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
-  return text;
-}
-
 std::string note_on(const std::string& name, const ShownRun& shown)
 {
   std::string note = fmt::format("{}: {} frame{}", name, shown.frames.size(), shown.frames.size() == 1 ? "" : "s");
@@ -453,6 +444,12 @@ std::string note_on(const std::string& name, const ShownRun& shown)
 }
 
 }  // namespace
+
+std::string text_for_a_page(std::string json)
+{
+  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
+  return json;
+}
 
 Payload make_payload(const std::vector<std::string>& folders, const ReportOptions& options)
 {
@@ -467,8 +464,8 @@ Payload make_payload(const std::vector<std::string>& folders, const ReportOption
 
   Payload payload;
   Chunks chunks;
-  Json document{{"format", 1}, {"terp", TERP_VERSION}, {"written", options.written}, {"language", options.language},
-      {"runs", Json::array()}};
+  Json document{{"format", 1}, {"kind", "run"}, {"terp", TERP_VERSION}, {"written", options.written},
+      {"language", options.language}, {"runs", Json::array()}};
   for (std::size_t k = 0; k < sources.size(); ++k) {
     document["runs"].push_back(run_json(chunks, sources[k], shown[k]));
     payload.notes.push_back(note_on(names[k], shown[k]));
@@ -476,7 +473,7 @@ Payload make_payload(const std::vector<std::string>& folders, const ReportOption
     payload.warnings.insert(payload.warnings.end(), left_out.begin(), left_out.end());
   }
   document["comparison"] = comparison_of(sources);
-  payload.json = text_for_a_page(document);
+  payload.json = text_for_a_page(document.dump(-1, ' ', false, Json::error_handler_t::replace));
   payload.chunks = chunks.take();
   return payload;
 }

@@ -26,6 +26,9 @@ struct Payload {
   std::vector<std::string> warnings;  ///< of frames that are missing or damaged
 };
 
+/// JSON that may stand inside a <script> of a page, whatever its texts hold: only in a text can a "<" stand.
+std::string text_for_a_page(std::string json);
+
 /// Throws FileError if a run cannot be read.
 Payload make_payload(const std::vector<std::string>& folders, const ReportOptions& options);
 

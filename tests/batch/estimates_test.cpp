@@ -3,6 +3,7 @@
 #include "batch/samples.hpp"
 #include "batch/study_page.hpp"
 #include "batch/study_text.hpp"
+#include "support/page_data.hpp"
 
 namespace estimates_test {
 
@@ -79,9 +80,14 @@ TEST(Estimates, SoilThatSlidesAsDrawnIsASlideOfWhichTheFloodIsNotKnown)
       AllOf(HasSubstr("60 realisations, 56 solved, 3 slide as drawn, 1 failed"), HasSubstr("20 of 59, 1 unknown"),
           HasSubstr("3 realisations slide, first 0: slides as drawn"),
           HasSubstr("it is a slide in P(I), whatever its volume"), HasSubstr("They are no random sample")));
-  EXPECT_THAT(page_of_study(study, rows, "now"),
-      AllOf(HasSubstr("Of 4 of 60 realisations it is not known. They are no random sample"),
-          HasSubstr("not known</td>"), HasSubstr("7 of 56, 4 unknown")));
+  const Payload page = study_payload(study, rows, "now");
+  const auto data = test::data_of(page);
+  EXPECT_EQ(data["flood"]["failed"], 4);
+  EXPECT_EQ(data["faults_of"]["1"], "stopped itself: no number");
+  EXPECT_THAT(test::column_of(page, data["outcomes"], "state"), testing::Contains(3.0f).Times(3)) << "slide as drawn";
+  EXPECT_EQ(test::column_of(page, data["outcomes"], "state")[1], 1.0f);
+  EXPECT_TRUE(std::isnan(test::column_of(page, data["outcomes"], "slide")[1]));
+  EXPECT_EQ(test::column_of(page, data["outcomes"], "slide")[0], 1.0f);
   EXPECT_THAT(study_csv(study, rows), AllOf(HasSubstr("\n0,0,1,nan,4000,nan"), HasSubstr("\n1,0,nan,nan,9001,nan")));
 }
 
@@ -94,7 +100,6 @@ TEST(Estimates, WhatIsNotKnownOfSlidesIsNotZero)
   const std::string text = study_text(study, rows),
                     words = "How many of 100 slides flood the land is not known: 0 to 100";
   EXPECT_THAT(text, HasSubstr(words));
-  EXPECT_THAT(page_of_study(study, rows, "now"), HasSubstr(words));
   EXPECT_THAT(text, Not(HasSubstr("Of 100 slides")));
 }
 
@@ -128,9 +133,7 @@ TEST(Estimates, BoundsAndStopRulesSayWhatTheyAreWorth)
 {
   EXPECT_THAT(study_text(study_with("number = 600\ncov = 0.3"), rows_of(600)), HasSubstr("(k - 1)/(n - 1) = "));
   const Study cube = study_of(changed(column_study, "monte_carlo", "latin_hypercube"));
-  const std::string page = page_of_study(cube, rows_of(12), "now");
-  EXPECT_THAT(page, HasSubstr("as far as independent realisations would say, with 95 % confidence"));
-  EXPECT_THAT(page, Not(HasSubstr("of all studies like this one")));
+  EXPECT_EQ(test::data_of(study_payload(cube, rows_of(12), "now"))["estimator"], "latin_hypercube");
   const Study weak = study_of(changed(column_study, "seed = 3", "seed = 3\nset = { at_strength = 1.2 }"));
   EXPECT_THAT(study_text(weak, rows_of(12)), HasSubstr("All strengths are divided by 1.2 (at_strength)"));
 }
@@ -155,70 +158,68 @@ TEST(Estimates, ARuleOnTheCoefficientOfVariationStopsAtTheSameRealisation)
   EXPECT_EQ(TableCounter(study, rows_of(600)).n(), 145);
 }
 
-TEST(Estimates, ThePageStandsAloneAndSaysWhatTheNumbersMean)
+TEST(Estimates, ThePageHasPAsItGrowsAndTheRealisations)
 {
-  EXPECT_THAT(page_of_study(study_with("number = 60"), rows_of(60), "now"),
-      AllOf(StartsWith("<!doctype html>"),
-          HasSubstr("The land floods with probability 0.17; with 95 % confidence it lies between"),
-          HasSubstr("P(F) over the realisations"), HasSubstr(">clay.su_peak [Pa]</th>"), HasSubstr("not per year"),
-          Not(HasSubstr("http://www.example")), Not(HasSubstr("src="))));
+  const Study study = study_with("number = 600");
+  const Realisations rows = rows_of(600);
+  const Payload page = study_payload(study, rows, "now");
+  const auto data = test::data_of(page);
+  EXPECT_EQ(data["case"], "column.toml");
+  EXPECT_EQ(data["event"]["displacement"], 0.3);
+  EXPECT_NEAR(data["flood"]["probability"], 1.0 / 6.0, 1e-12);
+  const auto& growth = data["growth"]["flood"];
+  EXPECT_EQ(growth.size(), 150u) << "every fourth";
+  EXPECT_EQ(growth.back()[0], 600);
+  EXPECT_EQ(growth.back()[1], data["flood"]["probability"]);
+  EXPECT_EQ(growth.back()[2], data["flood"]["low"]);
+  EXPECT_EQ(growth.back()[3], data["flood"]["high"]);
+  EXPECT_EQ(data["growth"]["slide"][0][3], clopper_pearson(2, 4, 0.95).high);
+  EXPECT_EQ(data["inputs"]["columns"][0]["label"], "material.clay.su_peak");
+  EXPECT_EQ(data["inputs"]["columns"][0]["unit"], "Pa");
+  EXPECT_EQ(data["inputs"]["rows"], 500) << "rows of the table";
+  EXPECT_EQ(test::column_of(page, data["inputs"], "material.clay.su_peak")[4], 9004.0f);
+  const auto heights = test::column_of(page, data["outcomes"], "residual_height");
+  ASSERT_EQ(heights.size(), 600u) << "classes are of all of them";
+  EXPECT_EQ(heights[0], 3.0f);
+  EXPECT_EQ(heights[599], 5.0f);
 }
 
-TEST(Estimates, APageOfASweepShowsTheFirstKeyOfNumbers)
+TEST(Estimates, APageOfASweepHasTheValuesOfItsKeysAsWordsAndNumbers)
 {
   const Study study = study_of(sweep_head + R"([[sweep]]
 key = "scheme"
 values = ["mpm_gp", "mpm_mixed"]
 [[sweep]]
 key = "material.clay.su_peak"
-values = [6e3, 7e3]
-[[sweep]]
-key = "material.clay.eta"
-values = [5, 6, 7, 8]
-)");
-  const std::string page = page_of_study(study, rows_without_runs(study, [](Real k) { return k; }), "now");
-  EXPECT_THAT(page, AllOf(HasSubstr("Results over <code>material.clay.su_peak</code>"),
-                        HasSubstr("material.clay.su_peak [Pa]"), HasSubstr("volume that slid [m^2]"),
-                        HasSubstr("A line for each value of scheme, material.clay.eta; 6 of 8 are drawn."),
-                        HasSubstr("why there is no result")));
-  EXPECT_THAT(page, AllOf(HasSubstr(">mpm_gp, 5<"), HasSubstr(">mpm_mixed, 8<"), Not(HasSubstr(">mpm_mixed, 7<"))))
-      << "in the order of the study, from the first to the last";
-}
-
-TEST(Estimates, APageOfASweepTakesNumbersWithUnitsAsNumbers)
-{
-  const Study study = study_of(sweep_head + R"([[sweep]]
-key = "material.clay.su_peak"
 values = ["6 kPa", "7 kPa", "13 kPa"]
 )");
-  const std::string page = page_of_study(study, rows_without_runs(study, [](Real k) { return k; }), "now");
-  EXPECT_THAT(
-      page, AllOf(HasSubstr("Results over <code>material.clay.su_peak</code>"), HasSubstr("material.clay.su_peak [Pa]"),
-                HasSubstr(">8000</text>"), HasSubstr(">12000</text>"), HasSubstr(">13 kPa</td>")));
+  const Payload page = study_payload(study, rows_without_runs(study, [](Real k) { return k; }), "now");
+  const auto data = test::data_of(page);
+  EXPECT_TRUE(data["slide"].is_null() && !data.contains("growth")) << "a mean over the sweep is nobody's probability";
+  EXPECT_TRUE(data["sweep"][0]["numbers"].is_null());
+  EXPECT_EQ(data["sweep"][1]["numbers"], (std::vector<Real>{6e3, 7e3, 13e3}));
+  EXPECT_EQ(data["sweep"][1]["of_numbers"], false);
+  EXPECT_EQ(data["sweep"][1]["unit"], "Pa");
+  EXPECT_EQ(data["words"][5], (std::vector<std::string>{"mpm_mixed", "13 kPa"}));
+  EXPECT_EQ(test::column_of(page, data["inputs"], "material.clay.su_peak")[5], 2.0f) << "the place in the list";
 }
 
-// Soil that slides as drawn has no result but that it slides; numbers that differ by rounding are no result either.
-TEST(Estimates, APageOfASweepShowsTheEventsAndNoNoise)
+TEST(Estimates, APageOfSamplesHasHistogramsAndFields)
 {
-  const Study study = study_of(sweep_head + R"([[sweep]]
-key = "material.clay.su_peak"
-values = [6e3, 7e3, 8e3]
-)");
-  Realisations rows = rows_without_runs(study, [](Real k) { return 1.0 + 1e-8 * k; });
-  rows.at(0).slid = true;
-  const std::string page = page_of_study(study, rows, "now");
-  EXPECT_THAT(page, AllOf(HasSubstr(">slide, I (1: yes)<"), Not(HasSubstr("flood, F")),
-                        Not(HasSubstr("A line for each")), Not(HasSubstr(">highest ground that remains<")),
-                        HasSubstr("The same in all realisations that are solved: volume that slid [m^2] 1, ")));
-}
-
-TEST(Estimates, APageOfSamplesShowsHistogramsAndFields)
-{
-  const std::string page = page_of_samples(study_of(field_study), 6, "now");
-  EXPECT_THAT(page, HasSubstr("Field of <code>material.clay.su_peak</code>"));
-  EXPECT_THAT(page, HasSubstr("realisation 3, over the trend: dark 0.5, bright 2"));
-  EXPECT_THAT(page, HasSubstr(">clay.su_peak, field</text>"));
-  EXPECT_THAT(page, HasSubstr("What 6 realisations of column.toml would be drawn with"));
+  const Study study = study_of(field_study);
+  const Payload page = samples_payload(study, 6, "now");
+  const auto data = test::data_of(page);
+  EXPECT_EQ(data["samples"], 6);
+  EXPECT_EQ(data["inputs"]["columns"][0]["name"], "field");
+  EXPECT_EQ(data["inputs"]["rows"], 6);
+  const auto& field = data["fields"][0];
+  EXPECT_EQ(field["key"], "material.clay.su_peak");
+  EXPECT_EQ(field["pictures"]["columns"].size(), 4u);
+  const auto values = test::column_of(page, field["pictures"], "3");
+  const auto& [low, high] = study.boxes[0];
+  const Real across = field["across"], down = static_cast<Real>(values.size()) / across;
+  const Vec<2> corner{low[0] + 0.5 / across * (high[0] - low[0]), high[1] - 0.5 / down * (high[1] - low[1])};
+  EXPECT_EQ(values[0], static_cast<float>(FieldOverTrend(study, 0, 3).at(corner))) << "from above, from the left";
 }
 
 }  // namespace estimates_test

@@ -5,6 +5,7 @@
 #include "batch/samples.hpp"
 #include "batch/study_folder.hpp"
 #include "batch/study_page.hpp"
+#include "support/page_data.hpp"
 #include "batch/study_text.hpp"
 
 #include <fmt/format.h>
@@ -130,7 +131,9 @@ TEST(Fragility, ACurveThatFallsHasNoBoundsOfARisingOne)
   EXPECT_TRUE(curve.flood->rising);
   EXPECT_THAT(study_text(study, rows),
       AllOf(HasSubstr("no bounds of a curve that never falls"), HasSubstr("P(I) is lower at a higher level")));
-  EXPECT_THAT(page_of_study(study, rows, "now"), HasSubstr("level beyond them"));
+  const auto data = nlohmann::json::parse(study_json(study, rows));
+  EXPECT_TRUE(data["slide_over_levels"]["never_falling"].is_null());
+  EXPECT_EQ(data["flood_over_levels"]["never_falling"].size(), 2u);
   Realisations gap = rows_of(study, {3, 2, 2}, {0, 0, 0});  // sample 2 slides at the first level alone
   gap.at(2 * 3 + 1).fault = "stopped itself";
   EXPECT_EQ(estimate_fragility(study, gap).n_falling_slides, 1) << "it falls across a level that failed";
@@ -181,10 +184,18 @@ TEST(Fragility, IsSaidInTextTableAndPageAndForDStability)
   const std::string table = fragility_csv(study, curve);
   EXPECT_THAT(table, StartsWith("level,solved,failed,slides,floods,P_I,P_I_low,P_I_high,beta_I,P_F,"));
   EXPECT_THAT(table, HasSubstr("\n0.8,8,0,2,1,0.25,"));
-  const std::string page = page_of_study(study, rows, "now");
-  EXPECT_THAT(page, AllOf(HasSubstr("<h2>Fragility</h2>"), HasSubstr("slide, P(I|h)"),
-                        HasSubstr("over the distribution of the weight")));
-  EXPECT_THAT(page, Not(HasSubstr("P(I) over the realisations"))) << "a mean over levels is nobody's probability";
+  const auto page = test::data_of(study_payload(study, rows, "now"));
+  EXPECT_FALSE(page.contains("growth")) << "a mean over levels is nobody's probability";
+  EXPECT_TRUE(page["slide"].is_null());
+  EXPECT_EQ(page["judges_flood"], true);
+  EXPECT_EQ(page["levels"][1]["slide"]["probability"], 0.25);
+  EXPECT_NEAR(page["levels"][1]["slide"]["beta"], 0.6745, 1e-4);
+  EXPECT_TRUE(page["levels"][0]["slide"]["beta"].is_null()) << "infinite";
+  EXPECT_EQ(page["levels"][2]["flood_after_slide"]["happened"], 4);
+  EXPECT_EQ(page["of_load"]["name"], "weight");
+  EXPECT_EQ(page["of_load"]["levels"], study.settings.fragility->levels);
+  EXPECT_EQ(page["of_load"]["distribution"][50][1],
+      study.settings.fragility->distribution->probability(page["of_load"]["distribution"][50][0]));
   const auto json = nlohmann::json::parse(dstability_curve(study, curve, false));
   ASSERT_EQ(json["Calculations"].size(), 1u) << "beta is not finite where nothing happened, or all";
   EXPECT_EQ(json["Calculations"][0]["WaterLevel"], 0.8);
@@ -205,24 +216,14 @@ TEST(Fragility, IsSaidInTextTableAndPageAndForDStability)
   EXPECT_TRUE(json["Stochasts"].empty());
 }
 
-TEST(Fragility, APageHasALineForWhatRemainsAtEachLevel)
+TEST(Fragility, ThePageKnowsTheLevelOfEachRealisation)
 {
   const Study study = study_of(curve_text);
-  Realisations rows = rows_of(study, {0, 2, 8}, {0, 1, 4});
-  for (auto& [number, r] : rows)
-    r.outcomes[outcome_number("residual_height")] = 2.0 - 0.5 * static_cast<Real>(study.level_of(number));
-  const std::string page = page_of_study(study, rows, "now");
-  const std::string of_heights =
-      page.substr(page.find("Highest ground that remains"), page.find("Volume that slid") - page.find("Highest"));
-  for (const char* level : {">0.4</text>", ">0.8</text>", ">1.6</text>"}) EXPECT_THAT(of_heights, HasSubstr(level));
-  EXPECT_THAT(page, AllOf(HasSubstr("<th>clay.su_peak</th>"), Not(HasSubstr("<th>material.clay"))));
-  EXPECT_THAT(
-      page, AllOf(HasSubstr("<h2>What happened</h2>"),
-                HasSubstr("<th>1.6</th><th>slides beside the crest, and the land floods</th><td>4</td><td>50 %"),
-                HasSubstr("<th>0.8</th><th>slides beside the crest, and the land floods</th><td>1</td><td>12.5"),
-                HasSubstr("<th>slides beside the crest, and holds the water</th>")))
-      << "a share of all levels together is no probability";
-  EXPECT_THAT(page, AllOf(HasSubstr("<h2>What remains</h2>"), HasSubstr("what the residual strength of the dike is")));
+  const Realisations rows = rows_of(study, {0, 2, 8}, {0, 1, 4});
+  const Payload page = study_payload(study, rows, "now");
+  const auto levels = test::column_of(page, test::data_of(page)["outcomes"], "level");
+  ASSERT_EQ(levels.size(), rows.size());
+  for (const auto& [number, r] : rows) EXPECT_EQ(levels[number], static_cast<float>(study.level_of(number)));
 }
 
 TEST(Fragility, ARunSlidesMoreOftenUnderMoreWeight)

@@ -7,6 +7,7 @@
 #include "batch/samples.hpp"
 #include "batch/study_folder.hpp"
 #include "batch/study_page.hpp"
+#include "support/page_data.hpp"
 #include "batch/study_text.hpp"
 
 #include <fmt/format.h>
@@ -257,8 +258,11 @@ TEST(Multilevel, WithTheSameResultOnBothLevelsItIsTheCoarseShare)
           "A coarse realisation took 1 s of processor time, a fine one 8 s. Monte Carlo with the fine case alone"));
   EXPECT_THAT(text, HasSubstr("No pair differs, and half a pair is counted as if it did."));
   EXPECT_THAT(text, HasSubstr("rank correlation of inputs with a coarse slide"));
-  EXPECT_THAT(page_of_study(place.study, rows, "now"),
-      AllOf(HasSubstr("<th>sample</th><th>resolution</th>"), HasSubstr("<td>coarse</td>"), HasSubstr(" of 5 pairs")));
+  const Payload page = study_payload(place.study, rows, "now");
+  const auto data = test::data_of(page);
+  EXPECT_EQ(data["row_labels"], (std::vector<std::string>{"sample", "resolution"}));
+  EXPECT_EQ(data["words"][0], (std::vector<std::string>{"0", "coarse"}));
+  EXPECT_THAT(test::column_of(page, data["outcomes"], "coarse"), testing::Contains(0.0f).Times(5));
   const auto json = nlohmann::json::parse(study_json(place.study, rows));
   EXPECT_EQ(json["multilevel"]["coarse_realisations"], 12);
   EXPECT_EQ(json["multilevel"]["pairs"], 5);

@@ -171,7 +171,8 @@ TEST_F(Converge, TurnsTheCellsAndVariesTheirPointsAndSetsAllBesideEachOther)
   EXPECT_THAT(text_of(folder + "/cell_0.5_4_x_4_points_per_cell/case.toml"), HasSubstr("[4, 4]"));
   EXPECT_THAT(test::terp(converge_command(folder, {"--turn", "22.5", "--points", "4"}, "0.5,0.25")).out,
       HasSubstr("[3/6] cells of 0.5 m, turned by 22.5 degrees  kept, solved before\n"));
-  EXPECT_THAT(text_of(folder + "/convergence.html"), HasSubstr("<h2>All variants</h2>"));
+  EXPECT_THAT(text_of(folder + "/convergence.html"),
+      AllOf(StartsWith("<!doctype html>"), HasSubstr("\"kind\":\"convergence\""), HasSubstr("\"variants\":{")));
 }
 
 TEST_F(Converge, RefusesToTurnOtherMeshesThanSquares)

@@ -1,27 +1,12 @@
 #include "page/payload.hpp"
-#include "io/files/compress.hpp"
 #include "page/codec.hpp"
 #include "io/results/depends.hpp"
 #include "io/results/runs.hpp"
-#include <nlohmann/json.hpp>
+#include "support/page_data.hpp"
 
 namespace payload_test {
 
 using nlohmann::json;
-
-std::string from_base64(const std::string& text)
-{
-  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int n = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    bits = bits << 6 | static_cast<std::uint32_t>(letters.find(c));
-    if ((n += 6) >= 8) bytes += static_cast<char>(bits >> (n -= 8) & 255u);
-  }
-  return bytes;
-}
 
 struct PayloadTest : testing::Test {
   ScratchFolder scratch;
@@ -32,7 +17,7 @@ struct PayloadTest : testing::Test {
 
   std::string chunk(const json& part) const
   {
-    return gunzip(from_base64(payload.chunks.at(part.at("chunk").get<std::size_t>())));
+    return gunzip(test::from_base64(payload.chunks.at(part.at("chunk").get<std::size_t>())));
   }
   std::vector<float> floats(const json& part) const
   {
@@ -46,6 +31,7 @@ struct PayloadTest : testing::Test {
 TEST_F(PayloadTest, NamesItsFormatAndItsRuns)
 {
   EXPECT_EQ(document["format"], 1);
+  EXPECT_EQ(document["kind"], "run");
   EXPECT_EQ(document["terp"], TERP_VERSION);
   EXPECT_EQ(document["written"], "2026-11-21T10:00:00Z");
   ASSERT_EQ(document["runs"].size(), 2);

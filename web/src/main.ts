@@ -3,7 +3,9 @@
 import "./style.css";
 import type { ReportMeta } from "./data/format";
 import { textInPage } from "./data/chunks";
+import type { DocumentMeta } from "./data/documents";
 import { Report } from "./data/report";
+import { openDocument } from "./documents/open";
 import { element } from "./shell/element";
 import { buildPage } from "./page";
 import { languageIn } from "./shell/address";
@@ -18,10 +20,12 @@ async function start(): Promise<void> {
     if (typeof DecompressionStream === "undefined")
       throw new Error("This browser is too old to unpack the data: " +
         "Chrome and Edge from 80, Firefox from 113, Safari from 16.4 can.");
-    const report = new Report(JSON.parse(data) as ReportMeta, textInPage);
-    if (report.runs.length === 0) throw new Error("The report holds no run.");
-    chooseLanguage(languageIn(location.hash) ?? report.meta.language);
+    const meta = JSON.parse(data) as ReportMeta & DocumentMeta;
+    chooseLanguage(languageIn(location.hash) ?? meta.language);
     document.documentElement.lang = currentLanguage();
+    if (meta.kind && meta.kind !== "run") return await openDocument(meta, textInPage, page);
+    const report = new Report(meta, textInPage);
+    if (report.runs.length === 0) throw new Error("The report holds no run.");
     await report.open();
     buildPage(report, page);
   } catch (error) {

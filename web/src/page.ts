@@ -2,12 +2,12 @@
 
 import type { Report } from "./data/report";
 import type { FieldMeta } from "./data/format";
-import { pixelRatio, Store, type ViewState } from "./logic/store";
+import { PLAIN, pixelRatio, Store, type ViewState } from "./logic/store";
 import { toScreen } from "./logic/camera";
 import { speeds } from "./logic/time";
 import { fieldHelp } from "./logic/labels";
 import { numberText, withUnit } from "./logic/numbers";
-import { currentLanguage, LANGUAGES, say, type TextKey } from "./logic/texts";
+import { say, type TextKey } from "./logic/texts";
 import { Current } from "./view/current";
 import { Viewer } from "./view/viewer";
 import { Figure, pngOf, save } from "./view/figure";
@@ -16,7 +16,8 @@ import { record, videoEnding, videoType } from "./view/video";
 import { marksOf, Player } from "./shell/player";
 import { fieldControls, layerControls, zoomButtons } from "./shell/controls";
 import { Keys, type Actions } from "./shell/keys";
-import { keepInAddress, openIn } from "./shell/address";
+import { keepInAddress } from "./shell/address";
+import { followTheme, foot, startDark, topBar } from "./shell/frame";
 import { Notice } from "./shell/notice";
 import { printOnPaper } from "./shell/paper";
 import { element, icon, iconButton } from "./shell/element";
@@ -34,13 +35,9 @@ function startState(report: Report): ViewState {
   const times = report.runs.flatMap((run) => [run.meta.times[0]!, run.meta.times[run.meta.times.length - 1]!]);
   const field = startField(report);
   return {
-    time: Math.max(...times), playing: false, again: false,
-      speed: speeds(Math.max(...times) - Math.min(...times)).start,
-    field: field?.name ?? "", map: "auto", rangeMode: "run", fixed: field?.range ?? [0, 1], log: field?.log ?? false,
-    mesh: false, layers: true, water: true, outline: true, slip: true, surfaces: report.runs.length > 1,
-    names: false, pointScale: 1, profileX: null,
-    camera: null, layout: "auto", hover: null, pin: null, shown: report.runs.map(() => true), dark: startDark(),
-    paper: false,
+    ...PLAIN, time: Math.max(...times), speed: speeds(Math.max(...times) - Math.min(...times)).start,
+    field: field?.name ?? "", fixed: field?.range ?? [0, 1], log: field?.log ?? false,
+    surfaces: report.runs.length > 1, shown: report.runs.map(() => true), dark: startDark(),
   };
 }
 
@@ -53,10 +50,6 @@ export function startField({ runs }: Pick<Report, "runs">): FieldMeta | undefine
   const softens = runs.some(({ meta }) => meta.summary.softened_strain !== null);
   const name = softens ? "su_ratio" : "material";
   return (runs.some(hasWater) && fields.find((field) => field.name === name)) || fields[0];
-}
-
-function startDark(): boolean {
-  return matchMedia("(prefers-color-scheme: dark)").matches;
 }
 
 const WIDE = 3.5; // length over height; beside the story such a section gets less than a quarter of the window's height
@@ -73,7 +66,7 @@ export function buildPage(report: Report, page: HTMLElement): void {
   const current = new Current(report, store);
   const title = titleOf(report);
   document.title = `${title} · Terp`;
-  store.watch(["dark"], ({ dark }) => (document.documentElement.dataset.theme = dark ? "dark" : "light"));
+  followTheme(store);
   loadFields(current);
 
   const viewer = new Viewer(current);
@@ -95,7 +88,9 @@ export function buildPage(report: Report, page: HTMLElement): void {
       layerControls(current, viewer)),
     sampling(report));
   page.replaceChildren(
-    header(report, title, actions, keys, store),
+    topBar(title, report.runs.map((run) => run.meta.name).join(" · "), store,
+      [iconButton("print", say("print"), "P", actions.print), iconButton("theme", say("theme"), "T", actions.theme),
+        iconButton("help", say("keys"), "?", () => keys.toggleHelp())]),
     element("main", { class: report.runs.some(hasWater) ? "dike" : "" },
       verdictSection(report, store) ?? "",
       element("div", { class: isWide(viewer) ? "first wide" : "first" }, see,
@@ -106,8 +101,7 @@ export function buildPage(report: Report, page: HTMLElement): void {
       comparisonSection(report, store) ?? "",
       chartsSection(current),
       aboutSection(report, store)),
-    element("footer", {},
-      say("footer", { version: report.meta.terp, time: report.meta.written.replace("T", " ").replace("Z", " UTC") })),
+    foot(report.meta),
     notice.root, keys.help);
   keepInAddress(store, report.fieldNames(), player.span);
   printOnPaper(store, viewer, paper ? before : null);
@@ -157,26 +151,6 @@ function probe(current: Current, viewer: Viewer): Probe {
   };
   viewer.onDrawn = () => made.drawn++;
   return made;
-}
-
-function languageChoice(store: Store): HTMLElement {
-  const select = element("select", { class: "language", "aria-label": say("language"),
-    onchange: () => openIn(store, select.value) },
-  ...LANGUAGES.map(({ code, name }) => element("option", { value: code }, name)));
-  select.value = currentLanguage();
-  return select;
-}
-
-function header(report: Report, title: string, actions: Actions, keys: Keys, store: Store): HTMLElement {
-  const names = report.runs.map((run) => run.meta.name).join(" · ");
-  return element("header", { class: "top" },
-    element("span", { class: "mark-name" }, "Terp"),
-    element("div", { class: "titles" }, element("h1", {}, title), element("p", { class: "muted" }, names)),
-    element("nav", { class: "no-print", "aria-label": say("page_nav") },
-      languageChoice(store),
-      iconButton("print", say("print"), "P", actions.print),
-        iconButton("theme", say("theme"), "T", actions.theme),
-        iconButton("help", say("keys"), "?", () => keys.toggleHelp())));
 }
 
 /** The chosen field of the shown runs first; the others when they are asked for. */

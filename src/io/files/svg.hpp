@@ -1,4 +1,4 @@
-// Small parts of drawings that are written as SVG or HTML text.
+// Small parts of drawings that are written as SVG.
 #pragma once
 
 #include "math/types.hpp"

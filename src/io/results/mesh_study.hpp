@@ -115,6 +115,9 @@ std::vector<std::string> remarks_on(const StudySequence& sequence);
 /// A value of a measure with its digits, or its word; "-" if there is none.
 std::string text_of(const RunMeasure& measure, std::optional<Real> value);
 
+/// After the point, with which each of the values has at least those of its measure, and an amount three that count.
+int digits_for(const RunMeasure& measure, const std::vector<std::optional<Real>>& values);
+
 std::string percent_text(Real share);
 
 /// Plain text for a terminal: the answer, a table, sentences.

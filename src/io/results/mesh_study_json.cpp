@@ -41,6 +41,8 @@ const JsonKey entries[] = {
     {{"label", "", "", "in words"}, [](Q q) { return Json(q.measure.label); }},
     {{"unit", "", "", "of values, `change`, `resolution`, `limit` and `error`"},
         [](Q q) { return Json(q.measure.unit); }},
+    {{"digits", "", "", "after the point, with which values are printed"},
+        [](Q q) { return Json(digits_for(q.measure, q.values)); }},
     {{"values", "unit", "", "list, one for each of `runs`; `null`: not solved, or the run has none. Of some a word"},
         [](Q q) {
           Json values = Json::array();
@@ -70,6 +72,8 @@ const JsonKey entries[] = {
     {{"error", "unit", "",
          "of the finest value: grid convergence index, as a difference; `null` without a usable order"},
         [](Q q) { return or_null(q.has_order, q.estimate.uncertainty); }},
+    {{"relative_error", "-", "", "the same as a share, as `relative_change`"},
+        [](Q q) { return or_null(q.relative_error()); }},
 };
 
 Json quantity_json(Q q)
@@ -98,8 +102,9 @@ Json spread_json(const MeshStudy& study)
   for (const StudySpread& s : study.spreads) {
     Json values = Json::array();
     for (const auto& value : s.values) values.push_back(value_of(s.measure, value));
-    quantities.push_back({{"name", s.measure.name}, {"unit", s.measure.unit}, {"values", std::move(values)},
-        {"range", or_null(s.range)}, {"relative_range", or_null(s.share)}, {"matters", s.matters}});
+    quantities.push_back({{"name", s.measure.name}, {"label", s.measure.label}, {"unit", s.measure.unit},
+        {"digits", digits_for(s.measure, s.values)}, {"values", std::move(values)}, {"range", or_null(s.range)},
+        {"relative_range", or_null(s.share)}, {"matters", s.matters}});
   }
   return {{"cell", study.spread_cell}, {"answer", answer_on_variants(study)}, {"quantities", std::move(quantities)}};
 }

@@ -133,6 +133,14 @@ std::string percent_text(Real share)
   return value < 0.095 ? fmt::format("{:.1g} %", value) : fmt::format("{:.{}f} %", value, value < 9.95 ? 1 : 0);
 }
 
+int digits_for(const RunMeasure& measure, const std::vector<Value>& values)
+{
+  int digits = measure.digits;
+  for (const Value& value : values)
+    if (value) digits = std::max(digits, digits_for(measure, *value));
+  return digits;
+}
+
 std::string text_of(const RunMeasure& measure, Value value)
 {
   if (!value) return "-";

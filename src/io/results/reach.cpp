@@ -89,6 +89,13 @@ Real least_stored(const SectionRecord& record)
   return least;
 }
 
+/// A number as text, with a comma in Dutch.
+std::string decimal_sign(std::string number, bool dutch)
+{
+  if (dutch) std::ranges::replace(number, '.', ',');
+  return number;
+}
+
 std::string strength_words(const std::string& strength, bool dutch)
 {
   if (!dutch) return strength + " strengths";
@@ -219,7 +226,6 @@ ReachSection read_section(
     SavedSummary saved = read_summary(path_in(run, summary_file));
     section.is_solved = saved.finished;
     section.summary = std::move(saved.values);
-    if (section.summary.flood) section.water_level = section.summary.flood->water_level;
     section.profile = profile_of(read_run(run));
   } catch (const std::exception& error) {  // of whatever is damaged there
     section.is_solved = false;
@@ -266,12 +272,6 @@ std::vector<Hint> hints_on(const ReachSection& section)
   if (verdict == FloodVerdict::stands && least < 1.0) hints.push_back(Hint::stored_below);
   if (verdict == FloodVerdict::floods && least >= 1.0 && std::isfinite(least)) hints.push_back(Hint::stored_above);
   return hints;
-}
-
-std::string decimal_sign(std::string number, bool dutch)
-{
-  if (dutch) std::ranges::replace(number, '.', ',');
-  return number;
 }
 
 std::string words_of(Hint hint, const ReachSection& section, bool dutch)
@@ -345,18 +345,24 @@ std::string reach_csv(const std::vector<ReachSection>& sections)
   return text + '\n';
 }
 
-std::string reach_json(const std::vector<ReachSection>& sections, const std::string& written)
+std::string reach_json(const std::vector<ReachSection>& sections, const std::string& written, bool with_ground)
 {
   Json list = Json::array();
   for (const ReachSection& section : sections) {
     Json json = record_json(section.record);
     json["state"] = state_of(section);
     json["at_rest"] = value_of(ended_at_rest(section));
-    json["hints"] = Json::array();
-    for (const Hint hint : hints_on(section)) json["hints"].push_back(words_of(hint, section, false));
+    for (const bool dutch : {false, true}) {
+      Json& hints = json[dutch ? "hints_nl" : "hints"] = Json::array();
+      for (const Hint hint : hints_on(section)) hints.push_back(words_of(hint, section, dutch));
+      json[dutch ? "stored_text_nl" : "stored_text"] = stored_text(section.record, dutch);
+    }
+    json["moves"] = std::ranges::count(hints_on(section), Hint::moves) > 0;
+    json["moved_before_trigger"] = moved_before_trigger(section);
     json["flood"] = section.is_solved ? flood_json(section.summary) : Json(nullptr);
     json["residual_height"] = value_of(section.is_solved ? section.summary.residual_height : std::nullopt);
     json["first_slide_time"] = value_of(section.is_solved ? section.summary.first_slide_time : std::nullopt);
+    if (with_ground) json["ground"] = section.profile;
     list.push_back(std::move(json));
   }
   return text_of({{"format", reach_format}, {"terp_version", TERP_VERSION}, {"written", written}, {"sections", list}});

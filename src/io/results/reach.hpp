@@ -1,5 +1,5 @@
 // A reach of sections, each imported and solved in a folder of its own: what became of them, as tables for programs.
-// Not for: solving them (cli/assess), the page (page/reach_page).
+// Not for: solving them (cli/assess), the page (web/).
 #pragma once
 
 #include "io/results/run_results.hpp"
@@ -71,7 +71,6 @@ struct ReachSection {
   bool is_solved = false;                         ///< its run has come to its end
   Summary summary = {};                           ///< of such a run
   std::vector<std::array<Real, 3>> profile = {};  ///< x, ground at the start and at the end [m]
-  std::optional<Real> water_level = {};           ///< [m]
 };
 
 /// What of a section its folder holds. profile_of: x, ground at the start and at the end of a run [m].
@@ -94,9 +93,6 @@ enum class Hint {
   stored_above,  ///< it floods as it is, though all stored factors of the same strengths are at least one
 };
 std::vector<Hint> hints_on(const ReachSection& section);
-/// A number as text, with a comma in Dutch.
-std::string decimal_sign(std::string number, bool dutch);
-
 std::string words_of(Hint hint, const ReachSection& section, bool dutch);
 
 std::string state_of(const ReachSection& section);
@@ -106,6 +102,7 @@ std::string sentence_on(const ReachSection& section);
 std::string stored_text(const SectionRecord& record, bool dutch);
 
 std::string reach_csv(const std::vector<ReachSection>& sections);
-std::string reach_json(const std::vector<ReachSection>& sections, const std::string& written);
+/// with_ground: for the page, which draws it.
+std::string reach_json(const std::vector<ReachSection>& sections, const std::string& written, bool with_ground = false);
 
 }  // namespace terp

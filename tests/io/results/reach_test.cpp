@@ -186,6 +186,16 @@ TEST(Reach, TheSameForAProgram)
   EXPECT_EQ(section["residual_height"], 3.5);
   EXPECT_EQ(section["at_rest"], false);
   EXPECT_EQ(section["hints"].size(), 1u);
+  EXPECT_EQ(section["hints_nl"].size(), 1u);
+  EXPECT_EQ(section["stored_text_nl"], stored_text(solved_section().record, true));
+  EXPECT_EQ(section["moves"], false) << "it floods";
+  EXPECT_FALSE(section.contains("ground")) << "of the page alone";
+  ReachSection drawn = solved_section();
+  drawn.profile = {{0.0, 1.0, 1.0}, {5.0, 5.0, 3.5}};
+  drawn.summary.flood->verdict = FloodVerdict::stands, drawn.summary.flood->still_moves = true;
+  const auto page = nlohmann::json::parse(reach_json({drawn}, "", true))["sections"][0];
+  EXPECT_EQ(page["ground"][1], (std::vector<Real>{5.0, 5.0, 3.5}));
+  EXPECT_EQ(page["moves"], true);
 }
 
 TEST(Reach, ASectionWithoutItsRunHasNoResult)

@@ -5,7 +5,7 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { pixelRatio, type Store } from "../logic/store";
 import { canvasTheme, FONT } from "../view/theme";
-import { numberText, readableUnit, unitSuffix } from "../logic/numbers";
+import { numberText, readableUnit, tickTexts, unitSuffix } from "../logic/numbers";
 import { say } from "../logic/texts";
 import { element } from "../shell/element";
 
@@ -16,6 +16,16 @@ export interface Line {
   colour: (dark: boolean) => string;
   dash?: number[];
   width?: number;
+  marks?: boolean; // at each point
+  steps?: boolean; // a value holds up to the next x
+}
+
+/** A value with the range in which it lies, upright beside the lines. */
+export interface Bar {
+  x: number;
+  y: number;
+  half: number; // of the range
+  colour: (dark: boolean) => string;
 }
 
 export interface ChartOptions {
@@ -28,6 +38,8 @@ export interface ChartOptions {
   yRange?: [number, number]; // fixed; otherwise from the data
   fromZero?: boolean;
   nameEnds?: boolean; // each line's label at its right end
+  xFromZero?: boolean;
+  bars?: Bar[];
 }
 
 /** Distinct patterns of lines, for those of one colour. */
@@ -117,26 +129,29 @@ export class Chart {
       width: this.holder.clientWidth * s,
       height: this.height() * s,
       padding: [8 * s, (this.options.nameEnds ? this.longestName() + 10 : 12) * s, 0, 0],
-      scales: { x: { time: false }, y: { range: this.options.yRange ? () => this.options.yRange! : this.rangeY() } },
+      scales: { x: { time: false, range: this.rangeX() },
+        y: { range: this.options.yRange ? () => this.options.yRange! : this.rangeY() } },
       axes: [
-        { ...axis, label: this.options.xLabel, size: 26 * s, values: (_, ticks) => ticks.map((t) => numberText(t)) },
+        { ...axis, label: this.options.xLabel, size: 26 * s, values: (_, ticks) => tickTexts(ticks) },
         { ...axis, label: `${this.options.yLabel ?? ""}${unitSuffix(unit)}`.trim(),
           size: (_, values) => (14 + 6.4 * Math.max(2, ...(values ?? []).map((v) => v.length))) * s,
-          values: (_, ticks) => ticks.map((t) => numberText(t)) },
+          values: (_, ticks) => tickTexts(ticks) },
       ],
       series: [
         { label: this.options.xLabel.replace(/ \[.*/, ""), value: text },
         ...this.lines.map((line) => ({
           label: line.label, stroke: line.colour(dark), width: (line.width ?? 1.6) * s,
             dash: line.dash?.map((part) => part * s), spanGaps: true,
-            points: { show: false }, value: text,
+            points: { show: line.marks ?? false, size: 7 * s, fill: theme.ground }, value: text,
+            paths: line.steps ? uPlot.paths.stepped!({ align: 1 }) : undefined,
         })),
       ],
       cursor: { sync: this.options.overTime ? { key: SYNC.key, setSeries: false, scales: ["x", null] } : undefined,
         drag: { x: true, y: false }, focus: { prox: 16 }, points: { size: 6 } },
       focus: { alpha: 0.35 },
       legend: { live: true, markers: { width: 2, dash: (_, k) => borderOf(this.lines[k - 1]?.dash) } },
-      hooks: { draw: [(plot) => this.drawNames(plot), () => this.placeNow()], ready: [(plot) => this.listen(plot)],
+      hooks: { draw: [(plot) => this.drawNames(plot), (plot) => this.drawBars(plot), () => this.placeNow()],
+        ready: [(plot) => this.listen(plot)],
         setScale: [(plot, key) => key === "x" && this.noteZoom(plot)] },
     };
   }
@@ -151,10 +166,49 @@ export class Chart {
   private rangeY(): uPlot.Range.Function {
     return (_, lo, hi) => {
       if (lo === null || hi === null || !Number.isFinite(lo) || !Number.isFinite(hi)) return [0, 1];
-      const low = this.options.fromZero ? Math.min(0, lo) : lo;
-      const room = 0.05 * (hi - low || Math.abs(hi) || 1);
-      return [low === 0 ? 0 : low - room, hi + room];
+      const { factor } = this.scaled();
+      const ends = (this.options.bars ?? []).map(({ y, half }) => [factor * (y - half), factor * (y + half)] as const);
+      const low = Math.min(this.options.fromZero ? 0 : lo, lo, ...ends.map(([end]) => end));
+      const high = Math.max(hi, ...ends.map(([, end]) => end));
+      const room = 0.05 * (high - low || Math.abs(high) || 1);
+      return [low === 0 ? 0 : low - room, high + room];
     };
+  }
+
+  /** Where points are marked, room for the marks at both ends. */
+  private rangeX(): uPlot.Range.Function | undefined {
+    const { xFromZero } = this.options;
+    if (!xFromZero && !this.lines.some((line) => line.marks)) return undefined;
+    return (_, lo, hi) => {
+      const low = xFromZero ? Math.min(0, lo) : lo;
+      const room = 0.03 * (hi - low || Math.abs(hi) || 1);
+      return [low - room, hi + room];
+    };
+  }
+
+  private drawBars(plot: uPlot): void {
+    const { factor } = this.scaled();
+    const { ctx } = plot;
+    const ratio = devicePixelRatio * this.sharpness();
+    ctx.save();
+    ctx.lineWidth = 1.5 * ratio;
+    for (const { x, y, half, colour } of this.options.bars ?? []) {
+      ctx.strokeStyle = colour(this.store.state.dark);
+      const at = plot.valToPos(x, "x", true);
+      const [low, middle, high] = [y - half, y, y + half].map((value) => plot.valToPos(factor * value, "y", true)) as
+        [number, number, number];
+      ctx.beginPath();
+      ctx.moveTo(at, low);
+      ctx.lineTo(at, high);
+      for (const end of [low, high]) {
+        ctx.moveTo(at - 4 * ratio, end);
+        ctx.lineTo(at + 4 * ratio, end);
+      }
+      ctx.moveTo(at + 3.5 * ratio, middle);
+      ctx.arc(at, middle, 3.5 * ratio, 0, 2 * Math.PI);
+      ctx.stroke();
+    }
+    ctx.restore();
   }
 
   /** On paper a chart is drawn larger than it is shown. */

@@ -30,6 +30,11 @@ export class Table {
     return k === undefined ? null : this.values.subarray(k * this.rows, (k + 1) * this.rows);
   }
 
+  /** Values of a column by its number. */
+  at(k: number): Float32Array {
+    return this.values.subarray(k * this.rows, (k + 1) * this.rows);
+  }
+
   unit(name: string): string {
     const k = this.index.get(name);
     return k === undefined ? "" : this.columns[k]!.unit;

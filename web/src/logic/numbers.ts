@@ -26,6 +26,14 @@ export function numberText(value: number | null | undefined, digits = 4): string
   return part ? decimalSign(`${grouped}.${part}`) : grouped;
 }
 
+/** Numbers beside each other, with as many digits as tell them apart. */
+export function tickTexts(ticks: readonly number[]): string[] {
+  for (let digits = 4; ; digits += 2) {
+    const texts = ticks.map((tick) => numberText(tick, digits));
+    if (digits >= 10 || new Set(texts).size === texts.length) return texts;
+  }
+}
+
 export function withUnit(value: number | null | undefined, unit: string, digits = 4): string {
   const text = numberText(value, digits);
   return text === "–" || unit === "-" || unit === "" ? text : `${text}${unit === "%" ? THIN : "\u00a0"}${unit}`;
@@ -51,6 +59,12 @@ export function columnPlace(value: number | null | undefined, column: number | n
 /** Of a share of one. */
 export function percent(part: number | null | undefined): string {
   return fixed(typeof part === "number" ? 100 * part : null, 1, `${THIN}%`);
+}
+
+/** Of a share of one: "0.02 %", "3.1 %", "12 %". */
+export function percentOf(part: number): string {
+  const value = 100 * part;
+  return value < 0.095 ? `${numberText(value, 1)}${THIN}%` : fixed(value, value < 9.95 ? 1 : 0, `${THIN}%`);
 }
 
 export function unitSuffix(unit: string): string {

@@ -37,6 +37,13 @@ export interface ViewState {
   paper: boolean; // laid out for a print
 }
 
+/** Where nothing is chosen yet. */
+export const PLAIN: ViewState = {
+  time: 0, playing: false, again: false, speed: 1, field: "", map: "auto", rangeMode: "run", fixed: [0, 1], log: false,
+  mesh: false, layers: true, water: true, outline: true, slip: true, surfaces: false, names: false, pointScale: 1,
+  profileX: null, camera: null, layout: "auto", hover: null, pin: null, shown: [], dark: false, paper: false,
+};
+
 /** Pixels of a canvas per CSS pixel; on paper 240 per inch. */
 export function pixelRatio({ paper }: ViewState): number {
   return paper ? 2.5 : window.devicePixelRatio || 1;

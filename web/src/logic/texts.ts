@@ -2,6 +2,7 @@
 // program in English; their Dutch is in quantities.ts.
 
 import { DIKE_TEXTS } from "./texts_dike";
+import { DOCUMENT_TEXTS } from "./texts_documents";
 
 export type Language = "en" | "nl";
 export const LANGUAGES: { code: Language; name: string }[] =
@@ -15,8 +16,8 @@ export const TEXTS = {
   not_copied: ["Could not copy", "Kopiëren lukte niet"],
   close: ["Close", "Sluiten"],
   cancel: ["Cancel", "Annuleren"],
-  footer: ["Written by Terp {version}, {time}. This file holds all data that it shows.",
-    "Geschreven door Terp {version}, {time}. Dit bestand bevat alle gegevens die het toont."],
+  footer: ["Written by Terp {version}, {time}.", "Geschreven door Terp {version}, {time}."],
+  holds_all: ["This file holds all data that it shows.", "Dit bestand bevat alle gegevens die het toont."],
   page_nav: ["Page", "Pagina"],
   print: ["Print, or save as PDF", "Afdrukken, of bewaren als pdf"],
   theme: ["Light, dark", "Licht, donker"],
@@ -179,6 +180,7 @@ export const TEXTS = {
   not_there: ["not there", "is er niet"],
 
   ...DIKE_TEXTS,
+  ...DOCUMENT_TEXTS,
 
   // What happened
   what_happened: ["What happened", "Wat er gebeurde"],

@@ -54,9 +54,9 @@ export function languageIn(hash: string): string | null {
   return new URLSearchParams(hash.replace(/^#/, "")).get("lang");
 }
 
-/** Opens the page anew in another language, with what is on show. */
-export function openIn(store: Store, language: string): void {
-  history.replaceState(null, "", toHash(store.state, language));
+/** Opens the page anew in another language, with what is on show; store: null where nothing can be chosen. */
+export function openIn(store: Store | null, language: string): void {
+  history.replaceState(null, "", store ? toHash(store.state, language) : `#lang=${language}`);
   location.reload();
 }
 

@@ -14,14 +14,14 @@ const STEPS = [[60, 1], [56, 1], [52, 1], [52, 0.97], [52, 0.94], [52, 0.91], [4
 const PX_PER_MM = 96 / 25.4;
 
 /** The style for paper holds on the screen too. */
-function layOut(paper: boolean): void {
+function layOut(paper: boolean, wide: boolean): void {
   for (const sheet of document.styleSheets)
     for (const rule of sheet.cssRules) {
       if (!(rule instanceof CSSMediaRule)) continue;
       const { media } = rule;
       if (media.mediaText === (paper ? "print" : "all")) media.mediaText = paper ? "all" : "print";
     }
-  document.body.style.width = paper ? `${WIDTH}mm` : "";
+  document.body.style.width = paper ? `${wide ? HEIGHT : WIDTH}mm` : "";
 }
 
 /** Brings a dike onto its sheets: with lower views, and smaller words. */
@@ -52,23 +52,25 @@ function drawBefore(store: Store, viewer: Viewer, before: HTMLCanvasElement): vo
   store.set({ log, rangeMode });
 }
 
-export function printOnPaper(store: Store, viewer: Viewer, before: HTMLCanvasElement | null): void {
+/** viewer: null of a page without views. wide: the sheet lies on its long side. */
+export function printOnPaper(store: Store, viewer: Viewer | null, before: HTMLCanvasElement | null = null,
+  wide = false): void {
   let dark = false;
   window.addEventListener("beforeprint", () => {
     dark = store.state.dark;
-    layOut(true);
+    layOut(true, wide);
     store.set({ dark: false, playing: false, paper: true });
     const draw = () => {
-      if (before) drawBefore(store, viewer, before);
-      viewer.drawOnPaper();
+      if (before && viewer) drawBefore(store, viewer, before);
+      viewer?.drawOnPaper();
     };
     draw();
-    if (before) fit(viewer, draw);
+    if (before && viewer) fit(viewer, draw);
   });
   window.addEventListener("afterprint", () => {
-    unfit(viewer);
-    layOut(false);
+    if (viewer) unfit(viewer);
+    layOut(false, wide);
     store.set({ dark, paper: false });
-    viewer.arrange();
+    viewer?.arrange();
   });
 }

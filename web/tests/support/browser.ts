@@ -27,9 +27,14 @@ export async function until(page: Page, expression: string, seconds = 60): Promi
   }
 }
 
-/** Opens the file and waits for the first picture. */
-export async function open(browser: Browser, file: string, options: { width?: number; height?: number; dark?: boolean } = {}): Promise<Opened> {
-  const { width = 1366, height = 768, dark = false } = options;
+interface Screen {
+  width?: number;
+  height?: number;
+  dark?: boolean;
+}
+
+/** Opens the file and waits for an element. */
+async function openUntil(browser: Browser, file: string, selector: string, { width = 1366, height = 768, dark = false }: Screen): Promise<Opened> {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? "dark" : "light", acceptDownloads: true });
   const page = await context.newPage();
   const errors: string[] = [];
@@ -42,9 +47,20 @@ export async function open(browser: Browser, file: string, options: { width?: nu
     if (!/^(file|data|blob):/.test(request.url())) requests.push(request.url());
   });
   await page.goto(`file://${file}`);
-  await page.waitForSelector(".view", { timeout: 60_000 });
-  await until(page, "window.terp && window.terp.drawn > 0 && window.terp.ready");
+  await page.waitForSelector(selector, { timeout: 60_000 });
   return { page, errors, requests };
+}
+
+/** Opens the page of runs and waits for the first picture. */
+export async function open(browser: Browser, file: string, options: Screen = {}): Promise<Opened> {
+  const opened = await openUntil(browser, file, ".view", options);
+  await until(opened.page, "window.terp && window.terp.drawn > 0 && window.terp.ready");
+  return opened;
+}
+
+/** Opens a page that shows no single run. */
+export function openDocument(browser: Browser, file: string, options: Screen = {}): Promise<Opened> {
+  return openUntil(browser, file, "main.document", options);
 }
 
 /** Notes of the software renderer on its own speed; they are not the page's. */

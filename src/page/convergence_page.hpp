@@ -2,12 +2,13 @@
 #pragma once
 
 #include "io/results/mesh_study.hpp"
+#include "page/payload.hpp"
 
 #include <string>
 
 namespace terp {
 
-/// The whole HTML file. written: time, UTC, ISO 8601.
-std::string study_page(const MeshStudy& study, const std::string& written);
+/// convergence.json with the ledgers of the runs. written: time, UTC, ISO 8601.
+Payload convergence_payload(const MeshStudy& study, const std::string& written);
 
 }  // namespace terp
