@@ -71,30 +71,6 @@ TEST_F(Resume, SkipsADamagedCheckpointAndSaysSo)
   EXPECT_NO_THROW(read_checkpoint(folder + last_checkpoint));
 }
 
-TEST_F(Resume, WithoutARunOrACheckpointFails)
-{
-  EXPECT_EQ(error_with(1, test::terp({"resume", scratch.path() + "/none"})),
-      "error: " + scratch.path() + "/none: no such run folder\n");
-  succeeded(run_column(folder, {"-q"}));
-  std::filesystem::remove(folder + last_checkpoint);
-  EXPECT_EQ(error_with(1, test::terp({"resume", folder})),
-      "error: " + folder + ": no checkpoint to resume from. Start the case anew with `terp run`.\n");
-}
-
-TEST_F(Resume, OfACaseFileSaysWhatItTakesAndWhatRunIsFor)
-{
-  write_text(scratch.path() + "/base.toml", "");
-  EXPECT_EQ(error_with(2, test::terp({"resume", "base.toml"}, scratch.path())),
-      "error: base.toml: `terp resume` takes a run folder, as in terp resume runs/base\n"
-      "  It goes on from the newest checkpoint there. To solve a case file from its start: terp run base.toml\n");
-  EXPECT_THAT(test::terp({"resume", "runs/base/case.toml"}).err, HasSubstr("as in terp resume runs/base\n"));
-  EXPECT_EQ(test::terp({"resume", scratch.path()}).err,
-      "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
-  std::filesystem::create_directory(scratch.path() + "/folder.toml");
-  EXPECT_EQ(test::terp({"resume", "folder.toml"}, scratch.path()).err,
-      "error: folder.toml: this is no run folder, it holds no case.toml\n");
-}
-
 TEST_F(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
 {
   succeeded(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set",

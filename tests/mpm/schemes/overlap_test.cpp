@@ -55,15 +55,6 @@ TEST_P(Overlap, CarriesASpeedWithoutForces)
   }
 }
 
-TEST_P(Overlap, EndsInTheSameBitsOnAnyNumberOfThreadsAndFromACheckpoint)
-{
-  Case c = column();
-  c.time.end = 0.4;
-  expect_same_bits(c, {2, 4});
-  c.forces.averaging_time = 0.02;
-  expect_same_bits(c, {2}, {0.2});
-}
-
 TEST_P(Overlap, KeepsTheBalanceOfEnergyOfACollapse)
 {
   Case c = column();
