@@ -42,13 +42,14 @@ TEST(ReadStix, GivesTheStagesOfDataModel1AsOneScenario)
 
 TEST(ReadStix, SaysWhatIsOddAsTheCatalogueHasIt)
 {
-  for (const WrongRow& row : read_catalogue(source_path("tests/import/dstability/stix.wrong"))) {
+  const std::string path = source_path("tests/import/dstability/stix.wrong");
+  for (const WrongRow& row : read_catalogue(path)) {
     std::string all;
     const std::string refused = refusal<InputError>([&] {
       for (const std::string& remark : remarks_of(read_changed(row.name, row.before, row.after)))
         all += (all.empty() ? "" : "\n") + remark;
     });
-    EXPECT_EQ(refused + all, row.expected) << row.where;
+    expect_row(path, row, refused + all);
   }
 }
 

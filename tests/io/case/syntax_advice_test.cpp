@@ -18,9 +18,10 @@ SyntaxAdvice advice_for(const std::string& text)
 
 TEST(SyntaxAdvice, SaysHowItIsWritten)
 {
-  for (const WrongRow& row : read_catalogue(source_path("tests/io/case/syntax.wrong"))) {
+  const std::string path = source_path("tests/io/case/syntax.wrong");
+  for (const WrongRow& row : read_catalogue(path)) {
     const SyntaxAdvice advice = advice_for(row.before);
-    EXPECT_EQ(advice.what + '\n' + advice.cure, row.expected) << row.where;
+    expect_row(path, row, advice.what + '\n' + advice.cure);
   }
   EXPECT_EQ(advice_for("title = \"d\xFCne\"").what, "this letter is not UTF-8");
 }

@@ -61,30 +61,49 @@ void give_mechanism(StabilityResult& r, const char* sand, Real least_depth)
   if (*sand != 0) r.mechanism = std::make_shared<const Mechanism>(m);
 }
 
-const Variant variants[] = {
-    {"found, with creep and no failure", [](StabilityResult&) {}},
+const Variant variants[] = {{"found, with creep and no failure", [](StabilityResult&) {}},
     {"of a scheme that locks", [](StabilityResult&) {}, "standard_mpm"},
     {"not found", [](StabilityResult& r) { r.search.not_stable.reset(); }},
     {"a failure above an undecided trial", [](StabilityResult& r) { fail_at(r, 1.4); }},
     {"a failure where it creeps", [](StabilityResult& r) { fail_at(r, 1.1); }},
     {"stopped", [](StabilityResult& r) { fail_at(r, 1.1), r.stopped = true; }},
-    {"two sizes of cells", [](StabilityResult& r) { r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}}; }},
-    {"finer cells gave more", [](StabilityResult& r) { r.sizes = {{1.0, 1.05, 0.0, 1.06}, {0.5, 1.15, 0.05, 1.2}}; }},
+    {"two sizes of cells",
+        [](StabilityResult& r) {
+          r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}};
+        }},
+    {"finer cells gave more",
+        [](StabilityResult& r) {
+          r.sizes = {{1.0, 1.05, 0.0, 1.06}, {0.5, 1.15, 0.05, 1.2}};
+        }},
     {"few cells on one of two sizes",
-        [](StabilityResult& r) { r.sizes = {{1.0, 1.15, 0.0, 1.15, 4.0}, {0.5, 1.05, 0.05, 1.1, 8.0}}; }},
+        [](StabilityResult& r) {
+          r.sizes = {{1.0, 1.15, 0.0, 1.15, 4.0}, {0.5, 1.05, 0.05, 1.1, 8.0}};
+        }},
     {"two sizes, stopped",
-        [](StabilityResult& r) { r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}}, r.stopped = true; }},
+        [](StabilityResult& r) {
+          r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}}, r.stopped = true;
+        }},
     {"three sizes with an order",
-        [](StabilityResult& r) { r.sizes = {{2.0, 1.4, 0.0}, {1.0, 1.2, 0.0}, {0.5, 1.1, 0.0}}; }},
+        [](StabilityResult& r) {
+          r.sizes = {{2.0, 1.4, 0.0}, {1.0, 1.2, 0.0}, {0.5, 1.1, 0.0}};
+        }},
     {"three sizes whose differences hardly fall",
-        [](StabilityResult& r) { r.sizes = {{2.0, 1.31, 0.0}, {1.0, 1.2, 0.0}, {0.5, 1.1, 0.0}}; }},
+        [](StabilityResult& r) {
+          r.sizes = {{2.0, 1.31, 0.0}, {1.0, 1.2, 0.0}, {0.5, 1.1, 0.0}};
+        }},
     {"three sizes without order",
-        [](StabilityResult& r) { r.sizes = {{2.0, 1.1, 0.0}, {1.0, 1.2, 0.0}, {0.5, 1.1, 0.0}}; }},
+        [](StabilityResult& r) {
+          r.sizes = {{2.0, 1.1, 0.0}, {1.0, 1.2, 0.0}, {0.5, 1.1, 0.0}};
+        }},
     {"cells of two widths a height",
         [](StabilityResult& r) { r.cell = 1.409, r.given_cell = 1.99230769, r.relief = 10.0; }},
     {"a mesh from a file", [](StabilityResult& r) { r.cell = 1.409, r.given_cell = 0.0, r.relief = 10.0; }},
-    {"two cells move", [](StabilityResult& r) { r.relief = 1.0; }}, {"four", [](StabilityResult& r) { r.relief = 2.0; }},
-    {"with tension", [](StabilityResult& r) { r.with_tension = SizedFactor{0.5, 1.155, 0.01}; }},
+    {"two cells move", [](StabilityResult& r) { r.relief = 1.0; }},
+    {"four", [](StabilityResult& r) { r.relief = 2.0; }},
+    {"with tension",
+        [](StabilityResult& r) {
+          r.with_tension = SizedFactor{0.5, 1.155, 0.01};
+        }},
     {"with tension, two sizes",
         [](StabilityResult& r) {
           r.with_tension = SizedFactor{0.5, 1.155, 0.01}, r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}};
@@ -106,7 +125,7 @@ TEST(StabilityText, AndJsonAreThoseOfTheGoldenText)
     change(r);
     auto json = nlohmann::ordered_json::parse(stability_json(r, scheme, {"cut", "title = \"x\""}));
     for (const char* key : {"trials", "terp_version", "case"}) json.erase(key);
-    all += std::string("== ") + name + "\n" + stability_text(r, scheme) + json.dump(1) + "\n";
+    all += std::string("== ") + name + "\n" + stability_text(r, scheme) + json.dump() + "\n";
   }
   expect_golden("tests/io/files/stability.txt", all);
 }

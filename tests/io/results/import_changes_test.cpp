@@ -9,11 +9,12 @@ const std::string imported = text_of(source_path("tests/io/results/imported.toml
 
 TEST(ImportChanges, AreToldAsTheCatalogueHasThem)
 {
-  for (const WrongRow& row : read_catalogue(source_path("tests/io/results/changes.wrong"))) {
+  const std::string path = source_path("tests/io/results/changes.wrong");
+  for (const WrongRow& row : read_catalogue(path)) {
     std::string all;
     for (const Sentence& said : import_changes(parse_toml(imported), parse_toml(spoil(imported, row))))
       all += (all.empty() ? "" : "\n") + said.en + '\n' + said.nl;
-    EXPECT_EQ(all, row.expected) << row.where;
+    expect_row(path, row, all);
   }
 }
 

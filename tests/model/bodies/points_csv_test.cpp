@@ -7,13 +7,12 @@ namespace points_csv_test {
 
 TEST(PointsCsv, AndValuesThatAreNoneHaveTheMessageOfTheCatalogue)
 {
-  for (const WrongRow& row : read_catalogue(source_path("tests/model/bodies/tables.wrong")))
-    EXPECT_EQ(refusal<CsvError>([&] {
+  const std::string path = source_path("tests/model/bodies/tables.wrong");
+  for (const WrongRow& row : read_catalogue(path))
+    expect_row(path, row, refusal<CsvError>([&] {
       if (row.name == "points") read_points_csv_text("points.csv", row.before);
       if (row.name == "values") read_values_csv_text("su.csv", row.before);
-    }),
-        row.expected)
-        << row.where;
+    }));
 }
 
 TEST(PointsCsv, ReadsPointsInTheOrderOfTheFile)

@@ -20,11 +20,12 @@ std::vector<Problem> told_of(const Case& c)
 
 TEST(Findings, AreThoseOfTheCatalogueAndNoOthers)
 {
-  for (const WrongRow& row : read_catalogue(source_path("tests/run/findings/findings.wrong"))) {
+  const std::string path = source_path("tests/run/findings/findings.wrong");
+  for (const WrongRow& row : read_catalogue(path)) {
     std::string all;
     for (const Problem& p : told_of(read_case(source_path("tests/support/" + row.name + ".toml"), row.changes).values))
       all += (all.empty() ? "" : "\n") + p.key + ": " + p.what + (p.detail.empty() ? "" : "\n" + p.detail);
-    EXPECT_EQ(all, row.expected) << row.where;
+    expect_row(path, row, all);
   }
 }
 
