@@ -66,7 +66,7 @@ void expect_row(const std::string& path, const WrongRow& row, const std::string&
       if (k != number) continue;
       std::size_t end = line.find(" | ");
       if (row.changes.empty() && end != std::string::npos) end = line.find(" | ", end + 3);
-      line = line.substr(0, end) + " | ";
+      line = line.substr(0, end) + (said.empty() ? "" : " | ");
       for (const char c : said) line += c == '\n' ? std::string("\\n") : std::string(1, c);
     }
     write_text(path, text);
