@@ -25,7 +25,7 @@ TEST(GeoText, IsTheGoldenText)
   auto cut = rectangle(), refined = rectangle(), turned = rectangle();
   cut.follow = {{{1.0, -1.0}, {2.0, -1.0}, {2.0, 1.0}, {1.0, 1.0}}};
   refined.refine = {{{{1.0, 0.0}, {1.0, 0.2}}, {}, {}, 0.2, 0.6}, {{}, {2.0, 0.0}, {3.0, 1.0}, 0.1, 0.5}};
-  turned.turn = 45.0, turned.cell = 0.5;
+  turned.turn = 45.0, turned.cell = 0.3;
   expect_golden("tests/model/meshes/geo.txt",
       "== a rectangle\n" + geo_of(rectangle()) + "== an outline cuts its base\n" + geo_of(cut) + "== refined\n" +
           geo_of(refined) + "== squares turned by 45 degrees\n" + geo_of(turned) + "== two variants\n" +
