@@ -1,3 +1,4 @@
+#include "mpm/schemes/patch_values.hpp"
 #include "support/simulations.hpp"
 
 namespace overlap_test {
