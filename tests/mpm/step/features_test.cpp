@@ -10,7 +10,7 @@ namespace features_test {
 
 Case case_of(const Node& row)
 {
-  std::vector<std::string> changes{"mesh.cell=0.25", "body[0].velocity=[2,0]"};
+  std::vector<std::string> changes{"mesh.cell=0.25", "body[0].velocity=[2,0]", "body[0].points_per_cell=3"};
   for (const Node& change : find_node(row, "set")->items) changes.push_back(change.text);
   return read_case(source_path("tests/support/column.toml"), changes).values;
 }
