@@ -112,18 +112,6 @@ TEST_F(Assess, SaysWhatWouldRunAndTakesCasesAsTheyAre)
   EXPECT_FALSE(fs::exists(folder + "/index.html"));
 }
 
-TEST_F(Assess, RefusesWhatItCannotBegin)
-{
-  EXPECT_EQ(error_with(2, test::terp({"assess", berm, berm, "-o", scratch.path() + "/reach"})),
-      "error: " + berm + " is given twice\n  Name each section once.\n");
-  EXPECT_EQ(error_with(2, test::terp({"import", berm, "--trigger", "wind", "-o", scratch.path() + "/section"})),
-      "error: there is no trigger `wind`\n  Triggers: strength, strength=F, water, water=LEVEL.\n");
-  EXPECT_THAT(test::terp({"import", berm, "--trigger", "strength=0.9", "-o", scratch.path() + "/section"}).err,
-      HasSubstr("--trigger strength=0.9: `0.9` is not a factor over 1, at most 100\n"));
-  EXPECT_THAT(test::terp({"import", berm, "--trigger", "water=high", "-o", scratch.path() + "/section"}).err,
-      HasSubstr("--trigger water=high: `high` is not a level in m\n"));
-}
-
 TEST_F(Assess, DoesNotOverwriteACaseThatWasChangedByHand)
 {
   const std::string path = folder + "/example-2020.03-v1/case.toml";

@@ -49,60 +49,6 @@ TEST_F(Converge, SaysWhichInputsTheOutcomeTurnsOn)  // a column that stands with
   EXPECT_EQ(json.at("turns_on").size() + json.at("does_not_turn_on").size(), 3u) << "cells, S_u, k0";
 }
 
-TEST_F(Converge, NamesInputsThatCannotBeVariedAndStopsAtNone)
-{
-  const Finished f =
-      succeeded(test::terp({"converge", column_file, "--cells", "1", "--what-decides", "--estimate", "--set",
-          "material.clay={ model = \"mohr_coulomb\", density = 1990.0, shear_modulus = 2e6, poisson_ratio = 0.3, "
-          "cohesion = 5e3, friction_angle = 56.0 }",
-          "--set", "initial.stress=k0", "--points", "3", "-o", folder}));
-  EXPECT_THAT(f.out,
-      AllOf(HasSubstr(", k0 = 0.5 "), Not(HasSubstr("k0 = 1")), HasSubstr(", phi x 0.9 "),
-          Not(HasSubstr(", phi x 1.1 ")), HasSubstr("not varied: phi x 1.1 ("), HasSubstr(", cohesion x 1.25 ")));
-}
-
-TEST_F(Converge, RefusesACaseInWhichNothingCouldDecide)
-{
-  EXPECT_THAT(error_with(2, test::terp({"converge", source_path("cases/verification/hydrostatic/case.toml"), "--cells",
-                                "0.05", "--what-decides", "-o", folder})),
-      HasSubstr("--what-decides: the case has no number that could decide"));
-}
-
-TEST_F(Converge, SolvesAllSizesFromCoarseToFineAndAnswers)
-{
-  const Finished f = succeeded(test::terp(converge_command(folder)));
-  EXPECT_EQ(f.err, "");
-  EXPECT_THAT(f.out,
-      AllOf(HasSubstr("  cells of 0.25 m  768 cells, 6400 points, 132 steps, about "), HasSubstr("  all 3 runs "),
-          HasSubstr("[1/3] cells of 1 m  solved in "), HasSubstr("as given, cells of 1, 0.5, 0.25 m\n"),
-          ContainsRegex("front at the end \\[m\\] +7.9. +8.0. +8.0. "), HasSubstr("  front at the end: "),
-          HasSubstr("page in " + folder + "/convergence.html")));
-  EXPECT_THAT(names_in(folder), ElementsAre("cell_0.25", "cell_0.5", "cell_1", "convergence.html", "convergence.json"));
-  const auto sequence = study_in(folder)["sequences"][0];
-  EXPECT_EQ(sequence["runs"][2]["cell"], 0.25);
-  EXPECT_EQ(sequence["runs"][2]["size"], 0.25);
-  EXPECT_THAT(text_of(folder + "/cell_0.25/case.toml"), HasSubstr("cell = 0.25"));
-  const Finished single = run_column(scratch.path() + "/run");  // 0.5 m: a run of the study is a run like others
-  EXPECT_EQ(single.status, 0);
-  EXPECT_EQ(text_of(folder + "/cell_0.5/ledger.csv"), text_of(scratch.path() + "/run/ledger.csv"));
-}
-
-TEST_F(Converge, KeepsWhatIsSolvedAndRefusesRunsOfAnotherCase)
-{
-  succeeded(test::terp(converge_command(folder, {"-q"})));
-  const auto written = fs::last_write_time(folder + "/cell_0.5/summary.json");
-  fs::remove_all(folder + "/cell_0.25");
-  EXPECT_THAT(succeeded(test::terp(converge_command(folder, {"--set", "title=Another"}))).out,
-      AllOf(HasSubstr("[2/3] cells of 0.5 m  kept, solved before\n"), HasSubstr("[3/3] cells of 0.25 m  solved in ")));
-  EXPECT_EQ(fs::last_write_time(folder + "/cell_0.5/summary.json"), written);
-  EXPECT_EQ(error_with(1, test::terp(converge_command(folder, {"--set", "material.clay.eta=20"}))),
-      "error: " + folder +
-          "/cell_1: this folder holds a run of another case\n  material.clay.eta (50, now 20)\n"
-          "  Use --force to solve all sizes anew, or -o DIR for another folder.\n");
-  succeeded(test::terp(converge_command(folder, {"--set", "material.clay.eta=20", "-q", "--force"})));
-  EXPECT_THAT(text_of(folder + "/cell_1/case.toml"), HasSubstr("eta = 20"));
-}
-
 TEST_F(Converge, GoesOnWithARunThatWasInterrupted)
 {
   const std::vector<std::string> often{"--set", "output.checkpoint.every=0.1", "--set", "time.end=0.6"};
@@ -175,71 +121,6 @@ TEST_F(Converge, TurnsTheCellsAndVariesTheirPointsAndSetsAllBesideEachOther)
       AllOf(StartsWith("<!doctype html>"), HasSubstr("\"kind\":\"convergence\""), HasSubstr("\"variants\":{")));
 }
 
-TEST_F(Converge, RefusesToTurnOtherMeshesThanSquares)
-{
-  const auto refused = [&](const std::string& mesh) {
-    return error_with(2, test::terp({"converge", column_file, "--cells", "1,0.5", "--turn", "10", "-o", folder, "--set",
-                             "mesh=" + mesh}));
-  };
-  EXPECT_EQ(refused("{ size = [16, 3], cells = [16, 3] }"),
-      "error: " + column_file +
-          ": --turn: the mesh cannot be turned, as it is a graded rectangle\n"
-          "  A rectangle of equal square cells can, and a polygon without mesh.refine whose cells follow no bodies.\n");
-  EXPECT_THAT(refused("{ size = [16, 3], cell = [1.0, 0.5] }"), HasSubstr("as its cells are no squares\n"));
-  EXPECT_THAT(refused("{ sides = { bottom = [[0, 0], [16, 0]], right = [[16, 0], [16, 3]], top = [[0, 3], [16, 3]], "
-                      "left = [[0, 0], [0, 3]] }, cells = [16, 3] }"),
-      HasSubstr("as it is a grid between four sides\n"));
-  const std::string outline =
-      "polygon = [[0, 0], [16, 0], [16, 3], [0, 3]], cell = 1, edges = { bottom = [0], right = [1], left = [3] }";
-  EXPECT_THAT(refused("{ " + outline + " }"), HasSubstr("as its cells follow the bodies (mesh.follow_bodies = false "));
-  EXPECT_THAT(refused("{ " + outline + ", follow_bodies = false, refine = [{ box = [[0, 0], [1, 1]], cell = 0.5 }] }"),
-      HasSubstr("as it is refined\n"));
-}
-
-TEST_F(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
-{
-  const auto refused = [&](const std::vector<std::string>& more) {
-    const std::string err = error_with(2, test::terp(with({"converge", column_file, "-o", folder}, more)));
-    EXPECT_FALSE(fs::exists(folder));
-    return err;
-  };
-  EXPECT_EQ(refused({"--cells", "0.5"}),
-      "error: --cells: one size says nothing of the mesh\n"
-      "  Give two or more, and three for an order and an error, each half of the one before: --cells 1,0.5,0.25\n");
-  EXPECT_EQ(refused({"--cells", "1,0.5,1"}), "error: --cells: the size 1 m is given twice\n  Give each size once.\n");
-  EXPECT_THAT(refused({}), HasSubstr("`terp converge` needs --cells"));
-  EXPECT_THAT(refused({"--cells", "1,-1"}), HasSubstr("--cells: -1 is out of range; allowed are 1e-06 to 1e+06\n"));
-  EXPECT_THAT(refused({"--cells", "1,0.5", "--variant", "shceme=mpm_mixed"}), HasSubstr("Did you mean `scheme`?"));
-  EXPECT_EQ(refused({"--cells", "1,0.5", "--variant", " ;"}),
-      "error: --variant: there is no change in it\n  As in --variant scheme=mpm_mixed\n");
-  EXPECT_EQ(refused({"--cells", "1,0.5", "--variant", "scheme=mpm_gp", "--variant", "scheme=mpm_gp"}),
-      "error: --variant scheme=mpm_gp is given twice\n");
-  EXPECT_EQ(refused({"--cells", "1,0.5", "--variant", "mesh.cell=0.25"}),
-      "error: --variant mesh.cell=0.25: the case is the same without it\n"
-      "  The sizes of the cells are those of --cells.\n");
-  EXPECT_EQ(refused({"--cells", "1,0.5", "--set", "mesh.cell=0.25"}),
-      "error: --set mesh.cell=0.25: the sizes of the cells are those of --cells\n  Leave it out.\n");
-  for (const auto& [option, value] : {std::pair{"--turn", "0"}, {"--points", "5"}})
-    EXPECT_EQ(refused({"--cells", "1,0.5", option, value}),
-        "error: --turn and --points name nothing but what the case has\n  As in --turn 10,22.5,45 --points 3,4,5\n");
-  EXPECT_EQ(refused({"--cells", "1,0.5", "--turn", "10,10"}), "error: --turn 10 is given twice\n");
-  EXPECT_THAT(refused({"--cells", "1,0.5", "--turn", "91"}), HasSubstr("--turn: 91 is out of range"));
-  EXPECT_THAT(refused({"--cells", "1,0.5", "--turn", "abc"}),
-      HasSubstr("--turn: `abc` is no number; allowed are -89.9 to 89.9\n"));
-  EXPECT_THAT(refused({"--cells", "1.5,0.5", "--turn", "10", "--set", "mesh.size=[16.5, 3.0]"}),
-      HasSubstr("error: cells of 1.5 m, turned by 10 degrees: no square of 3 m, two by two cells, fits"));
-  EXPECT_THAT(
-      refused({"--cells", "1,0.5", "--points", "0"}), HasSubstr("--points: 0 is out of range; allowed are 1 to 16\n"));
-  EXPECT_THAT(refused({"--cells", "1,0.4"}), HasSubstr("cells of 0.4 m: the mesh is not a whole number of such cells"));
-}
-
-TEST_F(Converge, ShowsAWarningOfAllSizesOnce)
-{
-  const Finished f = test::terp(converge_command(folder, {"--estimate", "--set", "output.history.points.far=[12, 2]"}));
-  EXPECT_THAT(f.err, StartsWith("warning: --set output.history.points.far=[12, 2]: no soil is near the history point"));
-  EXPECT_EQ(f.err.find("warning: ", 1), std::string::npos) << f.err;
-}
-
 TEST_F(Converge, WarnsOfPointsThatStayTheSameAtAllSizes)
 {
   std::string points = "x,y,volume,material\n";
@@ -273,13 +154,6 @@ TEST_F(Converge, RefusesVariantsWithOneFolderAndCasesThatCannotBeRead)
   write_text(folder + "/cell_0.5/case.toml", "no case");
   EXPECT_THAT(test::terp(converge_command(folder, {}, "1,0.5")).err,
       HasSubstr("/cell_0.5: this folder holds a run of another case\n  its case cannot be read\n"));
-}
-
-TEST_F(Converge, EstimatesWithoutRunning)
-{
-  EXPECT_THAT(succeeded(test::terp(converge_command(folder, {"--estimate"}))).out,
-      AllOf(HasSubstr("  all 3 runs       about "), EndsWith(" on 1 thread\nnothing was run\n")));
-  EXPECT_FALSE(fs::exists(folder));
 }
 
 TEST_F(Converge, RefusesAFolderThatHoldsSomethingElse)

@@ -96,16 +96,4 @@ TEST(EverySet, WithoutFusedProductsDiffersByRoundOff)
   EXPECT_TRUE(any_differs);
 }
 
-TEST(Instructions, AWordThatIsNoneIsBadInputWhateverTheCommand)
-{
-  const Variable variable("TERP_INSTRUCTIONS", "mmx");
-  for (const auto& words : std::vector<std::vector<std::string>>{{"--version"}, {"list"}, column_command("check")}) {
-    const Finished f = test::terp(words);
-    EXPECT_EQ(f.status, 2);
-    EXPECT_EQ(f.out, "");
-    EXPECT_THAT(f.err, StartsWith("error: TERP_INSTRUCTIONS=mmx: there is no such set in this build. It has: "));
-  }
-  succeeded(test::terp({"--help"}));
-}
-
 }  // namespace instructions_test

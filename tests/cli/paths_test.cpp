@@ -65,25 +65,6 @@ TEST(Paths, NamesInACaseFileAreNoPaths)
   }
 }
 
-TEST(Paths, ACaseFileWhoseNameIsAPathGoesNowhereButWhereItIsTold)
-{
-  const ScratchFolder scratch;
-  write_text(scratch.path() + "/ledger.csv", "mine");
-  for (const std::string name : {"..toml", "...toml"}) {
-    write_text(scratch.path() + '/' + name, case_with_name("clay"));
-    for (const std::string command : {"run", "stability"}) {
-      std::vector<std::string> words{command, name};
-      if (command == "run") words.push_back("--force");
-      EXPECT_THAT(error_with(2, test::terp(words, scratch.path())),
-          AllOf(StartsWith("error: " + name + ": its run would be named `"),
-              HasSubstr("terp run " + name + " -o DIR\n")));
-    }
-    EXPECT_EQ(test::terp({"run", name, "-q", "-o", "told" + name}, scratch.path()).status, 0);
-  }
-  EXPECT_EQ(text_of(scratch.path() + "/ledger.csv"), "mine");
-  EXPECT_FALSE(fs::exists(scratch.path() + "/runs"));
-}
-
 TEST(Paths, ACaseFileThatIsALinkLeavesNothingBesideItsTarget)
 {
   const Place place(case_with_name("clay"));

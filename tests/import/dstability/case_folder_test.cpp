@@ -1,6 +1,5 @@
 #include "math/errors.hpp"
 #include "import/dstability/case_folder.hpp"
-#include "import/dstability/drawing_folder.hpp"
 #include "import/dstability/read_stix.hpp"
 #include "io/case/case_file.hpp"
 #include "model/bodies/overlay.hpp"
@@ -107,38 +106,6 @@ const CaseFolder& tutorial()
   return folder;
 }
 
-TEST(CaseFolder, SaysTheStrengthOfTheFileWithItsHistory)
-{
-  const std::string& text = tutorial().files.front().second;
-  EXPECT_THAT(text, HasSubstr("[material.clay_shallow]"));
-  EXPECT_THAT(text, HasSubstr("shansep = { S = 0.23, m = 0.9, pop = \"10 kPa\", water = \"start\", minimum"));
-  EXPECT_THAT(text, HasSubstr("\"material.clay_shallow.su_peak.shansep.water\" = \"high_water_water\""))
-      << "the strength follows the water of its stage";
-  const CaseFolder held = case_folder_of(
-      read_stix(sample_path("tutorial-2023")), {.scenario = 1, .stage = 1, .kinds = kinds(), .is_held = true});
-  EXPECT_THAT(held.files.front().second,
-      AllOf(HasSubstr("water = \"high_water_water\", minimum"), Not(HasSubstr("su_peak.shansep.water\" ="))))
-      << "soil that is held at first has the strength that it is to have";
-  EXPECT_THAT(text,
-      HasSubstr(
-          "friction_angle  = 26.5650512             # degrees; on slip planes; the file's are 30 degrees and 0 kPa"));
-  EXPECT_THAT(text, HasSubstr("shear_modulus   = \"12 MPa\"               # not in the file: default of sand"));
-}
-
-TEST(CaseFolder, GoesFromDailyWaterToTheAnalysedStage)
-{
-  const Case description = read_folder(tutorial()).values;
-  ASSERT_EQ(description.stages.size(), 2u);
-  EXPECT_EQ(description.stages[0].name, "daily_conditions");
-  ASSERT_EQ(description.water.situations.size(), 1u);
-  EXPECT_EQ(description.water.situations[0].reference_lines.size(), 3u);
-  EXPECT_EQ(description.flood.river, RiverSide::left);
-  EXPECT_EQ(description.flood.water_level, 12.0);
-  ASSERT_EQ(description.loads.size(), 1u);
-  EXPECT_EQ(description.loads[0].pressure, 0.0);  // 13 kPa in the last stage
-  EXPECT_EQ(description.mesh.cell[0], 0.5);       // a tenth of 5.9 m, a round number
-}
-
 TEST(CaseFolder, HasTheWaterPressuresOfTheFile)
 {
   const StixProject project = read_stix(sample_path("tutorial-2023"));
@@ -153,15 +120,6 @@ TEST(CaseFolder, HasTheWaterPressuresOfTheFile)
   }
   EXPECT_LT(most, 500.0);
   EXPECT_GT(most, 0.0);
-}
-
-TEST(CaseFolder, CutsASoilThatDiffersAboveThePhreaticLine)
-{
-  const Case description = read_folder(tutorial()).values;
-  std::set<std::string> names;
-  for (const BodyCase& body : description.bodies) names.insert(body.material);
-  EXPECT_TRUE(names.contains("sand_with_clay_above"));
-  EXPECT_TRUE(names.contains("sand_with_clay_below"));
 }
 
 TEST(CaseFolder, HasTheColoursAndSlipPlanesOfTheFile)
@@ -181,68 +139,6 @@ TEST(CaseFolder, HasTheColoursAndSlipPlanesOfTheFile)
     EXPECT_EQ(description.slip_planes[k].line.size(), stored[k].result->slip_plane.size());
   }
   for (const MaterialCase& material : description.materials) EXPECT_EQ(material.color.size(), 7u) << material.name;
-}
-
-TEST(CaseFolder, ReportsWhatWasAssumed)
-{
-  const std::string& report = tutorial().files.back().second;
-  EXPECT_THAT(report, ContainsRegex("\\| all \\| 2[0-9]+"));
-  EXPECT_THAT(report, HasSubstr("- Only the part from x = -62 to 85 m and above z = -9 m was taken over. Beyond the "));
-  EXPECT_THAT(report, HasSubstr(" corners were drawn, "));
-  EXPECT_THAT(
-      report, HasSubstr("clay_shallow: s_u is at least 2 kPa; in D-Stability it is zero where sigma'_v is zero."));
-  EXPECT_THAT(report, HasSubstr("Softening: the soils of this case do not soften."));
-}
-
-TEST(CaseFolder, WritesTheYieldStressOnAGridWhereTheGroundChanged)
-{
-  const StixProject project = read_stix(sample_path("tutorial-2023"));
-  const CaseFolder folder = case_folder_of(project, {.scenario = 2, .stage = 2, .kinds = kinds()});
-  const auto is_grid = [](const auto& file) { return file.first.starts_with("yield_stress_"); };
-  const auto grid = std::ranges::find_if(folder.files, is_grid);
-  ASSERT_NE(grid, folder.files.end());
-  EXPECT_THAT(grid->second, HasSubstr("x,y,value\n"));
-  EXPECT_THAT(folder.files.front().second, HasSubstr("yield_stress = { csv = \"" + grid->first + "\" }"));
-}
-
-TEST(CaseFolder, TakesAPartOfTheSection)
-{
-  const StixProject project = read_stix(sample_path("tutorial-2023"));
-  const CaseFolder folder =
-      case_folder_of(project, {.scenario = 1, .stage = 1, .between = Vec<2>{-30.0, 60.0}, .kinds = kinds()});
-  const Case description = read_folder(folder).values;
-  EXPECT_EQ(description.mesh.origin[0], -30.0);
-  EXPECT_EQ(description.mesh.size[0], 90.0);
-  EXPECT_EQ(description.mesh.origin[1], -9.0);  // the base is still that which matters
-  EXPECT_THAT(problems_of([&] {
-    case_folder_of(project, {.scenario = 1, .stage = 1, .between = Vec<2>{900.0, 990.0}, .kinds = kinds()});
-  }),
-      ElementsAre(
-          told("", "there is no soil in this part of the section", HasSubstr("Got --between 900,990 --base -9;"))));
-}
-
-TEST(CaseFolder, OfADrawingIsASkeletonThatCanBeRead)
-{
-  const DxfRegions drawing{{{"Sand 1", {{0, 0}, {40, 0}, {40, 2}, {0, 2}}},
-                               {"klei", {{0, 2}, {40, 2}, {40, 4}, {25, 4}, {22, 7}, {18, 7}, {12, 4}, {0, 4}}}},
-      {}};
-  const CaseFolder folder =
-      drawing_folder_of(drawing, {"The unit of the drawing is m."}, {.path = "d.dxf", .kinds = kinds()});
-  const Case description = read_folder(folder).values;
-  ASSERT_EQ(description.bodies.size(), 2u);
-  EXPECT_EQ(description.bodies[1].material, "klei");
-  EXPECT_EQ(description.materials[0].model, "mohr_coulomb");
-  EXPECT_EQ(description.materials[1].model, "tresca_softening");
-  EXPECT_THAT(folder.files.front().second, HasSubstr("default of clay: fill in your own"));
-  EXPECT_THAT(drawing_listing(drawing, {}), HasSubstr("klei"));
-}
-
-TEST(CaseFolder, FillsBelowABaseThatIsNotLevel)
-{
-  const DxfRegions drawing{{{"sand", {{0, 0}, {20, 1}, {20, 4}, {0, 4}}}}, {}};
-  const CaseFolder folder = drawing_folder_of(drawing, {}, {.path = "d.dxf", .kinds = kinds()});
-  EXPECT_EQ(read_folder(folder).values.bodies.size(), 2u);
-  EXPECT_THAT(folder.files.back().second, HasSubstr("10.000 m2 below the base were filled."));
 }
 
 StixStage stage_of(const std::vector<StixLayer>& layers, const StixLine& phreatic, const std::string& label = "stage")
@@ -355,28 +251,6 @@ TEST(HandSection, RefusesACrossedOutlineAlsoWhereAPartIsTaken)
     case_folder_of(project_of({stage}), {.between = Vec<2>{1.0, 19.0}, .kinds = kinds()});
   }),
       ElementsAre(told("sand (bow)", "this outline is no layer", HasSubstr("the polygon crosses itself"))));
-}
-
-TEST(HandSection, OfADrawingRefusesWhatIsNoOutline)
-{
-  const DxfRegions drawing{{{"a", {{0, 0}, {40, 0}, {40, 5}, {0, 5}}}, {"b", {{1, 1}, {2, 2}}}}, {}};
-  EXPECT_THAT(problems_of([&] { drawing_folder_of(drawing, {}, {.path = "d.dxf", .kinds = kinds()}); }),
-      ElementsAre(told("b", "this outline is no layer", HasSubstr("it needs at least 3"))));
-}
-
-// Its water stands on the last 0.6 m of the section, and no ground lies below it on cells of 2 m.
-TEST(CaseFolder, HasNoFloodWhereTheRiverIsNarrowerThanACell)
-{
-  const StixProject project = read_stix(sample_path("example-2020.03-v1"));
-  const auto text_of = [&](Real cell) {
-    return case_folder_of(project, {.stage = 1, .cell = cell, .kinds = kinds()}).files;
-  };
-  EXPECT_THAT(text_of(2.0).front().second, testing::Not(HasSubstr("\n[flood]\n")));
-  EXPECT_THAT(text_of(2.0).back().second,
-      HasSubstr("The water at the river's end (-6.20 m) stands on less than a cell of ground: the case has no [flood], "
-                "and no verdict on flooding."));
-  EXPECT_THAT(text_of(2.0).front().second, HasSubstr("\ndoubts "));  // every reader of the case is told
-  EXPECT_THAT(text_of(1.0).front().second, HasSubstr("\n[flood]\n"));
 }
 
 }  // namespace case_folder_test

@@ -2,23 +2,6 @@
 
 namespace read_parts_test {
 
-TEST(ReadParts, LeavesOutWhatHasNoPlacesAndTellsOfIt)
-{
-  EXPECT_THAT(remarks_of(read_changed("decorations/decorations.json", "\"Excavations\":[", "\"Excavations\":[{}")),
-      Contains(HasSubstr("Excavations[0]: This excavation has no line. It takes nothing away.")));
-  EXPECT_THAT(remarks_of(read_changed("states/states.json", "\"StateLines\":[", "\"StateLines\":[{}")),
-      Contains(HasSubstr("StateLines[0]: This state line has no places or no values. Left out.")));
-  EXPECT_THAT(remarks_of(read_changed(
-                  "waternets/waternets.json", "\"ReferenceLines\":[", "\"ReferenceLines\":[{\"Label\":\"r\"}")),
-      Contains(HasSubstr("The reference line `r` has no places. Left out.")));
-  EXPECT_THAT(remarks_of(read_changed("states/states.json", "\"LayerId\":\"", "\"LayerId\":\"9")),
-      ElementsAre(
-          HasSubstr("scenario 1, stage 1: The state point `SP 1` is of a layer that this stage does not have")));
-  EXPECT_THAT(remarks_of(read_changed("scenarios/scenario.json", "\"ResultId\":\"", "\"ResultId\":\"9")),
-      ElementsAre(HasSubstr("Calculations[0]: ResultId names what is not in the file"),
-          "results/bishopbruteforce/bishopbruteforceresult.json: No calculation names this result. It was not used."));
-}
-
 TEST(ReadParts, StraightensTheEndsOfASection)
 {
   const std::string corner = R"({"X":90.0,"Z":-10.0})";
@@ -37,9 +20,6 @@ TEST(ReadParts, TakesAStateWithoutTypeAsNone)
   const StixProject project = read_changed("states/states.json", "\"StateType\":\"Pop\"", "\"StateType\":null");
   EXPECT_EQ(project.scenarios[0].stages[0].state_points[0].preload.pop.value, 0.0);
   EXPECT_THAT(remarks_of(project), Contains(HasSubstr("StatePoints[0].Stress: There is no StateType here.")));
-  EXPECT_THAT(refusal_after("states/states.json", "\"StateType\":\"Pop\"", "\"StateType\":\"Overburden\""),
-      HasSubstr(
-          "StatePoints[0].Stress.StateType: is none that Terp knows\n  Got \"Overburden\"; Pop, Ocr or YieldStress."));
 }
 
 TEST(ReadParts, TurnsLinesThatRunToTheLeft)
@@ -63,8 +43,6 @@ TEST(ReadParts, GivesLoadsWithTheirConsolidation)
   EXPECT_EQ(traffic.magnitude, 13e3);
   EXPECT_EQ(traffic.consolidation.size(), project.scenarios[1].stages[1].layers.size());
   EXPECT_THAT(traffic.consolidation, Each(testing::Pair(_, AnyOf(10.0, 100.0))));
-  EXPECT_THAT(
-      refusal_after("loads/loads.json", "\"Degree\":", "\"Degree\":9"), HasSubstr("Degree: is out of range\n  Got "));
 }
 
 TEST(ReadParts, ResolvesTheHeadsOfReferenceLines)
@@ -74,21 +52,6 @@ TEST(ReadParts, ResolvesTheHeadsOfReferenceLines)
   EXPECT_EQ(water.head_lines[*water.phreatic].label, "Freatic high");
   EXPECT_EQ(water.reference_lines[0].top_head, *water.phreatic);
   EXPECT_EQ(water.head_lines[water.reference_lines[1].bottom_head].label, "Pressure aquifer");
-}
-
-TEST(ReadParts, RefusesAnEmptyDegreeOfConsolidation)
-{
-  EXPECT_THAT(refusal_after("loads/loads.json", "\"Degree\":100.0", "\"Degree\":\"NaN\""),
-      HasSubstr("Consolidations[0].Degree: needs a number\n  Got the text \"NaN\"."));
-}
-
-TEST(ReadParts, TellsOfUnknownKeysAndMissingPlacesOfWhatItLeavesOut)
-{
-  EXPECT_THAT(remarks_of(read_changed("reinforcements/reinforcements.json", "\"ForbiddenLines\":[",
-                  "\"ForbiddenLines\":[{\"Label\":\"wall\",\"Start\":null,\"End\":null,\"Depth\":5}")),
-      UnorderedElementsAre(
-          "reinforcements/reinforcements.json, ForbiddenLines[].Depth: This key is not known to Terp and was not used.",
-          HasSubstr("often sheet piles: `wall`. Left out.")));
 }
 
 }  // namespace read_parts_test

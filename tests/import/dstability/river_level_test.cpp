@@ -83,24 +83,6 @@ TEST(RiverLevel, OfTheFileChangesNothing)
   EXPECT_NE(moved_to(2.006, dike(2), 1).project.scenarios[0].stages[1].label, "high");
 }
 
-TEST(RiverLevel, IsSaidInTheCaseAndAsksWhetherItFloods)
-{
-  const CaseFolder folder = case_folder_of(dike(2), {.stage = 1, .kinds = kinds(), .river = 3.0});
-  const std::string& text = folder.files.front().second;
-  EXPECT_THAT(text, HasSubstr("title  = \"high, river at 3.00 m\""));
-  EXPECT_THAT(text, HasSubstr("water_level = 3.0"));
-  EXPECT_THAT(text, HasSubstr("name   = \"Bishop (river at 2.00 m, factor 1.2500)\""));
-  EXPECT_THAT(text, testing::Not(HasSubstr("factor_of_safety")));
-  EXPECT_THAT(
-      in_english(folder.notes), Contains(HasSubstr("The river stands at 3.00 m instead of the 2.00 m of the file")));
-  EXPECT_THAT(folder.files.back().second, HasSubstr("- The river stands at 3.00 m instead of the 2.00 m of the file"));
-  const CaseFolder dry = case_folder_of(dike(2), {.stage = 1, .kinds = kinds(), .river = 0.0});
-  EXPECT_THAT(dry.files.front().second, testing::Not(HasSubstr("\n[flood]\n")));
-  EXPECT_THAT(in_english(dry.notes),
-      Contains(HasSubstr("No water stands on the ground at the river's end (left) of the section: the "
-                         "case has no [flood], and no verdict on flooding.")));
-}
-
 TEST(RiverLevel, NeedsARiverAndGroundThatHoldsIt)
 {
   EXPECT_THAT(refusal<InputError>([] { moved_to(4.5, dike(2), 1); }), HasSubstr("would flood the whole section"));

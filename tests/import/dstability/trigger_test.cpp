@@ -120,20 +120,6 @@ CaseFolder folder_with(const FolderTrigger& trigger, const StixProject& project 
   return case_folder_of(project, {.kinds = kinds(), .trigger = trigger});
 }
 
-TEST(Trigger, OfWeakerSoilIsALastStageThatTheReportExplains)
-{
-  const CaseFolder folder = folder_with({TriggerKind::strength, 1.25, "It was given."});
-  EXPECT_THAT(
-      folder.files.front().second, HasSubstr("name               = \"weaker_soil\"\ntrigger            = true"));
-  EXPECT_THAT(folder.files.front().second, HasSubstr("{ at_strength = 1.25 }"));
-  EXPECT_THAT(folder.files.back().second,
-      HasSubstr(
-          "## Trigger: what makes the section fail\n\n- Trigger: all strengths are divided by 1.25. It was given.\n"));
-  const CaseFolder none = folder_with({.origin = "No trigger was needed."});
-  EXPECT_THAT(none.files.front().second, testing::Not(HasSubstr("trigger")));
-  EXPECT_THAT(none.files.back().second, HasSubstr("- No trigger was needed.\n"));
-}
-
 TEST(Trigger, OfWeakerSoilIsTheSmallestFactorThatFailedNotOneThatCrept)
 {
   const FolderTrigger weaker = trigger_after({1.1, 1.12345, 1.12345});

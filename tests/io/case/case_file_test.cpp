@@ -5,11 +5,6 @@
 
 namespace case_file_test {
 
-std::string error_of(const std::string& path)
-{
-  return refusal<CaseError>([&] { read_case(path); });
-}
-
 TEST(CaseFile, ModelTwoIsThePaperColumnWithSoftening)
 {
   const CaseFile file = read_case(source_path("cases/column_collapse/model_2.toml"));
@@ -103,46 +98,6 @@ TEST(CaseFile, RecordsChangesAndCopiesTogether)
   EXPECT_EQ(file.inputs.at(0).path, folder.path() + "/b.msh");
 }
 
-TEST(CaseFile, SaysThatThereIsNoSuchFile)
-{
-  const ScratchFolder folder;
-  std::ofstream(folder.path() + "/model_2.toml") << small_case;
-  EXPECT_EQ(error_of(folder.path() + "/model2.toml"),
-      "error: " + folder.path() + "/model2.toml: there is no such file\n  Did you mean `" + folder.path() +
-          "/model_2.toml`?\n\n1 error; nothing was run.\n");
-  EXPECT_THAT(error_of(folder.path() + "/nothing/at_all.toml"), HasSubstr("there is no such file\n\n1 error"));
-}
-
-TEST(CaseFile, SaysThatAFolderIsNoCase)
-{
-  const ScratchFolder folder;
-  EXPECT_THAT(error_of(folder.path()), HasSubstr("this is a folder, not a file\n  Give a .toml file.\n"));
-  std::ofstream(folder.path() + "/ledger.csv") << "step\n";
-  EXPECT_THAT(error_of(folder.path()), HasSubstr("It holds a run. To go on with it: terp resume " + folder.path()));
-}
-
-TEST(CaseFile, ShowsWhereTheTextIsNotToml)
-{
-  EXPECT_EQ(message_for("title = \"a\"\nscheme = mpm_gp\n"),
-      "error: case.toml:2:10: this is not valid TOML: text stands in quotes\n"
-      "\n"
-      "    2 | scheme = mpm_gp\n"
-      "      |          ^\n"
-      "  Write \"mpm_gp\". Numbers are written 8.0e3.\n"
-      "  The format: https://toml.io\n"
-      "\n"
-      "1 error; nothing was run.\n");
-  EXPECT_THAT(message_for("a = 1\na = 2\n"), HasSubstr("case.toml:2:5: this is not valid TOML"));
-  EXPECT_THAT(message_for("a = [1\n"), HasSubstr("this is not valid TOML"));
-}
-
-TEST(CaseFile, SaysThatABinaryFileIsNoCase)
-{
-  EXPECT_EQ(message_for(std::string("\x89HDF\r\n\x1A\n\0\0\0", 11)),
-      "error: case.toml: this is not a text file\n  A case file is text in the TOML format: "
-      "https://toml.io\n\n1 error; nothing was run.\n");
-}
-
 TEST(CaseFile, ShowsNoControlCharactersOfTheFile)
 {
   for (const std::string bad : {"\x1B[2J", "\x07", "\x7F", "\xFF", "\r"})
@@ -154,14 +109,6 @@ TEST(CaseFile, ShowsNoControlCharactersOfTheFile)
   EXPECT_THAT(message_for("scheme = \"\\u001b[2J\"\n" + small_case), HasSubstr("`scheme` cannot be \"?[2J\""));
   EXPECT_THAT(message_for(small_case, {"scheme=\x1B[2J"}), HasSubstr("--set scheme=?[2J: "));
   EXPECT_THAT(message_for("end = -1 # \x1B[2J\n" + small_case), HasSubstr("    1 | end = -1 # ?[2J\n"));
-}
-
-TEST(CaseFile, AnEmptyFileLacksTheRequiredSections)
-{
-  const std::string seen = message_for("");
-  for (const char* header : {"[time]", "[mesh]", "[[body]]", "[material.NAME]"})
-    EXPECT_THAT(seen, HasSubstr(std::string("the section ") + header + " is missing"));
-  EXPECT_THAT(seen, HasSubstr("4 errors; nothing was run."));
 }
 
 // It follows from the error, and goes with it.

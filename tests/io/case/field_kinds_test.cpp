@@ -137,13 +137,4 @@ TEST(FieldKinds, ARandomFieldHasTheValuesThatAreKnown)
   EXPECT_NEAR(material_of("shear_modulus = 2e6\n" + known).fields[0].value_at({{3.0, 1.0}}), 5e3, 1e-9);
 }
 
-TEST(FieldKinds, EveryKindIsExplained)
-{
-  const std::string text = describe_field_kinds();
-  for (const FieldKind& kind : field_kinds()) EXPECT_THAT(text, HasSubstr(std::string(kind.form)));
-  EXPECT_THAT(text, HasSubstr("  gaussian      exp(-pi d^2/theta^2), smooth\n"));
-  EXPECT_THAT(
-      text, HasSubstr("  pop           [Pa] sigma'_p - sigma'_v,daily; at least 0 Pa, usual 500 to 1000000 Pa\n"));
-}
-
 }  // namespace field_kinds_test

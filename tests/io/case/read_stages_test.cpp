@@ -116,21 +116,6 @@ TEST(ReadStages, TheirTimesAddUpAsOneWouldWriteTheSum)
   EXPECT_EQ(read_case_text(replaced(small_case, "[time]\nend = 4.0\n", three), "a.toml").values.time.end, 0.3);
 }
 
-// A side that a later stage pushes keeps no earlier stage from its rest.
-TEST(ReadStages, WarnOfWhatGoesOnInStagesThatEndAtRestAlone)
-{
-  const auto warnings = [](const std::string& until) {
-    return render_warnings(read_case_text(
-        replaced(small_case, "end = 4.0", "courant = 0.9") +
-            "[forces]\ndamping = { local = 0.3 }\n[[stage]]\nname = \"a\"\nuntil = \"at_rest\"\nat_most = 9.0\n"
-            "[[stage]]\nname = \"push\"\n" +
-            until + "\nset = { boundary.left = { velocity = [0.1, 0.0] } }\n",
-        "a.toml"));
-  };
-  EXPECT_THAT(warnings("duration = 1.0"), Not(HasSubstr("does not come to rest")));
-  EXPECT_THAT(warnings("until = \"at_rest\"\nat_most = 1.0"), HasSubstr("soil that is pushed does not come to rest"));
-}
-
 TEST(ReadStages, ACaseWithoutThemHasNone) { EXPECT_TRUE(read_case_text(small_case, "a.toml").values.stages.empty()); }
 
 }  // namespace read_stages_test

@@ -14,14 +14,6 @@ TEST_F(RunFolder, IsMadeWithTheFoldersAboveIt)
   EXPECT_TRUE(std::filesystem::is_directory(folder + "/runs/model_2"));
 }
 
-TEST_F(RunFolder, ThatHoldsAnythingIsRefusedWithThreeWaysOut)
-{
-  write_file_atomically(folder + "/notes.txt", "mine");
-  EXPECT_THAT(file_error_of([&] { prepare_run_folder(folder, false); }),
-      AllOf(HasSubstr("the run folder " + folder + " is not empty"), HasSubstr("--force"), HasSubstr("-o DIR"),
-          HasSubstr("`terp resume " + folder + "`")));
-}
-
 TEST_F(RunFolder, ForceRemovesTheFilesOfARunAndNoOthers)
 {
   std::filesystem::create_directory(folder + "/frames");

@@ -1,6 +1,6 @@
 #include "io/files/stability_json.hpp"
 #include "io/files/files.hpp"
-#include "support/test.hpp"
+#include "support/golden.hpp"
 #include <nlohmann/json.hpp>
 
 namespace stability_json_test {
@@ -21,139 +21,9 @@ StabilityResult result()
   return r;
 }
 
-TEST(StabilityJson, HoldsTheFactorItsBracketAndTheTrials)
+/// A mechanism of a slope that fails to the left.
+Mechanism left_slope()
 {
-  const auto json = nlohmann::json::parse(stability_json(result(), "mpm_gp", {"cut", "title = \"x\""}));
-  EXPECT_DOUBLE_EQ(json["factor_of_safety"], 1.05);
-  EXPECT_EQ(json["stable_at"], 1.0);
-  EXPECT_EQ(json["not_stable_at"], 1.1);
-  EXPECT_EQ(json["strengths"][0]["key"], "material.clay.su_peak");
-  EXPECT_EQ(json["trials"][1]["verdict"], "undecided");
-  EXPECT_EQ(json["trials"][0]["displacement"][1], 0.02);
-  EXPECT_EQ(json["criterion"]["displacement_scale"], 0.05);
-  EXPECT_EQ(json["case_name"], "cut");
-}
-
-TEST(StabilityJson, AFactorThatWasNotFoundIsNull)
-{
-  StabilityResult r = result();
-  r.search.not_stable.reset();
-  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}));
-  EXPECT_TRUE(json["factor_of_safety"].is_null() && json["uncertainty"].is_null());
-  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("factor of safety not found: the soil stands even at 1\n"));
-}
-
-TEST(StabilityText, SaysFactorCriterionAndTrials)
-{
-  const std::string text = stability_text(result(), "mpm_gp");
-  EXPECT_THAT(text,
-      HasSubstr("factor of safety 1.050 +- 0.050   (stands at 1.000, creeps at 1.100, up to 1.100)\n  by reduction "
-                "of 1 strength, mpm_gp, 900 points"));
-  EXPECT_THAT(text, HasSubstr("    1.0000  stable     why\n    1.1000  undecided  why\n"));
-  EXPECT_THAT(text, HasSubstr("At 1.1000 the soil still crept after 200 windows: it may stand or fail, and the +- has "
-                              "room for both. Larger\n  --windows decide it.\n"));
-  EXPECT_THAT(
-      text, HasSubstr("what moves is 8.0 cells of 0.5 m deep,\n  and with so many it was by 0 to 17 % on slopes of "
-                      "other authors. --cells 0.5,0.25 measures it.\n"));
-}
-
-TEST(StabilityText, AnUndecidedEndWidensTheUncertainty)
-{
-  StabilityResult r = result();
-  Trial trial;
-  trial.factor = 1.4, trial.verdict = TrialVerdict::failed, trial.reason = "why";
-  enter(std::move(trial), r.search);
-  EXPECT_THAT(stability_text(r, "mpm_gp"),
-      StartsWith("factor of safety 1.050 +- 0.350   (stands at 1.000, creeps at 1.100, fails at 1.400)\n"));
-  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}));
-  EXPECT_NEAR(json["uncertainty"], 0.35, 1e-12);
-  EXPECT_EQ(json["not_stable_at"], 1.1);
-  EXPECT_EQ(json["failed_at"], 1.4);
-}
-
-TEST(StabilityText, SearchesOnSeveralSizesGiveTheFactorOnCellsOfNoSize)
-{
-  StabilityResult r = result();
-  r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}};
-  EXPECT_THAT(stability_text(r, "mpm_gp"),
-      AllOf(StartsWith("factor of safety 1.050   (1.003 to 1.069), on cells of no size\n"),
-          HasSubstr(
-              "  The mesh: 1.150 on cells of 1 m, 1.100 on cells of 0.5 m.\n  By the order 1.00, usual on slopes; "
-              "the range is that of 0.6 to 1.4")));
-  const auto mesh = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["mesh"];
-  EXPECT_EQ(mesh["sizes"][1]["factor"], 1.1);
-  EXPECT_NEAR(mesh["extrapolated"]["factor"], 1.05, 1e-12);
-  EXPECT_FALSE(mesh["extrapolated"]["order_is_observed"]);
-}
-
-TEST(StabilityText, NeverGivesMoreThanWhatFailedOnTheFinestCells)
-{
-  StabilityResult r = result();
-  r.sizes = {{1.0, 1.05, 0.0, 1.06}, {0.5, 1.15, 0.05, 1.2}};  // finer cells gave more
-  EXPECT_THAT(stability_text(r, "mpm_gp"),
-      AllOf(StartsWith("factor of safety 1.050   (1.050 to 1.060), the lower one of two sizes of cells\n"),
-          HasSubstr("  Finer cells gave no less, which is no error of the mesh: nothing is extrapolated")));
-  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}));
-  EXPECT_EQ(json["factor_of_safety"], 1.05);
-  EXPECT_FALSE(json["mesh"]["extrapolated"]["is_extrapolated"]);
-}
-
-TEST(StabilityText, FewCellsOnOneOfTwoSizesBoundTheFactorOnly)
-{
-  StabilityResult r = result();
-  r.sizes = {{1.0, 1.15, 0.0, 1.15, 4.0}, {0.5, 1.05, 0.05, 1.1, 8.0}};
-  EXPECT_THAT(stability_text(r, "mpm_gp"),
-      AllOf(StartsWith("factor of safety at most 1.100   (stands at 1.000, "),
-          HasSubstr(
-              "  The mesh: 1.150 on cells of 1 m, 1.050 on cells of 0.5 m.\n  What moves is 4.0 cells of 1 m deep."),
-          HasSubstr("Finer cells give less; --cells 0.5,0.25 measures it.\n")));
-  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}));
-  EXPECT_TRUE(json["is_upper_bound"]);
-  EXPECT_EQ(json["factor_of_safety"], 1.1);
-  EXPECT_TRUE(json["mesh"]["extrapolated"].is_null());
-}
-
-TEST(StabilityText, ASearchThatWasStoppedIsNotExtrapolated)
-{
-  StabilityResult r = result();
-  r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}}, r.stopped = true;
-  EXPECT_THAT(stability_text(r, "mpm_gp"), StartsWith("factor of safety 1.050 +- 0.050"));
-}
-
-TEST(StabilityText, ThreeSizesShowTheirOrderWhetherItIsUsedOrNot)
-{
-  StabilityResult r = result();
-  r.sizes = {{2.0, 1.4, 0.0}, {1.0, 1.2, 0.0}, {0.5, 1.1, 0.0}};
-  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("By the order 1.00, observed on three sizes,"));
-  r.sizes[0].factor = 1.31;  // the differences hardly fall
-  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("The order 0.14 that three sizes show is not used"));
-  r.sizes[0].factor = 1.1;
-  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("The three sizes show no order."));
-}
-
-TEST(StabilityText, SuggestsSizesThatTheMeshTakes)
-{
-  StabilityResult r = result();
-  r.cell = 1.409, r.given_cell = 1.99230769, r.relief = 10.0;  // cells of two widths a height
-  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr(" --cells 1.99230769,0.996153845 measures it.\n"));
-  r.given_cell = 0.0;  // a file
-  EXPECT_THAT(stability_text(r, "mpm_gp"), Not(HasSubstr("--cells")));
-  r = result(), r.relief = 1.0;  // two cells: four times as many are enough
-  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("--cells 0.125,0.0625 measures it"));
-}
-
-TEST(StabilityText, SaysWhatTensionGivesOnTheSameCells)
-{
-  StabilityResult r = result();
-  r.with_tension = SizedFactor{0.5, 1.155, 0.01};
-  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("With tension (--with-tension) 1.155 +- 0.010"));
-  r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}};
-  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("it is 10 % stronger on the\n  finest cells\n"));
-}
-
-TEST(StabilityText, SaysWhichSlopeFailsAndWhere)
-{
-  StabilityResult r = result();
   Mechanism m;
   m.factor = 1.1;
   m.moving = MovingSoil{.way = Facing::left,
@@ -165,74 +35,106 @@ TEST(StabilityText, SaysWhichSlopeFailsAndWhere)
       .depth = 2.5,
       .area = 7.25,
       .other_way = 0.1};
+  return m;
+}
+
+struct Variant {
+  const char* name;
+  std::function<void(StabilityResult&)> change;
+  const char* scheme = "mpm_gp";
+};
+
+void fail_at(StabilityResult& r, Real factor)
+{
+  Trial trial;
+  trial.factor = factor, trial.verdict = TrialVerdict::failed, trial.reason = "why";
+  enter(std::move(trial), r.search);
+}
+
+void give_mechanism(StabilityResult& r, const char* sand, Real least_depth)
+{
+  Mechanism m = left_slope();
   r.mechanism = std::make_shared<const Mechanism>(m);
   m.factor = 1.05, m.moving->depth = 0.4, m.moving->area = 0.97;
   r.creep = std::make_shared<const Mechanism>(m);
-  m.moving->sand = "bank";
-  StabilityResult sand = r;
-  sand.mechanism = std::make_shared<const Mechanism>(m);
-  EXPECT_THAT(stability_text(sand, "mpm_gp"), HasSubstr("    `bank` has no cohesion: where it makes the face"));
-  sand.options.rules.least_depth = 2.0;
-  for (const StabilityResult& quiet : {r, sand})
-    EXPECT_THAT(stability_text(quiet, "mpm_gp"), Not(HasSubstr("has no cohesion")));
-  EXPECT_THAT(stability_text(r, "mpm_gp"),
-      HasSubstr(
-          "  mechanism at 1.1000: the slope on the left of the highest ground (x = 5.00 m) fails, its soil moves to "
-          "the left\n    enters at (3.00, 4.00) m, comes out at (1.00, 0.50) m, 2.50 m deep, 7.25 m^2\n"
-          "    10 % of the motion goes to the other side\n  creep at 1.0500: the slope on the left of the highest "
-          "ground "
-          "(x = 5.00 m) creeps"));
-  EXPECT_EQ(nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["creep"]["depth"], 0.4);
-  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["mechanism"];
-  EXPECT_EQ(json["slope"], "left");
-  EXPECT_EQ(json["slip_surface"][2][1], 4.0);
-  EXPECT_EQ(json["area"], 7.25);
+  m.moving->sand = sand, r.options.rules.least_depth = least_depth;
+  if (*sand != 0) r.mechanism = std::make_shared<const Mechanism>(m);
 }
 
-TEST(StabilityText, IsAnUpperBoundWhereFewCellsMove)
+const Variant variants[] = {{"found, with creep and no failure", [](StabilityResult&) {}},
+    {"of a scheme that locks", [](StabilityResult&) {}, "standard_mpm"},
+    {"not found", [](StabilityResult& r) { r.search.not_stable.reset(); }},
+    {"a failure above an undecided trial", [](StabilityResult& r) { fail_at(r, 1.4); }},
+    {"a failure where it creeps", [](StabilityResult& r) { fail_at(r, 1.1); }},
+    {"stopped", [](StabilityResult& r) { fail_at(r, 1.1), r.stopped = true; }},
+    {"two sizes of cells",
+        [](StabilityResult& r) {
+          r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}};
+        }},
+    {"finer cells gave more",
+        [](StabilityResult& r) {
+          r.sizes = {{1.0, 1.05, 0.0, 1.06}, {0.5, 1.15, 0.05, 1.2}};
+        }},
+    {"few cells on one of two sizes",
+        [](StabilityResult& r) {
+          r.sizes = {{1.0, 1.15, 0.0, 1.15, 4.0}, {0.5, 1.05, 0.05, 1.1, 8.0}};
+        }},
+    {"two sizes, stopped",
+        [](StabilityResult& r) {
+          r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}}, r.stopped = true;
+        }},
+    {"three sizes with an order",
+        [](StabilityResult& r) {
+          r.sizes = {{2.0, 1.4, 0.0}, {1.0, 1.2, 0.0}, {0.5, 1.1, 0.0}};
+        }},
+    {"three sizes whose differences hardly fall",
+        [](StabilityResult& r) {
+          r.sizes = {{2.0, 1.31, 0.0}, {1.0, 1.2, 0.0}, {0.5, 1.1, 0.0}};
+        }},
+    {"three sizes without order",
+        [](StabilityResult& r) {
+          r.sizes = {{2.0, 1.1, 0.0}, {1.0, 1.2, 0.0}, {0.5, 1.1, 0.0}};
+        }},
+    {"cells of two widths a height",
+        [](StabilityResult& r) { r.cell = 1.409, r.given_cell = 1.99230769, r.relief = 10.0; }},
+    {"a mesh from a file", [](StabilityResult& r) { r.cell = 1.409, r.given_cell = 0.0, r.relief = 10.0; }},
+    {"two cells move", [](StabilityResult& r) { r.relief = 1.0; }},
+    {"four", [](StabilityResult& r) { r.relief = 2.0; }},
+    {"with tension",
+        [](StabilityResult& r) {
+          r.with_tension = SizedFactor{0.5, 1.155, 0.01};
+        }},
+    {"with tension, two sizes",
+        [](StabilityResult& r) {
+          r.with_tension = SizedFactor{0.5, 1.155, 0.01}, r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}};
+        }},
+    {"a mechanism and one that creeps", [](StabilityResult& r) { give_mechanism(r, "", 0.0); }},
+    {"a face of sand", [](StabilityResult& r) { give_mechanism(r, "bank", 0.0); }},
+    {"a face of sand, only deep soil", [](StabilityResult& r) { give_mechanism(r, "bank", 2.0); }},
+    {"factors of other methods", [](StabilityResult& r) {
+       r.slip_planes.resize(2);
+       r.slip_planes[0].name = "flood", r.slip_planes[0].method = "Bishop", r.slip_planes[0].factor_of_safety = 1.0;
+       r.slip_planes[1].name = "by hand";
+     }}};
+
+TEST(StabilityText, AndJsonAreThoseOfTheGoldenText)
 {
-  StabilityResult r = result();
-  r.relief = 2.0;  // four cells
-  EXPECT_THAT(stability_text(r, "mpm_gp"),
-      AllOf(StartsWith("factor of safety at most 1.100   (stands at 1.000, creeps at 1.100, up to 1.100)\n"),
-          HasSubstr("What moves is 4.0 cells of 0.5 m deep. So few carry far more than the soil")));
-  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}));
-  EXPECT_TRUE(json["is_upper_bound"]);
-  EXPECT_EQ(json["factor_of_safety"], 1.1) << "as the text says";
-  EXPECT_NEAR(json["uncertainty"], 0.1, 1e-12);
+  std::string all;
+  for (const auto& [name, change, scheme] : variants) {
+    StabilityResult r = result();
+    change(r);
+    auto json = nlohmann::ordered_json::parse(stability_json(r, scheme, {"cut", "title = \"x\""}));
+    for (const char* key : {"trials", "terp_version", "case"}) json.erase(key);
+    all += std::string("== ") + name + "\n" + stability_text(r, scheme) + json.dump() + "\n";
+  }
+  expect_golden("tests/io/files/stability.txt", all);
 }
 
-TEST(StabilityText, PutsTheFactorsOfOtherMethodsBesideItsOwn)
+TEST(StabilityJson, HoldsTheTrials)
 {
-  StabilityResult r = result();
-  SlipPlaneCase bishop, by_hand;
-  bishop.name = "flood", bishop.method = "Bishop", bishop.factor_of_safety = 1.0, by_hand.name = "by hand";
-  r.slip_planes = {bishop, by_hand};
-  EXPECT_THAT(stability_text(r, "mpm_gp"),
-      HasSubstr("  beside the factors of other methods:\n    flood, Bishop, 1.000: this is +5.0 % from it\n  At 1.1"));
-  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["other_methods"];
-  EXPECT_EQ(json[0]["factor_of_safety"], 1.0);
-  EXPECT_EQ(json[0]["method"], "Bishop");
-  EXPECT_TRUE(json[1]["factor_of_safety"].is_null());
-  r.slip_planes.clear();
-  EXPECT_THAT(stability_text(r, "mpm_gp"), Not(HasSubstr("other methods")));
-}
-
-TEST(StabilityText, SaysWhatTheBracketDoesNot)
-{
-  StabilityResult r = result();
-  const std::string creep = "No trial failed, so nothing bounds the factor from above but creep",
-                    mesh = "The +- is that of the search alone";
-  EXPECT_THAT(
-      stability_text(r, "mpm_gp"), AllOf(HasSubstr(creep), HasSubstr(mesh), Not(HasSubstr("standard_mpm locks"))));
-  EXPECT_THAT(stability_text(r, "standard_mpm"), HasSubstr("standard_mpm locks"));
-  Trial failed;
-  failed.factor = 1.1, failed.verdict = TrialVerdict::failed;
-  enter(std::move(failed), r.search);
-  EXPECT_THAT(stability_text(r, "mpm_gp"), AllOf(Not(HasSubstr(creep)), HasSubstr(mesh)));
-  r.stopped = true;
-  EXPECT_THAT(
-      stability_text(r, "mpm_gp"), HasSubstr("The search was stopped before the bracket was as narrow as asked for"));
+  const auto json = nlohmann::json::parse(stability_json(result(), "mpm_gp", {"cut", "title = \"x\""}));
+  EXPECT_EQ(json["trials"][1]["verdict"], "undecided");
+  EXPECT_EQ(json["trials"][0]["displacement"][1], 0.02);
 }
 
 }  // namespace stability_json_test

@@ -66,13 +66,4 @@ TEST_F(ExportTest, LeavesDamagedFramesOut)
   EXPECT_THAT(in_english(frames.warnings()), ElementsAre(HasSubstr(path)));
 }
 
-TEST_F(ExportTest, AFieldThatIsNotThereWritesNothing)
-{
-  EXPECT_THAT(case_error_of([&] {
-    export_frames(frames, {{"sigma"}, "", folder});
-  }),
-      HasSubstr("has no field `sigma`"));
-  EXPECT_FALSE(std::filesystem::exists(folder));
-}
-
 }  // namespace export_test

@@ -152,14 +152,6 @@ TEST(Loads, WithoutGroundAreRefused)
                     "1.025 to 2.975 m.\nMove `from` and `to` onto the soil"))));
 }
 
-TEST(Loads, AreKeptByACheckpointAndGiveTheSameBitsOnAnyNumberOfThreads)
-{
-  Case c = loaded("mpm_gp");
-  c.loads[0].start = 0.1;
-  expect_same_bits(c, {}, {30.0 * build_model(c, 1).dt}, 60);
-  expect_same_bits(loaded("mpm_mixed"), {3}, {}, 100);
-}
-
 TEST(Loads, AddToTheOverburdenOfK0)
 {
   Case c = loaded("mpm_gp");

@@ -1,5 +1,6 @@
 #include "model/meshes/msh_content.hpp"
 #include "model/meshes/msh_text.hpp"
+#include "support/catalogue.hpp"
 #include "support/process.hpp"
 
 namespace msh_content_test {
@@ -97,54 +98,13 @@ TEST(ReadMsh, RefusesCutOffFiles)
       "m.msh:4: section $Comments has no `$EndComments`: the file is cut off");
 }
 
-struct WrongText {
-  std::string from, to, message;
-};
-
-const WrongText wrong_texts[] = {
-    {"1 1 0\n", "1 one 0\n", "m.msh:13: a coordinate is expected, got `one`"},
-    {"1 1 0\n", "1 1e400 0\n", "m.msh:13: a coordinate is expected, got `1e400`"},
-    {"1 1 0\n", "\x01\x02" + std::string(60, 'a'),
-        "m.msh:13: a coordinate is expected, got `??" + std::string(38, 'a') + "...`"},
-    {"2 1 0 4", "2 2147483648 0 4", "m.msh:6: the number of an entity is out of range: 2147483648"},
-    {"1 1 0\n", "1 nan 0\n", "m.msh:13: a coordinate is not a finite number"},
-    {"1 1 0\n", "1 1\n", "m.msh:13: the line ends where a coordinate is expected"},
-    {"1 1 0\n", "1 1 0 7\n", "m.msh:13: the end of the line is expected, got `7`"},
-    {"\n1\n2\n", "\n1\n-2\n", "m.msh:8: a node number of at least 1 is expected, got -2"},
-    {"2 1 0 4", "9 1 0 4", "m.msh:6: a dimension of 0 to 3 is expected, got 9"},
-    // Counts that the file cannot hold, before any memory is asked for.
-    {"2 1 0 4", "2 1 0 4000000000000",
-        "m.msh:6: the number of nodes in a block is 4000000000000, more than the rest of the file can hold"},
-    {"2 1 0 4", "2 1 0 -4", "m.msh:6: the number of nodes in a block is -4, more than the rest of the file can hold"},
-    {"2 1 3 1\n", "2 1 3 7\n",
-        "m.msh:18: the number of elements in a block is 7, more than the rest of the file can hold"},
-    {"2 1 3 1\n", "2 1 3 6\n", "m.msh:20: an element number is expected, got `$EndElements`"},
-    {"$Nodes", "$Entities\n1 999999 1 0\n$EndEntities\n$Nodes",
-        "m.msh:5: a number of entities is 999999, more than the rest of the file can hold"},
-    {"$Nodes", "$PhysicalNames\n123456789012\n$Nodes",
-        "m.msh:5: the number of names is 123456789012, more than the rest of the file can hold"},
-    {"2 1 3 1", "2 1 300 1", "m.msh:18: elements of type 300 are not read: Terp takes quadrilaterals (type 3)"},
-    {"$Nodes", "$PartitionedEntities\n1\n$EndPartitionedEntities\n$Nodes",
-        "m.msh:4: the mesh is cut into partitions. Save it in one piece, before it is partitioned"},
-    {"$Nodes", "$PhysicalNames\n1\n1 5 base\n$EndPhysicalNames\n$Nodes",
-        "m.msh:6: the name of a physical group in double quotes is expected, got `base`"},
-    {"$Nodes", "$PhysicalNames\n1\n1 5 \"open\n$EndPhysicalNames\n$Nodes",
-        "m.msh:6: the name of a physical group in double quotes is expected, got `\"open`"},
-    {"4.1 0 8", "4 0 8",
-        "m.msh:2: MSH version 4 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`"},
-    {"4.1 0 8", "2.2 1 8",
-        "m.msh:2: MSH version 2.2 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`"},
-    {"$MeshFormat", "$NOD\n0\n$ENDNOD\n$MeshFormat",
-        "m.msh:1: MSH version 1 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`"},
-    {"4.1 0 8", "4.1 2 8", "m.msh:2: 0 (text) or 1 (binary) is expected, got 2"},
-    {"4.1 0 8", "4.1 0 4", "m.msh:2: numbers of 8 bytes are expected"},
-    {"$EndMeshFormat", "$EndNodes", "m.msh:3: `$EndMeshFormat` is expected, got `$EndNodes`"},
-};
-
 TEST(ReadMsh, RefusesWhatIsMalformedAndNamesTheLine)
 {
-  for (const auto& [from, to, message] : wrong_texts)
-    EXPECT_EQ(refusal_of(changed(head_41 + square_41, from, to)), message);
+  const std::string path = source_path("tests/model/meshes/msh.wrong");
+  for (const WrongRow& row : read_catalogue(path))
+    expect_row(path, row, refusal_of(changed(head_41 + square_41, row.before, row.after)));
+  EXPECT_EQ(refusal_of(changed(head_41 + square_41, "1 1 0\n", "\x01\x02" + std::string(60, 'a'))),
+      "m.msh:13: a coordinate is expected, got `??" + std::string(38, 'a') + "...`");
 }
 
 template <class... T>

@@ -81,19 +81,4 @@ TEST(RelaxationPasses, FadesWithItsTimeConstantWhateverTheStep)
   EXPECT_NEAR(left_after(0.5 * time), std::exp(-4.0), 0.03);
 }
 
-TEST(RelaxationPasses, SameBitsOnThreadsAndAfterASave)
-{
-  Case c = column("mpm_gp");
-  c.method.relaxation_time = 0.02;
-  Simulation one(c, 1), two(c, 2), other(c, 1);
-  one.step(150);
-  two.step(70);
-  other.restore(two.save());
-  other.step(80);
-  const auto a = points_by_id(one.state), b = points_by_id(other.state);
-  for (std::size_t p = 0; p < a.size(); ++p) ASSERT_EQ(a[p].v, b[p].v) << p;
-  EXPECT_EQ(one.state.work.relaxation, other.state.work.relaxation);
-  EXPECT_NE(one.state.work.relaxation, 0.0);
-}
-
 }  // namespace relaxation_passes_test

@@ -27,19 +27,6 @@ Real sum_of(const Simulation& s, const char* name, const std::vector<Real>& befo
   return sum;
 }
 
-TEST(SofteningPasses, EndInTheSameBitsOnAnyNumberOfThreadsAndFromACheckpoint)
-{
-  for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"}) {
-    const Case c = softening_column(scheme);
-    expect_same_bits(c, {2, 4}, {170.0 * build_model(c, 1).dt}, 300);
-  }
-  for (const char* scheme : {"mpm_mixed", "mpm_gp"}) {
-    Case overlap = softening_column(scheme);
-    overlap.method.shares = Shares::overlap;
-    expect_same_bits(overlap, {3}, {}, 300);
-  }
-}
-
 void expect_nothing_is_lost(const char* scheme, Shares shares)
 {
   Case c = softening_column(scheme);

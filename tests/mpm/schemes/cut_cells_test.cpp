@@ -377,11 +377,6 @@ Case collapse(const Way& way)
   return c;
 }
 
-TEST_P(SoilsOfACutCell, EndInTheSameBitsOnAnyNumberOfThreadsAndFromACheckpoint)
-{
-  expect_same_bits(collapse(GetParam()), {2, 4}, {0.3});
-}
-
 std::unique_ptr<Simulation> solved(Case c, CutCells cut_cells)
 {
   c.method.cut_cells = cut_cells;

@@ -1,5 +1,6 @@
 #include "mpm/features/overlap.hpp"
 #include "mpm/step/workspace.hpp"
+#include "mpm/schemes/patch_values.hpp"
 #include "support/simulations.hpp"
 
 namespace overlap_test {
@@ -55,15 +56,6 @@ TEST_P(Overlap, CarriesASpeedWithoutForces)
     EXPECT_NEAR(p.v[0], 1.0, 1e-11);
     for (const Real stress : p.sigma) EXPECT_NEAR(stress, 0.0, 1e-6);
   }
-}
-
-TEST_P(Overlap, EndsInTheSameBitsOnAnyNumberOfThreadsAndFromACheckpoint)
-{
-  Case c = column();
-  c.time.end = 0.4;
-  expect_same_bits(c, {2, 4});
-  c.forces.averaging_time = 0.02;
-  expect_same_bits(c, {2}, {0.2});
 }
 
 TEST_P(Overlap, KeepsTheBalanceOfEnergyOfACollapse)

@@ -172,15 +172,6 @@ TEST(PressureBalance, LawsSayWhetherTheirStrengthFollowsThePressure)
     EXPECT_FALSE(find_material(law)->ignores_pressure) << law;
 }
 
-TEST(PressureBalance, EndsInTheSameBitsOnAnyNumberOfThreadsAndFromACheckpoint)
-{
-  for (const char* scheme : {"mpm_gp", "mpm_mixed"}) {
-    Case c = with_slope(column(scheme, 0.25));
-    c.time.end = 0.3;
-    expect_same_bits(c, {1, 2, 3}, {0.1, 0.2});
-  }
-}
-
 /// Waves of a stiff body are faster than any slide: the slope does not follow them, or it would feed them.
 TEST(PressureBalance, FeedsNoSwingingCantilever)
 {

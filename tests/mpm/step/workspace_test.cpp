@@ -1,6 +1,6 @@
 #include "mpm/step/passes.hpp"
 #include "mpm/step/workspace.hpp"
-#include "support/simulations.hpp"
+#include "mpm/step/count_allocations.hpp"
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -53,16 +53,16 @@ void operator delete[](void* p, std::align_val_t) noexcept { release(p); }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept { release(p); }
 void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { release(p); }
 
-namespace {
-
-int allocations_during(Simulation& s, std::int64_t n_steps)
+int terp::test::allocations_during(Simulation& s, std::int64_t n_steps)
 {
   n_allocations = 0;
   counting = true;
-  test::make_steps(s, n_steps);
+  make_steps(s, n_steps);
   counting = false;
   return n_allocations;
 }
+
+namespace {
 
 /// The coarse column, already on the move.
 Case moving_column(const char* scheme)

@@ -28,30 +28,4 @@ TEST(SharedCells, AreThoseWithPointsOfTwoMaterials)
   EXPECT_EQ(share(0.375, 0.625), 1.0);
 }
 
-TEST(SharedCells, AThinLayerOfSoilThatYieldsIsTold)
-{
-  const auto warnings_of = [](const Case& c) {
-    Model model = build_model(c, 1);
-    return find_warnings(model, build_state(model));
-  };
-  EXPECT_THAT(warnings_of(layer_between(0.25, 0.875)), ElementsAre());  // a fifth
-  Case thin = layer_between(0.375, 0.625);
-  const auto in_stronger_soil =
-      told("material.\"clay\"", "`clay` is a layer in stronger soil, 0.25 m thick on cells of 0.25 m");
-  EXPECT_THAT(warnings_of(thin), ElementsAre(in_stronger_soil));  // its soils do not have one strain
-  const auto is_told = [](const std::string& remedy) {
-    return ElementsAre(told("material.\"clay\"", "most of `clay` lies in cells that it shares with other soil",
-        AllOf(StartsWith("Got 100 % of its volume. Such a cell has the mean strength of its soils:"),
-            HasSubstr("Usual: " + remedy + ", cells along the layer, or smaller ones"))));
-  };
-  thin.scheme = "standard_mpm";
-  EXPECT_THAT(warnings_of(thin), is_told("another scheme"));
-  thin.scheme = "mpm_gp";
-  thin.method.cut_cells = CutCells::mean;
-  EXPECT_THAT(warnings_of(thin), is_told("method.cut_cells = \"slip\""));
-  thin.materials[0] = elastic(2e6, 0.3, 2500.0);
-  thin.materials[0].name = "clay";
-  EXPECT_THAT(warnings_of(thin), ElementsAre());  // never yields
-}
-
 }  // namespace shared_cells_test

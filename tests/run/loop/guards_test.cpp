@@ -344,15 +344,4 @@ TEST(Guards, ARunThatGainsEnergyStopsAtItsNextRow)
   EXPECT_EQ(saboteur.saved_steps, std::vector<std::int64_t>{121});
 }
 
-TEST(Guards, ARunWhoseSoilFliesOutOfTheMeshStops)
-{
-  Case c = free_box("mpm_gp", {3.0, 0.5}, {3.75, 1.25});
-  c.bodies[0].velocity = {10.0, 0.0};
-  Simulation s(c);
-  Saboteur saboteur;
-  EXPECT_THAT(message_of_run(s, saboteur), HasSubstr("points had to be put back at the walls"));
-  EXPECT_EQ(saboteur.saved_steps.size(), 1u);
-  EXPECT_EQ(s.state.points.n_points(), 9 * 25);  // none is lost
-}
-
 }  // namespace guards_test

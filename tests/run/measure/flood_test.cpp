@@ -6,16 +6,6 @@
 
 namespace flood_test {
 
-/// What [flood] doubts of a case before a run.
-std::vector<std::string> doubts_of(const Case& c)
-{
-  const Drawn s(c);
-  std::vector<std::string> texts;
-  for (const Problem& p : find_flood_warnings(s.model, s.state))
-    texts.push_back(p.key + ": " + p.what + ". " + p.detail);
-  return texts;
-}
-
 /// What slid: all to the right of a line that falls from (x, 5 m) at 45 degrees, by so much to the right and down.
 Vec<2> slide_right(Vec<2> p, Real x, Real along, Real down)
 {
@@ -219,49 +209,6 @@ TEST(Flood, TheRiverIsWhereTheGroundIsLow)
   EXPECT_EQ(Drawn(c).flood().river, Facing::left);
   c.flood.river = RiverSide::right;
   EXPECT_EQ(Drawn(c).flood().river, Facing::right);
-  EXPECT_THAT(doubts_of(c), ElementsAre(HasSubstr("the river's end of the section lies above the water")));
-}
-
-TEST(Flood, ACrestThatIsNarrowerThanTwoCellsIsDoubted)
-{
-  Case c = dike();
-  c.flood.water_level = 3.0;
-  EXPECT_THAT(doubts_of(c), IsEmpty());
-  c.bodies.push_back(body("clay", {19.75, 5.0}, {20.25, 5.5}));
-  EXPECT_THAT(doubts_of(c), ElementsAre(AllOf(StartsWith("mesh.cell: the crest is narrower than two cells. At x = 20 m "
-                                                         "the ground reaches 5.5 m;"),
-                                HasSubstr("0.5 m wide, on cells of 0.5 m.\nIt counts as 5.25 m high"))));
-  c.bodies.back() = body("clay", {19.0, 5.0}, {21.0, 5.5});
-  EXPECT_THAT(doubts_of(c), IsEmpty());
-}
-
-TEST(Flood, ACaseThatFloodsFromTheStartIsDoubted)
-{
-  const auto warnings = [](Real level, Real width) {
-    Case c = dike();
-    c.flood.water_level = level, c.flood.smallest_width = width;
-    return doubts_of(c);
-  };
-  EXPECT_THAT(warnings(4.0, 7.0), IsEmpty());
-  EXPECT_THAT(warnings(5.5, 0.0), ElementsAre("flood.water_level: it floods from the start. The highest ground between "
-                                              "river and land stands at 5 m, less than 5.5 m."));
-  EXPECT_THAT(
-      warnings(4.0, 9.0), ElementsAre(StartsWith("flood.smallest_width: it floods from the start. The ground is ")));
-  EXPECT_THAT(
-      warnings(0.5, 0.0), ElementsAre(StartsWith("flood.water_level: no ground lies below the water. The lowest "
-                                                 "ground stands at 1 m")));
-}
-
-TEST(Flood, RowsTooRareToTellSlidesFromCreepAreDoubted)
-{
-  Case c = dike();
-  c.output.ledger_every = 0.3;
-  EXPECT_THAT(doubts_of(c), IsEmpty());
-  c.output.ledger_every = 60.0;
-  EXPECT_THAT(doubts_of(c),
-      ElementsAre("output.ledger.every: rows of the ledger are too rare to tell slides from creep. A crest that "
-                  "retreats within 0.3 s slides; between rows of 60 s creep counts as a slide, too.\nGive 0.3 s or "
-                  "less."));
 }
 
 TEST(Flood, WithoutAWaterLevelNothingIsJudged)
@@ -334,39 +281,6 @@ TEST(Flood, TheLevelOfAFormulaIsThatOfItsPressureAtTheGround)
   EXPECT_NEAR(level_of(c).value, 4.0, 1e-12);
 }
 
-TEST(Flood, WaterThatStandsEquallyHighAtBothEndsIsDoubted)
-{
-  Case c = dike_in_water();
-  c.water.situations[0].time = c.time.end;
-  EXPECT_THAT(doubts_of(c), IsEmpty());
-  c.water.situations[0].phreatic_line = {{0.0, 4.0}, {18.0, 4.0}};  // the line stops in the dike
-  EXPECT_THAT(doubts_of(c),
-      ElementsAre("flood.river: the water stands equally high at both ends of the section. It is 4 m there, and the "
-                  "ground between reaches 5 m: nothing has to be kept dry.\nBeyond its ends a phreatic line keeps its "
-                  "level; let it fall to that of the land."));
-}
-
-TEST(Flood, AFloodBelowTheWaterOfTheStartIsDoubted)
-{
-  Case c = dike_in_water();
-  c.water.situations[0].time = c.time.end;
-  c.water.start.phreatic_line = {{0.0, 4.5}, {12.0, 4.5}, {30.0, 1.0}};
-  EXPECT_THAT(doubts_of(c),
-      ElementsAre(HasSubstr("no stage has higher water at the river than the start, and one has lower water")));
-}
-
-TEST(Flood, ALevelThatIsNotThatOfTheWaterAtTheRiverIsDoubted)
-{
-  Case c = dike_in_water();
-  c.flood.water_level = 3.0;
-  EXPECT_THAT(doubts_of(c),
-      ElementsAre("flood.water_level: the verdict is for another level than that of the water. The water at the river "
-                  "stands at 2 m, water_level is 3 m. Give both one level: pressures and\nstrengths follow the water, "
-                  "the verdict follows water_level."));
-  c.flood.water_level = 2.0;
-  EXPECT_THAT(doubts_of(c), IsEmpty());
-}
-
 TEST(Flood, ABermThatSlidIsDamageThoughTheCrestStands)
 {
   const auto lower_slope_moves = [](Real by) {
@@ -433,29 +347,6 @@ TEST(Flood, TheRiverMayBeNamed)
   EXPECT_EQ(level_of(c).origin, "flood.water_level");
   c.flood.river = RiverSide::deduced;
   EXPECT_EQ(level_of(c).river, Facing::left);
-}
-
-TEST(Flood, WithoutALevelAndFreeWaterThereIsNoVerdict)
-{
-  const auto warning = [](const Case& c) {
-    const Drawn s(c);
-    EXPECT_FALSE(summarise(s.model, s.state).flood);
-    const auto doubts = doubts_of(c);
-    return doubts.size() == 1 ? doubts[0] : "";
-  };
-  Case c = dike_in_water();
-  c.water.start.phreatic_line = {{0.0, 0.5}};
-  EXPECT_EQ(warning(c),
-      "flood: there is no water level, and no verdict. The water of no situation stands above the ground at an end of "
-      "the section.\nGive flood.water_level in m.");
-  c.flood.river = RiverSide::left;
-  EXPECT_THAT(warning(c), HasSubstr("above the ground at the river's end of the section."));
-  c.water = {};
-  EXPECT_THAT(warning(c), HasSubstr("The case has no [water], whose free water would be the level."));
-  c.water.start.formula = [](Vec<2>, Real) { return 0.0; };
-  EXPECT_THAT(warning(c), HasSubstr("The water of no situation stands above the ground"));
-  c.water.start.formula_changes = true;
-  EXPECT_THAT(warning(c), HasSubstr("The pressure of the water is a formula of the time"));
 }
 
 TEST(Flood, SoilStillMovesThatWouldGoFarInAFreeFallThroughTheReliefThoughTheRunWasShort)

@@ -1,7 +1,6 @@
 #include "model/loads/footings.hpp"
 #include "mpm/features/footings.hpp"
 #include "mpm/features/search.hpp"
-#include "run/findings/setup_warnings.hpp"
 #include "support/simulations.hpp"
 
 namespace footings_test {
@@ -120,18 +119,6 @@ TEST(Footings, SurviveInACheckpoint)
   EXPECT_NE(a.impulse[1], 0.0);
 }
 
-TEST(Footings, GiveTheSameBitsOnAnyNumberOfThreads)
-{
-  const auto meter = [](int threads) {
-    Case c = pushed("mpm_gp");
-    c.mesh.cell = {0.1, 0.1};
-    Simulation s = followed(c, threads);
-    make_steps(s, 60);
-    return meter_of(s.state).impulse;
-  };
-  EXPECT_EQ(meter(1), meter(3));
-}
-
 TEST(Footings, AreAwayWhileTheSoilSettles)
 {
   Simulation s = followed(pushed("mpm_gp"));
@@ -139,33 +126,6 @@ TEST(Footings, AreAwayWhileTheSoilSettles)
   make_steps(s, 5);
   EXPECT_TRUE(s.work.with.footings->placed.empty());
   EXPECT_EQ(momentum(s.state)[1], 0.0);
-}
-
-std::string warnings_of(const Case& c)
-{
-  Model model = build_model(c, 1);
-  const State state = build_state(model);
-  std::string text;
-  for (const Problem& p : find_warnings(model, state)) text += p.key + ": " + p.what + "\n" + p.detail + "\n";
-  return text;
-}
-
-TEST(Footings, OneThatTouchesNoSoilIsToldOf)
-{
-  Case c = pushed("mpm_gp");
-  EXPECT_THAT(warnings_of(c), Not(HasSubstr("touches no soil")));
-  c.footings[0].low[1] = 1.6;
-  EXPECT_THAT(warnings_of(c), HasSubstr("footing[0].box: the footing `plate` touches no soil\nNo node of a cell with "
-                                        "soil lies in its box at t = 0."));
-}
-
-TEST(Footings, OneThatMovesOutOfWhatItHoldsIsToldOf)
-{
-  Case c = pushed("mpm_gp");
-  c.time.end = 4.0;
-  EXPECT_THAT(warnings_of(c), HasSubstr("footing[0].box: the footing `plate` moves out of the soil that it holds\nIt "
-                                        "comes 0.798 m far; the nodes at its "
-                                        "front leave it at its back after 0.5 m. Make the box larger."));
 }
 
 }  // namespace footings_test
