@@ -366,7 +366,10 @@ class Assessment {
     if (result.stopped || stop_requested) return false;
     const FoundFactors found = factors_of(result);
     record_.stands = found.stands, record_.fails = found.fails, record_.creeps = found.creeps;
-    if (result.search.found()) record_.factor = result.factor(), record_.uncertainty = result.uncertainty();
+    if (result.search.found()) {
+      record_.factor = result.answer();
+      if (!result.is_upper_bound()) record_.uncertainty = result.answer_uncertainty();
+    }
     if (!record_.has_trigger) add_trigger();
     note_time();
     return true;

@@ -48,7 +48,7 @@ struct SectionRecord {
   std::string trigger = {};                ///< why it has none, if one was asked for
   std::string ignored = {};                ///< options that do not act on it, and why
   std::optional<Real> factor = {};         ///< of safety, by strength reduction [-]
-  std::optional<Real> uncertainty = {};
+  std::optional<Real> uncertainty = {};    ///< of the factor; none: it is at most that
   std::optional<Real> stands = {}, fails = {};  ///< factors at which it stands and fails
   std::optional<Real> creeps = {};              ///< largest factor of which nothing is known
   std::vector<StoredFactor> stored = {};

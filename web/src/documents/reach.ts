@@ -56,7 +56,9 @@ function rowOf(s: ReachSection, store: Store): Row {
     ...(inDutch() ? s.hints_nl : s.hints).map((hint) => paragraph(hint, "caution")),
     isSolved(s) ? paragraph(s.trigger, "", "en") : null);
   const factor = element("td", { class: "words" },
-    s.factor === null ? null : element("p", {}, `${fixed(s.factor, 3, "")} ± ${fixed(s.uncertainty ?? 0, 3, "")}`),
+    s.factor === null ? null : element("p", {}, s.uncertainty === null
+      ? say("reach_at_most", { factor: fixed(s.factor, 3, "") })
+      : `${fixed(s.factor, 3, "")} ± ${fixed(s.uncertainty, 3, "")}`),
     stored ? paragraph(`${say("reach_stored")}: ${stored}`, "muted") : null);
   return {
     head: nameOf(s), name: isSolved(s) ? s.flood?.verdict ?? undefined : "fault",

@@ -62,6 +62,7 @@ export const DOCUMENT_TEXTS = {
     "Water dat zou overstromen is niet berekend. Een oordeel na een ingreep is niet dat van de doorsnede zoals zij " +
     "is."],
   reach_section: ["Section", "Doorsnede"],
+  reach_at_most: ["at most {factor}", "ten hoogste {factor}"],
   reach_picture: ["Ground before and after", "Maaiveld voor en na"],
   reach_verdict: ["Verdict", "Oordeel"],
   reach_height: ["Height that remains", "Resthoogte"],
