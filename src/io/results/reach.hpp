@@ -34,21 +34,21 @@ struct SectionRecord {
   std::map<std::string, std::string> files = {};
   /// Those that it is writing: a kill leaves files of either.
   std::map<std::string, std::string> files_next = {};
-  std::string case_found = {};             ///< digits of the case that the factor of safety is of
-  std::string run_of = {};                 ///< digits of the case that the run was begun with
-  std::string step = {};                   ///< the last one that was begun: "import", "check", "stability", "run"
-  std::string fault = {};                  ///< why there is no result; empty: none so far
-  bool is_refused = false;                 ///< the fault is one of the file, the case or the options
-  std::vector<std::string> notes = {};     ///< what is in doubt since the import
-  std::vector<std::string> notes_nl = {};  ///< the same in Dutch
-  bool is_done = false;                    ///< all steps were made, or one has failed
-  bool has_report = false;                 ///< it was imported: report.md says what was assumed
-  bool has_trigger = false;                ///< the case has its trigger, or needs none
-  bool is_held = false;                    ///< its case holds the soil until it is at rest
-  std::string trigger = {};                ///< why it has none, if one was asked for
-  std::string ignored = {};                ///< options that do not act on it, and why
-  std::optional<Real> factor = {};         ///< of safety, by strength reduction [-]
-  std::optional<Real> uncertainty = {};    ///< of the factor; none: it is at most that
+  std::string case_found = {};                  ///< digits of the case that the factor of safety is of
+  std::string run_of = {};                      ///< digits of the case that the run was begun with
+  std::string step = {};                        ///< the last one that was begun: "import", "check", "stability", "run"
+  std::string fault = {};                       ///< why there is no result; empty: none so far
+  bool is_refused = false;                      ///< the fault is one of the file, the case or the options
+  std::vector<std::string> notes = {};          ///< what is in doubt since the import
+  std::vector<std::string> notes_nl = {};       ///< the same in Dutch
+  bool is_done = false;                         ///< all steps were made, or one has failed
+  bool has_report = false;                      ///< it was imported: report.md says what was assumed
+  bool has_trigger = false;                     ///< the case has its trigger, or needs none
+  bool is_held = false;                         ///< its case holds the soil until it is at rest
+  std::string trigger = {};                     ///< why it has none, if one was asked for
+  std::string ignored = {};                     ///< options that do not act on it, and why
+  std::optional<Real> factor = {};              ///< of safety, by strength reduction [-]
+  std::optional<Real> uncertainty = {};         ///< of the factor; none: it is at most that
   std::optional<Real> stands = {}, fails = {};  ///< factors at which it stands and fails
   std::optional<Real> creeps = {};              ///< largest factor of which nothing is known
   std::vector<StoredFactor> stored = {};
