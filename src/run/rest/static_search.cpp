@@ -16,7 +16,7 @@
 namespace terp {
 namespace {
 
-constexpr int n_parts = 4;            // of the forces out of balance (decision 0082: more parts change 0.1 %)
+constexpr int n_parts = 10;           // of the forces out of balance (decision 0082)
 constexpr Real inner_limit = 5e-4;    // of force over weight, after each part but the last
 constexpr Real limit_of_most = 1e-3;  // of force over own weight, as settle has it for motion
 constexpr std::size_t n_remembered = 8;
