@@ -121,6 +121,7 @@ class StaticSearch {
       : soil_(model, state, work), stop_(stop), report_(report), n_(n_iterations), initial_(model.description.initial)
   {
     find_forces(0.0);
+    if (!soil_.is_finite()) return;
     soil_.strain(NodeVector(soil_.forces().size(), 0.0));  // stress beyond the strength comes back to it
     find_forces(0.0);
     soil_.hold_forces();
@@ -128,6 +129,7 @@ class StaticSearch {
 
   StaticEnd run()
   {
+    if (!soil_.is_finite()) return give_up();
     const SparseCholesky stiffness = factor_stiffness(soil_.model(), soil_.state(), soil_.work());
     if (!stiffness.is_factored()) return give_up();
     for (int part = 1; part <= n_parts; ++part)

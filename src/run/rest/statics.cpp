@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace terp {
 namespace {
@@ -32,6 +33,8 @@ Statics::Statics(const Model& model, State& state, Workspace& work) : model_(mod
 void Statics::find_forces(Real held_share)
 {
   model_.find_forces(model_, state_, work_);
+  ratio_ = of_most_ = std::numeric_limits<Real>::infinity();
+  if (!work_.finite) return;
   forces_.clear(), all_.clear();
   std::vector<std::pair<Real, Real>> parts;
   Real sum = 0.0, weight = 0.0;

@@ -24,7 +24,8 @@ class Statics {
   Statics(const Statics&) = delete;
   Statics& operator=(const Statics&) = delete;
 
-  /// Of the soil as it is: forces that no side carries [N per m], what was held back of them with this share.
+  /// Of the soil as it is: forces that no side carries [N per m], what was held back of them with this share. Where one
+  /// is no number (is_finite) they stay those of before, and the ratios are infinite.
   void find_forces(Real held_share);
   /// What find_forces holds back from then on: the forces that it found last.
   void hold_forces();

@@ -85,6 +85,13 @@ TEST(StaticSearch, GivesUpWhereTheSoilFailsAndLeavesItAsItWas)
   for (std::size_t k = 0; k < before.size(); ++k) EXPECT_EQ(after[k].sigma, before[k].sigma);
 }
 
+TEST(StaticSearch, GivesUpWhereAForceIsNoNumber)
+{
+  Simulation s(standing_column("mpm_gp", 1.5));
+  for_each_block(s.state.points, [&](const PointBlock<2>& block) { block.row(Rows::sigma)[0] = NAN; });
+  EXPECT_EQ(search(s).end, StaticEnd::unknown);
+}
+
 TEST(StaticSearch, HasTheSameBitsOnAnyNumberOfThreads)
 {
   const Case c = standing_column("mpm_gp", 1.2);
