@@ -4,6 +4,7 @@
 
 #include "io/case/document.hpp"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ struct StrengthLever {
   std::vector<std::string_view> keys;  ///< parameters of a soil, or keys of a side, that change together
   std::string_view within;             ///< key of a field of SHANSEP or of a yield stress; empty: the whole value
   Real less, more;                     ///< factors
-  Real least = 0.0, greatest = 1e300;  ///< values that the key may have
+  Real least = 0.0, greatest = std::numeric_limits<Real>::infinity();  ///< values that the key may have
 };
 
 const std::vector<StrengthLever>& strength_levers();

@@ -54,7 +54,6 @@ Real moved_by_most(const State& state)
 
 SearchWindows::SearchWindows(const Model& model, const State& state, Real stiffening) : stiffening_(stiffening)
 {
-  constexpr Real part_out_of_balance = 1e-3;  // of its weight
   const Real window = 2.0 * time_to_cross(model, state);
   steps_ = std::max<std::int64_t>(1, std::llround(window / model.dt));
   // A part with the share e of its weight out of balance goes e g/c fast under the critical damping c = 2 pi/T of a

@@ -9,6 +9,9 @@
 
 namespace terp {
 
+/// Of its weight; more may be out of balance in a hundredth of soil that rests.
+inline constexpr Real part_out_of_balance = 1e-3;
+
 class SearchWindows {
  public:
   /// stiffening: of the model; what is said of displacements is said of the soil as it is.

@@ -5,6 +5,7 @@
 
 #include "run/rest/static_search.hpp"
 
+#include "run/rest/search_windows.hpp"
 #include "run/rest/statics.hpp"
 #include "run/rest/stiffness.hpp"
 
@@ -16,9 +17,8 @@
 namespace terp {
 namespace {
 
-constexpr int n_parts = 10;           // of the forces out of balance (decision 0082)
-constexpr Real inner_limit = 5e-4;    // of force over weight, after each part but the last
-constexpr Real limit_of_most = 1e-3;  // of force over own weight, as settle has it for motion
+constexpr int n_parts = 10;         // of the forces out of balance (decision 0082)
+constexpr Real inner_limit = 5e-4;  // of force over weight, after each part but the last
 constexpr std::size_t n_remembered = 8;
 constexpr Real blown_up = 3.0;  // over the least force so far: what is remembered does not hold any more
 constexpr int most_iterations = 600, most_in_tail = 300;
@@ -173,7 +173,8 @@ class StaticSearch {
         soil_.strain(u);
         find_forces(held);
       }
-      if (part < n_parts ? is_within(inner_limit, 10.0 * limit_of_most) : is_within(initial_.limit, limit_of_most))
+      if (part < n_parts ? is_within(inner_limit, 10.0 * part_out_of_balance)
+                         : is_within(initial_.limit, part_out_of_balance))
         return true;
       if (!watch.falls(soil_.ratio())) return false;
       if (soil_.ratio() < least) least = soil_.ratio(), best = u;
@@ -199,7 +200,7 @@ class StaticSearch {
     for (int n = 0; may_go_on(n) && n < most_in_tail; ++n) {
       find_forces(0.0);
       const NodeVector& r = soil_.forces();
-      if (n >= least_in_tail && is_within(initial_.limit, limit_of_most)) return true;
+      if (n >= least_in_tail && is_within(initial_.limit, part_out_of_balance)) return true;
       if (!watch.falls(soil_.ratio())) return false;
       const Real inertia = dot(v, force_of_v);
       const Real square = inertia > 0.0 && n > 1 ? std::max(dot(v, difference(before, r)) / inertia, 0.0) : 1.0;
