@@ -1,6 +1,7 @@
 // Reads the data of the page, then builds the page.
 
 import "./style.css";
+import "./documents/documents.css";
 import type { ReportMeta } from "./data/format";
 import { textInPage } from "./data/chunks";
 import type { DocumentMeta } from "./data/documents";

@@ -64,7 +64,7 @@ export interface Row {
   name?: string; // class
 }
 
-/** Scrolls by itself. name: classes, of which style.css says which columns are words. */
+/** Scrolls by itself. name: classes, of which documents.css says which columns are words. */
 export function table(heads: string[], rows: Row[], name = ""): HTMLElement {
   return element("div", { class: "scroll", tabindex: 0 }, element("table", { class: `numbers ${name}`.trim() },
     element("thead", {}, element("tr", {}, ...heads.map((head) => element("th", { scope: "col" }, head)))),
