@@ -25,6 +25,8 @@ void add_stage_options(CLI::App* command, ImportCommand& options, const char* wh
   add_option(command, "--trigger T", options.trigger,
       "a last stage that makes it fail: `strength` divides\nall strengths by the factor at which it slides, which\nis "
       "looked for (strength=F: by F); `water` brings the\nriver to the crest (water=LEVEL: to a level in m)");
+  command->add_flag("--no-film", options.no_film,
+      "no film of the strength of the border at the top of\nan aquifer (docs/dstability.md)");
   add_option(command, "--soil-defaults FILE", options.soil_defaults, "table of what the file does not say of soils");
 }
 

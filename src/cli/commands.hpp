@@ -81,6 +81,7 @@ struct ImportCommand {
   std::optional<double> base;   ///< level above which it is taken over [m]; none: what matters
   std::string unit;             ///< of a drawing; empty: that of its header
   std::string soil_defaults;    ///< CSV file; empty: the table of the program
+  bool no_film = false;         ///< no film at the top of aquifers
   bool is_held = false;         ///< the section cannot stand: hold it until it is at rest
   std::optional<double> river;  ///< level of the river [m]; none: that of the file
   std::string trigger;          ///< "strength", "strength=1.2", "water", "water=12.5"; empty: none

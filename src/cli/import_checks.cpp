@@ -32,6 +32,7 @@ std::vector<ImportOption> import_options(const ImportCommand& c)
       {"--between", fmt::format("{}", fmt::join(c.between, ",")), Of::both, In::case_folder},
       {"--base", level(c.base), Of::both, In::case_folder}, {"--unit", c.unit, Of::drawing, In::both},
       {"--river", level(c.river), Of::stix, In::case_folder}, {"--held", flag(c.is_held), Of::stix, In::case_folder},
+      {"--no-film", flag(c.no_film), Of::stix, In::case_folder},
       {"--soil-defaults", c.soil_defaults, Of::both, In::case_folder},
       {"--trigger", c.trigger, Of::stix, In::case_folder}};
 }

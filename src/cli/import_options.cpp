@@ -96,6 +96,7 @@ FolderOptions folder_options(const StixProject& project, const ImportCommand& co
       .between = between_of(command),
       .base = command.base,
       .kinds = soil_kinds(command),
+      .has_films = !command.no_film,
       .is_held = command.is_held,
       .trigger = trigger_of(command.trigger),
       .river = command.river};

@@ -6,6 +6,7 @@
 
 #include "math/errors.hpp"
 #include "import/dstability/earlier_ground.hpp"
+#include "import/dstability/film.hpp"
 #include "import/dstability/folder_report.hpp"
 #include "import/dstability/import_doubts.hpp"
 #include "import/dstability/load_text.hpp"
@@ -15,32 +16,29 @@
 #include "import/dstability/river_side.hpp"
 #include "import/dstability/section_layout.hpp"
 #include "import/dstability/section_part.hpp"
+#include "import/dstability/section_pieces.hpp"
 #include "import/dstability/soil_text.hpp"
 #include "import/dstability/stage_text.hpp"
 #include "import/dstability/reported_texts.hpp"
 #include "import/dstability/water_text.hpp"
 #include "io/case/printable.hpp"
 #include "model/bodies/body_outline.hpp"
+#include "model/water/water_case.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
+#include <utility>
 
 namespace terp {
 namespace {
 
+constexpr Real beyond_uplift = 20.0;  // [m] of the section, past ground that lifts
 constexpr const char *raised_water = "raised_water", *record = "imported.toml";
-
-struct Piece {
-  CleanRegion region;
-  std::size_t soil;
-  int zone;                      ///< 0: the soil is alike above and below; 1: below the phreatic line, 2: above
-  std::optional<Real> pop = {};  ///< of SHANSEP soil [Pa]; none: its yield stress is on a grid
-  std::string history = {};      ///< of its preload: pieces of one soil and history share a grid
-};
 
 class FolderMaker {
  public:
@@ -63,6 +61,7 @@ class FolderMaker {
     if (moved != nullptr) assumed_.push_back(moved->sentence), notes_.push_back(moved->sentence);
     take_part();
     layout_ = layout_of(drawn_, pits_, wishes_for(options.cell));
+    find_films();
     cleaning_ = cleaning_for(layout_.cell);
     clean_ = clean_regions(drawn_, pits_, cleaning_);
     is_staged_ = options.stage > 0;
@@ -119,15 +118,42 @@ class FolderMaker {
     const BoundingBox box = box_around(drawn_);
     if (river_.side == "left" && !water_stands_at(section_, part.between[0])) part.between[0] = box.low[0];
     if (river_.side == "right" && !water_stands_at(section_, part.between[1])) part.between[1] = box.high[0];
+    if (const auto zone = options_.has_films ? zone_of_uplift(section_) : std::nullopt) {
+      if (river_.side != "left")
+        part.between[0] = std::max(std::min(part.between[0], (*zone)[0] - beyond_uplift), box.low[0]);
+      if (river_.side != "right")
+        part.between[1] = std::min(std::max(part.between[1], (*zone)[1] + beyond_uplift), box.high[0]);
+    }
     if (options_.between || options_.base) part.why.clear();
     part.between = options_.between.value_or(part.between);
     part.base = options_.base.value_or(part.base);
     part_ = describe(part, drawn_);
     if (!part_.empty()) geometry_.push_back(part_);
-    const std::vector<DrawnRegion> taken = part_of(drawn_, part);
+    layers_.resize(drawn_.size());
+    std::iota(layers_.begin(), layers_.end(), std::size_t{0});
+    take(part_of(drawn_, part));
+  }
+
+  /// A row of cells lies on the border of the weakest film, so that it is a whole one.
+  void find_films()
+  {
+    if (!options_.has_films) return;
+    films_ = films_of(section_, first_, {layout_.low[0], layout_.high[0]}, layout_.cell);
+    if (films_.empty() || options_.base) return;
+    const std::optional<Real> base = base_with_row_at(films_, layout_.low[1], layout_.cell);
+    if (!base) return;
+    take(part_of(drawn_, {.between = {layout_.low[0], layout_.high[0]}, .base = *base}));
+    layout_ = layout_of(drawn_, pits_, wishes_for(layout_.cell));
+    geometry_.push_back(fmt::format("The base is z = {:.3f} m, so that a row of cells begins at the film.", *base));
+  }
+
+  /// Regions of which nothing is left have no corners.
+  void take(const std::vector<DrawnRegion>& regions)
+  {
+    const std::vector<std::size_t> numbers = std::exchange(layers_, {});
     drawn_.clear();
-    for (std::size_t k = 0; k < taken.size(); ++k)
-      if (!taken[k].polygon.empty()) drawn_.push_back(taken[k]), layers_.push_back(k);
+    for (std::size_t k = 0; k < regions.size(); ++k)
+      if (!regions[k].polygon.empty()) drawn_.push_back(regions[k]), layers_.push_back(numbers[k]);
   }
 
   const StixLayer& layer_of(int drawn) const { return stage_.layers[layers_[drawn]]; }
@@ -180,54 +206,17 @@ class FolderMaker {
 
   void make_pieces()
   {
-    Real left_there = 0.0, filled = 0.0;
-    for (const CleanRegion& region : clean_.regions) add_pieces(pieces_, region, left_there);
-    for (const CleanRegion& region : base_fill(layout_, clean_.regions)) {
-      add_pieces(base_, region, left_there);
-      filled += signed_area(region.polygon);
-    }
-    for (std::vector<Piece>* pieces : {&pieces_, &base_})
-      for (Piece& piece : *pieces) set_preload(piece);
-    if (left_there > 0.0)
-      geometry_.push_back(fmt::format(
-          "{:.3g} m2 in slivers along the phreatic line count with the soil on its other side.", left_there));
-    if (!phreatic_.empty())
-      geometry_.push_back(
-          "Soils that differ above and below the phreatic line are cut along the line of the analysed stage. They stay "
-          "as they are if you change the line in the case.");
-    if (!base_.empty())
-      geometry_.push_back(
-          fmt::format("The base of the section is not level: {:.3f} m2 below it, down to {:.2f} m, were "
-                      "filled with the soil above (first bodies: {}).",
-              filled, layout_.low[1], base_.size()));
+    SectionPieces made = pieces_of({section_, first_, scenario(), layout_, clean_, phreatic_, layers_});
+    pieces_ = std::move(made.of_file), base_ = std::move(made.below_base);
+    std::ranges::move(made.geometry, std::back_inserter(geometry_));
   }
 
-  void add_pieces(std::vector<Piece>& pieces, const CleanRegion& region, Real& left_there)
-  {
-    const std::size_t soil = *layer_of(region.drawn).soil;
-    if (same_above_and_below(project_.soils[soil]))
-      pieces.push_back({region, soil, 0});
-    else if (phreatic_.empty())
-      pieces.push_back({region, soil, 2});
-    else
-      for (CutRegion& cut : cut_along(region, phreatic_, 0.05 * layout_.cell, left_there))
-        pieces.push_back({std::move(cut.region), soil, cut.above ? 2 : 1});
-  }
-
-  LayerPiece layer_piece(const Piece& piece) const { return {&piece.region, layers_[piece.region.drawn]}; }
-
-  void set_preload(Piece& piece) const
-  {
-    if (!is_shansep(project_.soils[piece.soil], piece.zone)) return;
-    if (same_ground_until(scenario(), options_.stage))
-      piece.pop = constant_pop(section_, first_, layer_piece(piece), layout_.cell);
-    if (!piece.pop) piece.history = pop_history(section_, layer_piece(piece), layout_.cell);
-  }
+  LayerPiece layer_piece(const SectionPiece& piece) const { return {&piece.region, layers_[piece.region.drawn]}; }
 
   void make_bodies()
   {
     BodyOrder order;
-    for (const Piece& piece : pieces_) {
+    for (const SectionPiece& piece : pieces_) {
       const StixSoil& soil = project_.soils[piece.soil];
       order.bodies.push_back(body_of(piece));
       order.regions.push_back(piece.region);
@@ -236,7 +225,7 @@ class FolderMaker {
       weights_[order.bodies.back().material] += SoilSum{area, area * weight};
     }
     put_on_top(order);
-    for (const Piece& piece : base_) {
+    for (const SectionPiece& piece : base_) {
       text_.bodies.push_back(body_of(piece));
       text_.bodies.back().comment = "Not in the file, fills what is below its base. " + text_.bodies.back().comment;
       text_.bodies.back().name += below_the_base;
@@ -244,7 +233,6 @@ class FolderMaker {
       text_.bodies.back().holes = piece.region.holes;
     }
     std::ranges::move(order.bodies, std::back_inserter(text_.bodies));
-    name_bodies(text_.bodies);
     std::vector<Problem> problems;
     for (const auto& [key, use] : uses_) try {
         SoilText soil = soil_text(use, options_.basis, options_.kinds);
@@ -254,9 +242,26 @@ class FolderMaker {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());
       }
     if (!problems.empty()) throw InputError(problems);
+    for (const Film& film : films_) add_film(film);
+    name_bodies(text_.bodies);
   }
 
-  CaseBodyText body_of(const Piece& piece)
+  void add_film(const Film& film)
+  {
+    const StixLayer& layer = stage_.layers[film.layer];
+    const StixSoil& soil = project_.soils[*layer.soil];
+    std::string name = "film_" + key_of_name(soil.name);
+    for (int k = 2; !names_.insert(name).second; ++k) name = fmt::format("film_{}_{}", key_of_name(soil.name), k);
+    const SoilUse use{&soil, false, key_of_name(soil.name), "", stage_.label, "", {}, 0.0};
+    const std::string csv = name + ".csv";
+    text_.materials.push_back(film_text(soil_text(use, options_.basis, options_.kinds), name, csv).material);
+    files_.push_back({csv, film_csv(film)});
+    text_.bodies.push_back({"film at the top of " + name_of_layer(project_, layer), name,
+        "Not in the file: the strength of the border above it.", film.outline, {}});
+    assumed_.push_back(film_sentence(film, name_of_layer(project_, layer), layout_.cell));
+  }
+
+  CaseBodyText body_of(const SectionPiece& piece)
   {
     const StixLayer& layer = layer_of(piece.region.drawn);
     const std::string zone = piece.zone == 0 ? "" : piece.zone == 1 ? ", below the phreatic line" : ", above it";
@@ -271,7 +276,7 @@ class FolderMaker {
   }
 
   /// The material of a piece; pieces of one soil and one preload share it.
-  std::string material_of(const Piece& piece)
+  std::string material_of(const SectionPiece& piece)
   {
     const StixSoil& soil = project_.soils[piece.soil];
     const std::string preload = piece.pop ? fmt::format("{:g} kPa", *piece.pop / 1e3) : "grid " + piece.history;
@@ -300,23 +305,23 @@ class FolderMaker {
 
   /// The largest vertical effective stress in all pieces of this soil above or below the water [Pa]. Only a straight
   /// line through a table of strength asks for it.
-  Real largest_stress(const Piece& piece) const
+  Real largest_stress(const SectionPiece& piece) const
   {
     const StixSoil& soil = project_.soils[piece.soil];
     if ((piece.zone == 2 ? soil.above : soil.below) != StixStrengthModel::sigma_tau_table) return 0.0;
     Real largest = 0.0;
-    for (const Piece& other : pieces_)
+    for (const SectionPiece& other : pieces_)
       if (other.soil == piece.soil && other.zone == piece.zone)
         for (const Vec<2>& place : places_in(other.region, 2.0 * layout_.cell))
           if (const auto at = section_.at(place)) largest = std::max(largest, at->effective_stress);
     return largest;
   }
 
-  PreloadText yield_grid_of(const Piece& piece, const std::string& name)
+  PreloadText yield_grid_of(const SectionPiece& piece, const std::string& name)
   {
     std::vector<LayerPiece> alike;
-    for (const std::vector<Piece>* pieces : {&pieces_, &base_})
-      for (const Piece& other : *pieces)
+    for (const std::vector<SectionPiece>* pieces : {&pieces_, &base_})
+      for (const SectionPiece& other : *pieces)
         if (other.soil == piece.soil && other.zone == piece.zone && !other.pop && other.history == piece.history)
           alike.push_back(layer_piece(other));
     YieldGrid grid = yield_grid(section_, alike, layout_.cell);
@@ -387,7 +392,7 @@ class FolderMaker {
   {
     const auto add = [&](std::vector<Sentence> more) { std::ranges::move(more, std::back_inserter(doubts_)); };
     std::vector<LayerPiece> shansep;
-    for (const Piece& piece : pieces_)
+    for (const SectionPiece& piece : pieces_)
       if (is_shansep(project_.soils[piece.soil], piece.zone)) shansep.push_back(layer_piece(piece));
     add(doubts_of_reading(project_, options_.scenario, options_.stage));
     add(doubts_of_water(scenario(), options_.stage, !shansep.empty()));
@@ -475,7 +480,8 @@ class FolderMaker {
   TriggerStage trigger_;
   std::optional<Real> river_level_;  ///< of the trigger [m]
   std::vector<Vec<2>> phreatic_;
-  std::vector<Piece> pieces_, base_;  ///< of the file; below its base
+  std::vector<Film> films_;
+  std::vector<SectionPiece> pieces_, base_;  ///< of the file; below its base
   std::map<std::string, SoilUse> uses_;
   std::set<std::string> names_;
   std::map<std::string, SoilSum> weights_;

@@ -249,6 +249,13 @@ inline constexpr SentenceForm least_su{
     "{}: s_u is ten minste {:g} kPa; in D-Stability is zij nul waar sigma'_v nul is."};
 inline constexpr SentenceForm stiffness{"{}: stiffness, Poisson's ratio and K0 are defaults of {}.",
     "{}: stijfheid, dwarscontractie en K0 zijn standaardwaarden van de soort {}."};
+inline constexpr SentenceForm film{
+    "Under the border at the top of {}, x from {:.1f} to {:.1f} m, a film of {:g} m has the strength of that border, "
+    "{:.1f} to {:.1f} kPa: soil slides there where water pushes from below. A row of cells would carry {:.0f} kN/m "
+    "more. --no-film leaves it out.",
+    "Onder de bovenkant van {}, x van {:.1f} tot {:.1f} m, heeft een glijlaag van {:g} m de sterkte van die grens, "
+    "{:.1f} tot {:.1f} kPa (opdrijfzone): daar schuift grond af waar water van onderen drukt. Een rij cellen zou "
+    "{:.0f} kN/m meer dragen. --no-film laat haar weg."};
 inline constexpr SentenceForm yield_grid{"{}: its grid of yield stresses gives those of the file within {:.1f} kPa.",
     "{}: het raster van grensspanningen geeft die van het bestand binnen {:.1f} kPa."};
 inline constexpr SentenceForm load_spread{
