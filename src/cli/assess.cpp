@@ -1,5 +1,4 @@
-// Each section is solved by a process of its own, this program with the same command line: a fault of ours or the end
-// of memory ends that process and no other.
+// Each section is solved by a process of its own: a fault of ours or the end of memory ends that process and no other.
 
 #include "cli/assess.hpp"
 #include "import/drawing/section_export.hpp"
@@ -129,7 +128,7 @@ class Reach {
   {
     const std::size_t k = waiting_.front();
     waiting_.erase(waiting_.begin());
-    children_.begin(k, plan_[k].name);
+    children_.begin(k, plan_[k].name, [&, k] { return solve_here(plan_[k], command_, told_[k]); });
     running_[k] = Clock::now();
   }
 
