@@ -1,5 +1,4 @@
-// Each section is solved by a process of its own, this program with the same command line: a fault of ours or the end
-// of memory ends that process and no other.
+// Each section is solved by a process of its own: a fault of ours or the end of memory ends that process and no other.
 
 #include "cli/assess.hpp"
 #include "import/drawing/section_export.hpp"
@@ -112,7 +111,7 @@ class Reach {
       wait_for_one();
       if (stop_requested && !told_to_stop_ && !running_.empty()) children_.ask_to_stop(), told_to_stop_ = true;
     }
-    clear_line();
+    line_.clear();
     return !stop_requested;
   }
 
@@ -129,7 +128,7 @@ class Reach {
   {
     const std::size_t k = waiting_.front();
     waiting_.erase(waiting_.begin());
-    children_.begin(k, plan_[k].name);
+    children_.begin(k, plan_[k].name, [&, k] { return solve_here(plan_[k], command_, told_[k]); });
     running_[k] = Clock::now();
   }
 
@@ -160,7 +159,7 @@ class Reach {
     ++n_done_;
     if (fault.empty())
       seconds_done_ += seconds, ++n_solved_here_;  // what is refused at once says nothing of the others
-    clear_line();
+    line_.clear();
     const std::string done = command_.estimate ? "checked" : "solved";
     show(stdout, printable(fmt::format("[{}/{}] {}  {}{}\n", n_done_, plan_.size(), section.name,
                      fault.empty() ? fmt::format("{} in {}", done, readable_duration(seconds))
@@ -200,20 +199,14 @@ class Reach {
 
   void show_line()
   {
-    if (!terminal_) return;
-    std::string line = fmt::format("\r\033[K{} of {} done", n_done_, plan_.size());
+    if (!line_.renews()) return;
+    std::string line = fmt::format("{} of {} done", n_done_, plan_.size());
     for (const auto& [k, start] : running_) {
       const SectionProgress& told = told_[k];
       line += fmt::format("; {}: {}", plan_[k].name, section_steps[told.step.load()]);
       if (told.left_s >= 0.0) line += ", " + readable_duration(told.left_s);
     }
-    show(stdout, line + "; ETA " + readable_duration(time_left()));
-    open_ = true;
-  }
-  void clear_line()
-  {
-    if (open_) show(stdout, "\r\033[K");
-    open_ = false;
+    line_.show(line + "; ETA " + readable_duration(time_left()));
   }
 
   std::vector<PlannedSection>& plan_;
@@ -225,7 +218,8 @@ class Reach {
   std::size_t n_done_ = 0;
   int n_solved_here_ = 0;
   double seconds_done_ = 0.0;
-  bool terminal_ = is_terminal(stdout), open_ = false, told_to_stop_ = false;
+  LiveLine line_;
+  bool told_to_stop_ = false;
 };
 
 int print_estimate(const std::vector<PlannedSection>& plan, const AssessCommand& command)

@@ -1,6 +1,5 @@
-// On a terminal each report replaces the line before. In a pipe lines stay, so they are few: one per tenth of the run,
-// or per half where it is one of several. A search for equilibrium has no known end, so there is no tenth of it: its
-// plain lines come at wall times that double.
+// In a pipe lines stay, so they are few: one per tenth of the run, or per half where it is one of several. A search for
+// equilibrium has no known end, so there is no tenth of it: its plain lines come at wall times that double.
 
 #include "cli/progress.hpp"
 
@@ -34,12 +33,28 @@ void show(std::FILE* to, const std::string& text)
   std::fflush(to);
 }
 
+LiveLine::LiveLine(std::FILE* to) : to_(to), renews_(is_terminal(to)) {}
+
+void LiveLine::show(const std::string& text)
+{
+  terp::show(to_, renews_ ? "\r\033[K" + text : text + '\n');
+  open_ = renews_;
+}
+
+void LiveLine::clear()
+{
+  if (open_) terp::show(to_, "\r\033[K");
+  open_ = false;
+}
+
+void LiveLine::end()
+{
+  if (open_) terp::show(to_, "\n");
+  open_ = false;
+}
+
 ProgressLine::ProgressLine(bool quiet, std::string label, double later_s)
-    : quiet_(quiet),
-      terminal_(is_terminal(stdout)),
-      label_(std::move(label)),
-      later_s_(later_s),
-      next_tenth_(label_.empty() ? 1 : 5)
+    : quiet_(quiet), label_(std::move(label)), later_s_(later_s), next_tenth_(label_.empty() ? 1 : 5)
 {
 }
 
@@ -54,13 +69,9 @@ void ProgressLine::progress(const Progress& p)
                    p.step, p.n_steps, p.point_steps_per_s / 1e6, p.at_most ? "at most " : "",
                    readable_duration(p.eta_s));
   if (later_s_ > 0.0) line += fmt::format(", all {}", readable_duration(p.eta_s + later_s_));
-  if (terminal_) {
-    show(stdout, "\r\033[K" + line);
-    open_ = true;
-  } else if (10.0 * part >= next_tenth_) {
-    show(stdout, line + '\n');
-    next_tenth_ = static_cast<int>(10.0 * part) + (label_.empty() ? 1 : 5);
-  }
+  if (!line_.renews() && 10.0 * part < next_tenth_) return;
+  line_.show(line);
+  next_tenth_ = static_cast<int>(10.0 * part) + (label_.empty() ? 1 : 5);
 }
 
 std::string search_text(const Progress& p)
@@ -76,20 +87,9 @@ std::string search_text(const Progress& p)
 
 void ProgressLine::show_search(const Progress& p)
 {
-  const std::string line = label_ + search_text(p);
-  if (terminal_) {
-    show(stdout, "\r\033[K" + line);
-    open_ = true;
-  } else if (p.wall_s >= next_search_s_) {
-    show(stdout, line + '\n');
-    next_search_s_ = 2.0 * p.wall_s;
-  }
-}
-
-void ProgressLine::finish()
-{
-  if (open_) show(stdout, "\n");
-  open_ = false;
+  if (!line_.renews() && p.wall_s < next_search_s_) return;
+  line_.show(label_ + search_text(p));
+  next_search_s_ = 2.0 * p.wall_s;
 }
 
 }  // namespace terp

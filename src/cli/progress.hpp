@@ -1,4 +1,4 @@
-// How a run looks while it goes on: one line that renews itself on a terminal, plain lines in a pipe.
+// How what goes on looks: one line that renews itself on a terminal, plain lines in a pipe.
 #pragma once
 
 #include "run/loop/observer.hpp"
@@ -18,6 +18,20 @@ std::string now_in_utc();
 /// dropped.
 void show(std::FILE* to, const std::string& text);
 
+/// On a terminal each text takes the place of the one before; in a pipe each is a line.
+class LiveLine {
+ public:
+  explicit LiveLine(std::FILE* to = stdout);
+  bool renews() const { return renews_; }
+  void show(const std::string& text);
+  void clear();  ///< takes away what stands there
+  void end();    ///< leaves it: the next text starts on its own
+
+ private:
+  std::FILE* to_;
+  bool renews_, open_ = false;
+};
+
 /// How far the search for equilibrium has come. A time is named where it is known how the search goes on; before that
 /// it says how many steps it may take.
 std::string search_text(const Progress& p);
@@ -28,16 +42,15 @@ class ProgressLine : public Observer {
   /// the line says when all is done [s].
   explicit ProgressLine(bool quiet, std::string label = {}, double later_s = 0.0);
   void progress(const Progress& now) override;
-  /// Ends the line, so that the next text starts on its own.
-  void finish();
+  void finish() { line_.end(); }
 
  private:
   void show_search(const Progress& p);
 
-  bool quiet_, terminal_;
+  LiveLine line_;
+  bool quiet_;
   std::string label_;
   double later_s_;
-  bool open_ = false;
   double next_search_s_ = 5.0;  // wall time of the next line about the search for equilibrium, when lines are plain
   int next_tenth_;              // of the run, when lines are plain; half of a run of several
 };

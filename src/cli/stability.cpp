@@ -16,7 +16,6 @@
 #include "os/stop.hpp"
 #include "run/findings/setup_warnings.hpp"
 #include "run/loop/run.hpp"
-#include "os/terminal.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -29,24 +28,27 @@ namespace {
 /// One line per trial, renewed after each window on a terminal.
 class TrialLine {
  public:
-  explicit TrialLine(bool quiet) : quiet_(quiet), terminal_(is_terminal(stderr)) {}
+  explicit TrialLine(bool quiet) : quiet_(quiet) {}
 
   void show(const Trial& trial, const StabilityResult& so_far, int trials_left)
   {
     const bool ended = !trial.reason.empty();
-    if (quiet_ || (!terminal_ && !ended)) return;
+    if (quiet_ || (!line_.renews() && !ended)) return;
     longest_ = std::max(longest_, trial.wall_s);
-    const std::string start = terminal_ ? "\r\033[K" : "";
-    if (ended) return terp::show(stderr, fmt::format("{}factor {:.4f}  {}\n", start, trial.factor, trial.reason));
+    if (ended) {
+      line_.show(fmt::format("factor {:.4f}  {}", trial.factor, trial.reason));
+      return line_.end();
+    }
     const TrialWindow& w = trial.windows.back();
-    terp::show(stderr,
-        fmt::format("{}factor {:.4f}  t = {:.3g} s  displacement {:.2f} rho g H^2/E  out of balance {:.1e}  ETA {}",
-            start, trial.factor, w.time, w.displacement / so_far.displacement, w.out_of_balance,
+    line_.show(
+        fmt::format("factor {:.4f}  t = {:.3g} s  displacement {:.2f} rho g H^2/E  out of balance {:.1e}  ETA {}",
+            trial.factor, w.time, w.displacement / so_far.displacement, w.out_of_balance,
             readable_duration(longest_ * trials_left + longest_ - trial.wall_s)));
   }
 
  private:
-  bool quiet_, terminal_;
+  bool quiet_;
+  LiveLine line_{stderr};
   double longest_ = 0.0;  // trial so far [s]
 };
 

@@ -5,9 +5,7 @@
 
 #include "cli/study_progress.hpp"
 
-#include "cli/progress.hpp"
 #include "batch/study_text.hpp"
-#include "os/terminal.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +18,6 @@ StudyProgress::StudyProgress(const Study& study, const StudyPart& part, int n_at
       part_(part),
       n_at_a_time_(n_at_a_time),
       quiet_(quiet),
-      terminal_(is_terminal(stdout)),
       shows_p_(info_of(study.settings.estimator).counts_alike && !study.settings.fragility),
       sample_(study.settings)
 {
@@ -56,7 +53,7 @@ void StudyProgress::show(const Realisation& newest, const Realisations& all)
   level.spent += newest.wall_s, ++level.made;
   const double now = std::chrono::duration<double>(Clock::now() - start_).count();
   if (quiet_ || now < next_) return;
-  next_ = now + (terminal_ ? 0.2 : 10.0);
+  next_ = now + (line_.renews() ? 0.2 : 10.0);
   const std::int64_t n_failed = (sample_.counts() + sample_.coarse()).failed;
   const bool adaptive = info_of(study_.settings.estimator).adaptive;  // its end is not known before
   std::string line = adaptive ? fmt::format("[{}] {} failed", done_, n_failed)
@@ -68,14 +65,7 @@ void StudyProgress::show(const Realisation& newest, const Realisations& all)
   if (!adaptive)
     line += fmt::format("  ETA {}{}", study_.settings.stop.cov > 0.0 ? "at most " : "",
         readable_duration(seconds_left() / n_at_a_time_));
-  terp::show(stdout, terminal_ ? "\r\033[K" + line : line + '\n');
-  open_ = terminal_;
-}
-
-void StudyProgress::finish()
-{
-  if (open_) terp::show(stdout, "\n");
-  open_ = false;
+  line_.show(line);
 }
 
 }  // namespace terp

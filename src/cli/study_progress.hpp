@@ -1,6 +1,7 @@
 // How far a study is, on one line that renews itself on a terminal.
 #pragma once
 
+#include "cli/progress.hpp"
 #include "batch/estimates.hpp"
 #include "batch/store.hpp"
 
@@ -14,7 +15,7 @@ class StudyProgress {
   /// n_at_a_time: realisations that are solved at once.
   StudyProgress(const Study& study, const StudyPart& part, int n_at_a_time, bool quiet);
   void show(const Realisation& newest, const Realisations& all);
-  void finish();
+  void finish() { line_.end(); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -23,7 +24,8 @@ class StudyProgress {
   const Study& study_;
   StudyPart part_;
   int n_at_a_time_;
-  bool quiet_, terminal_, shows_p_, open_ = false;
+  bool quiet_, shows_p_;
+  LiveLine line_;
   Clock::time_point start_ = Clock::now();
   /// Of one level; the fine one, or the only one, first.
   struct Level {

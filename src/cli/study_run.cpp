@@ -93,13 +93,15 @@ int run_study(const Study& study, const std::string& folder, const StudyCommand&
     return failed;
   }
   if (part.n_all > 1) {
-    rows = read_store(study, folder).rows;
+    StoredStudy all = read_store(study, folder);
+    rows = std::move(all.rows);
     if (!TableCounter(study, rows).rule_met()) {
       if (!command.quiet)
         fmt::print("part {} of {} {}; what all have so far: terp study report {}\n", part.number, part.n_all,
             end == StudyEnd::out_of_time ? "has had its stop.time, and the same command goes on" : "is done", folder);
       return solved;
     }
+    fmt::print(stderr, "{}", why_bits_differ(all));
   }
   write_results(study, place_of_results(folder), rows, now_in_utc());
   if (!command.quiet) {

@@ -64,12 +64,6 @@ std::string describe(const Reading& now, Real end, double left)
   return left >= 0.0 ? text + "  ETA " + readable_duration(left) : text;
 }
 
-void show(const std::string& line, bool renews)
-{
-  fmt::print("{}{}{}", renews ? "\r\033[K" : "", line, renews ? "" : "\n");
-  std::fflush(stdout);
-}
-
 }  // namespace
 
 int watch_run(const WatchCommand& command)
@@ -83,14 +77,14 @@ int watch_run(const WatchCommand& command)
   if (!fs::exists(path_in(folder, case_file)))
     throw FileError(fmt::format("{}: this is no run folder, it holds no {}", folder, case_file));
   const Real end = read_case(path_in(folder, case_file)).values.time.end;
-  const bool terminal = is_terminal(stdout);
+  LiveLine line;
   Reading before{.age = 0.0, .time = 0.0};
   for (;;) {
     const bool running = is_being_written(folder);
     const Reading now = read_progress(folder);
-    show(
-        describe(now, end, running ? time_left(before, now, end) : std::nan("")), terminal && running && !command.once);
+    line.show(describe(now, end, running ? time_left(before, now, end) : std::nan("")));
     if (!running || command.once) {
+      line.end();
       if (!running)
         fmt::print("no terp is writing to {}: the run {}\n", folder,
             now.time >= end * (1.0 - 1e-9) ? "is finished" : "has stopped; `terp resume` goes on");

@@ -1,9 +1,10 @@
-// This program once more, with the same command line, as processes that each do one thing of several: what befalls one
-// (a fault of ours, the end of memory) ends it and no other. They share memory with the one that started them.
-// Not for: other programs (process.hpp), nor for threads (os/threads.hpp).
+// This program once more, as processes that each do one thing of several: what befalls one (a fault of ours, the end of
+// memory) ends it and no other. They share memory with the one that started them.
+// Not for: calls that are waited for (own_copy.hpp), other programs (process.hpp), threads (threads.hpp).
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,8 +28,10 @@ class Children {
 
   void* shared();
 
-  /// Starts the process that does thing `number`. what: names it in the FileError if there is no process.
-  void begin(std::size_t number, const std::string& what);
+  /// Starts the process that does thing `number`: the task, whose value is its exit status. No thread may run here.
+  /// Windows has no copies of processes: there the program is begun anew with the same command line, and own_task()
+  /// says what it is for. what: names the thing in the FileError if there is no process.
+  void begin(std::size_t number, const std::string& what, const std::function<int()>& task);
 
   /// One that has ended since the last call. Does not wait.
   std::optional<ChildEnd> next_end();
@@ -41,13 +44,13 @@ class Children {
   std::unique_ptr<Processes> state_;
 };
 
-/// What a process that `Children` started is to do.
+/// What a process that `Children` began anew is to do.
 struct OwnTask {
   std::size_t number = 0;
   void* shared = nullptr;
 };
 
-/// Nothing in a process that a user started. Throws FileError.
+/// Nothing in a process that a user started, and in a copy. Throws FileError.
 std::optional<OwnTask> own_task();
 
 }  // namespace terp

@@ -70,7 +70,7 @@ Children::~Children() { UnmapViewOfFile(state_->memory); }
 
 void* Children::shared() { return state_->memory; }
 
-void Children::begin(std::size_t number, const std::string& what)
+void Children::begin(std::size_t number, const std::string& what, const std::function<int()>&)
 {
   const HANDLE mapping = state_->mapping.handle, stop = state_->stop.handle, ourselves = state_->ourselves.handle;
   char task[200];

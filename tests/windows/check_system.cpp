@@ -128,7 +128,7 @@ void test_children()
 {
   Children children(3 * sizeof(std::atomic<int>));
   auto* const counts = static_cast<std::atomic<int>*>(children.shared());
-  for (std::size_t k = 0; k < 3; ++k) children.begin(k, "a test");
+  for (std::size_t k = 0; k < 3; ++k) children.begin(k, "a test", {});
   for (int k = 0; k < 600 && (counts[0] == 0 || counts[1] == 0); ++k) wait_seconds(0.05);
   EXPECT(counts[0] == 1 && counts[1] == 1);
   children.ask_to_stop();
