@@ -10,6 +10,7 @@
 #include "cli/progress.hpp"
 #include "io/results/table.hpp"
 #include "os/terminal.hpp"
+#include "os/say.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -66,7 +67,7 @@ std::string describe(const Reading& now, Real end, double left)
 
 void show(const std::string& line, bool renews)
 {
-  fmt::print("{}{}{}", renews ? "\r\033[K" : "", line, renews ? "" : "\n");
+  say("{}{}{}", renews ? "\r\033[K" : "", line, renews ? "" : "\n");
   std::fflush(stdout);
 }
 
@@ -92,7 +93,7 @@ int watch_run(const WatchCommand& command)
         describe(now, end, running ? time_left(before, now, end) : std::nan("")), terminal && running && !command.once);
     if (!running || command.once) {
       if (!running)
-        fmt::print("no terp is writing to {}: the run {}\n", folder,
+        say("no terp is writing to {}: the run {}\n", folder,
             now.time >= end * (1.0 - 1e-9) ? "is finished" : "has stopped; `terp resume` goes on");
       return solved;
     }
