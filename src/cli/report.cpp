@@ -73,7 +73,7 @@ int export_run(const ExportCommand& command)
         {std::pair{command.dxf, section.dxf}, std::pair{command.profile, section.profile_csv()}}) {
       if (path.empty()) continue;
       write_file_atomically(path, text);
-      say("section in {}\n", path);
+      say("section at t = {:.4g} and {:.4g} s in {}\n", section.start, section.end, path);
     }
     return solved;
   }
