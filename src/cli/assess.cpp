@@ -14,6 +14,7 @@
 #include "os/files.hpp"
 #include "os/stop.hpp"
 #include "os/terminal.hpp"
+#include "os/say.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -82,7 +83,7 @@ int solve_here(const PlannedSection& section, const AssessCommand& command, Sect
     print_to_file(path_in(section.folder, log_file));
     return assess_section(section, command, progress) ? solved : failed;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    say(stderr, "error: {}\n", error.what());
   }
   return failed;
 }
@@ -229,18 +230,17 @@ int print_estimate(const std::vector<PlannedSection>& plan, const AssessCommand&
   for (const PlannedSection& section : plan) {
     const SectionRecord record = read_record(section.folder);
     if (!record.fault.empty() || record.n_points == 0) {
-      fmt::print("  {:<30} {}: {}\n", section.name, state_of({.record = record}),
+      say("  {:<30} {}: {}\n", section.name, state_of({.record = record}),
           printable(record.fault.substr(0, record.fault.find('\n'))));
       ++n_refused;
       continue;
     }
     seconds += record.expected_s;
-    fmt::print("  {:<30} {}, cells of {:.3g} m, {} points, at most {}\n", section.name, printable(record.title),
-        record.cell, record.n_points, readable_duration(record.expected_s));
-    if (!record.ignored.empty()) fmt::print("    {}\n", record.ignored);
+    say("  {:<30} {}, cells of {:.3g} m, {} points, at most {}\n", section.name, printable(record.title), record.cell,
+        record.n_points, readable_duration(record.expected_s));
+    if (!record.ignored.empty()) say("    {}\n", record.ignored);
   }
-  fmt::print(
-      "all runs: at most {} with {} at once, without searches for factors of safety\ncases in {}; nothing was run\n",
+  say("all runs: at most {} with {} at once, without searches for factors of safety\ncases in {}; nothing was run\n",
       readable_duration(seconds / command.sections), command.sections, command.output);
   return n_refused == 0 ? solved : stopped_itself;
 }
@@ -274,8 +274,8 @@ int write_reach(const std::vector<PlannedSection>& plan, const AssessCommand& co
       path_in(command.output, page_file), make_page(page_template(), page.payload("reach", now, command.language)));
   write_file_atomically(path_in(command.output, csv_file), reach_csv(sections));
   write_file_atomically(path_in(command.output, json_file), reach_json(sections, now));
-  for (const ReachSection& s : sections) fmt::print("  {:<30} {}\n", s.record.name, printable(sentence_on(s)));
-  fmt::print("{} of {} sections have a result; page in {}, tables in {} and {}\n", plan.size() - n_faults, plan.size(),
+  for (const ReachSection& s : sections) say("  {:<30} {}\n", s.record.name, printable(sentence_on(s)));
+  say("{} of {} sections have a result; page in {}, tables in {} and {}\n", plan.size() - n_faults, plan.size(),
       path_in(command.output, page_file), csv_file, json_file);
   return n_faults == 0 ? solved : stopped_itself;
 }
@@ -296,7 +296,7 @@ int assess_reach(AssessCommand command)
   listen_for_stop();
   if (command.estimate) refuse_to_replace(plan, command);
   if (!Reach(plan, command).solve()) {
-    fmt::print(stderr, "stopped; what is solved is kept in {}. Go on with the same command\n", command.output);
+    say(stderr, "stopped; what is solved is kept in {}. Go on with the same command\n", command.output);
     return failed;
   }
   return command.estimate ? print_estimate(plan, command) : write_reach(plan, command);

@@ -18,6 +18,7 @@
 #include "model/meshes/setup_mesh.hpp"
 #include "os/files.hpp"
 #include "os/stop.hpp"
+#include "os/say.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -208,7 +209,7 @@ class Assessment {
     progress_.step = number;
     progress_.left_s = -1.0;
     record_.step = section_steps[number];
-    fmt::print("{}\n", record_.step);
+    say("{}\n", record_.step);
     note_time();
   }
 
@@ -280,7 +281,7 @@ class Assessment {
     record_.notes.clear();
     record_.notes_nl.clear();
     for (const Sentence& note : folder.notes) {
-      fmt::print("warning: {}\n", note.en);
+      say("warning: {}\n", note.en);
       record_.notes.push_back(printable(note.en));
       record_.notes_nl.push_back(printable(note.nl));
     }
@@ -338,7 +339,7 @@ class Assessment {
   void check()
   {
     const CaseFile file = read_case(case_of(section_));
-    fmt::print("{}", render_warnings(file));
+    say("{}", render_warnings(file));
     ImportCommand given = command_.import;
     if (has_trigger(file.values)) given.trigger.clear();
     const bool is_edited = is_changed_by_hand();
@@ -424,7 +425,7 @@ class Assessment {
           fault +
           "\n  The case was changed by hand, so it is not imported anew with held soil. Write the stages for "
           "that yourself (docs/dstability.md, \"Soil that cannot stand\"), or import it anew: --force.");
-    fmt::print("it does not stand by itself: held until it is at rest\n");
+    say("it does not stand by itself: held until it is at rest\n");
     record_.is_held = true;
     add_trigger();
     return true;

@@ -10,6 +10,7 @@
 #include "mpm/step/passes.hpp"
 #include "mpm/step/workspace.hpp"
 #include "run/loop/simulation.hpp"
+#include "os/say.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -113,21 +114,20 @@ void print_text(
     const Model& model, const State& state, const Measurement& m, const Machine& machine, std::int64_t n_steps)
 {
   const double points = static_cast<double>(state.points.n_points()) * static_cast<double>(n_steps);
-  fmt::print("{}, {}, {} points, {} thread{}, {}, double\n", printable(model.description.title),
-      model.description.scheme, state.points.n_points(), model.threads, model.threads == 1 ? "" : "s", instructions());
-  fmt::print("  {:.1f} M point-steps/s (median of 5 x {} steps; {:.1f} to {:.1f})\n", points / m.seconds / 1e6, n_steps,
+  say("{}, {}, {} points, {} thread{}, {}, double\n", printable(model.description.title), model.description.scheme,
+      state.points.n_points(), model.threads, model.threads == 1 ? "" : "s", instructions());
+  say("  {:.1f} M point-steps/s (median of 5 x {} steps; {:.1f} to {:.1f})\n", points / m.seconds / 1e6, n_steps,
       points / m.slowest / 1e6, points / m.fastest / 1e6);
-  fmt::print("  {:.0f} bytes per point\n\n",
+  say("  {:.0f} bytes per point\n\n",
       static_cast<double>(state.points.bytes()) / static_cast<double>(state.points.n_points()));
-  fmt::print("  pass              ns/point   flops   bytes  of the roofline\n");
+  say("  pass              ns/point   flops   bytes  of the roofline\n");
   const auto passes = report_passes(model, state, m, machine, n_steps);
   for (int pass = 0; pass < n_passes; ++pass) {
     const PassReport& r = passes[pass];
-    fmt::print("  {:<16} {:9.2f} {:7.0f} {:7.0f} {:>8}\n", pass_names[pass], r.ns_per_point, r.flops, r.bytes,
+    say("  {:<16} {:9.2f} {:7.0f} {:7.0f} {:>8}\n", pass_names[pass], r.ns_per_point, r.flops, r.bytes,
         r.roofline > 0.0 ? fmt::format("{:.0f} %", 100.0 * r.roofline) : "-");
   }
-  fmt::print(
-      "\n  machine, one thread: triad {:.0f} GB/s in L2, {:.0f} in L3, {:.0f} in memory; multiply-add {:.0f} GFLOP/s\n",
+  say("\n  machine, one thread: triad {:.0f} GB/s in L2, {:.0f} in L3, {:.0f} in memory; multiply-add {:.0f} GFLOP/s\n",
       machine.triad_cache, machine.triad_l3, machine.triad_memory, machine.multiply_add);
 }
 
@@ -135,22 +135,21 @@ void print_json(
     const Model& model, const State& state, const Measurement& m, const Machine& machine, std::int64_t n_steps)
 {
   const double points = static_cast<double>(state.points.n_points()) * static_cast<double>(n_steps);
-  fmt::print(
-      "{{\"terp_version\": \"{}\", \"scheme\": \"{}\", \"points\": {}, \"cells\": {}, \"threads\": {}, "
+  say("{{\"terp_version\": \"{}\", \"scheme\": \"{}\", \"points\": {}, \"cells\": {}, \"threads\": {}, "
       "\"instructions\": \"{}\",\n",
       TERP_VERSION, model.description.scheme, state.points.n_points(), model.mesh->n_cells(), model.threads,
       instructions());
-  fmt::print(" \"point_steps_per_s\": {}, \"slowest\": {}, \"fastest\": {}, \"bytes_per_point\": {},\n",
-      points / m.seconds, points / m.slowest, points / m.fastest,
+  say(" \"point_steps_per_s\": {}, \"slowest\": {}, \"fastest\": {}, \"bytes_per_point\": {},\n", points / m.seconds,
+      points / m.slowest, points / m.fastest,
       static_cast<double>(state.points.bytes()) / static_cast<double>(state.points.n_points()));
-  fmt::print(" \"triad_gb_per_s\": [{}, {}, {}], \"multiply_add_gflops\": {},\n \"passes\": [", machine.triad_cache,
+  say(" \"triad_gb_per_s\": [{}, {}, {}], \"multiply_add_gflops\": {},\n \"passes\": [", machine.triad_cache,
       machine.triad_l3, machine.triad_memory, machine.multiply_add);
   const auto passes = report_passes(model, state, m, machine, n_steps);
   for (int pass = 0; pass < n_passes; ++pass)
-    fmt::print("{}\n  {{\"name\": \"{}\", \"ns_per_point\": {}, \"flops\": {}, \"bytes\": {}, \"roofline\": {}}}",
+    say("{}\n  {{\"name\": \"{}\", \"ns_per_point\": {}, \"flops\": {}, \"bytes\": {}, \"roofline\": {}}}",
         pass == 0 ? "" : ",", pass_names[pass], passes[pass].ns_per_point, passes[pass].flops, passes[pass].bytes,
         passes[pass].roofline);
-  fmt::print("]}}\n");
+  say("]}}\n");
 }
 
 }  // namespace

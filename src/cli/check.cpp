@@ -24,6 +24,7 @@
 #include "model/libraries/law_cost.hpp"
 #include "run/findings/setup_warnings.hpp"
 #include "mpm/step/workspace.hpp"
+#include "os/say.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +56,7 @@ void print_bodies(const Model& model)
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyShare& body = model.bodies[b];
     const std::string& name = model.description.bodies[b].name;
-    fmt::print("  {:<14} {}, {:.6g} m^2, {:.6g} kg per m, {} points{}\n",
+    say("  {:<14} {}, {:.6g} m^2, {:.6g} kg per m, {} points{}\n",
         name.empty() ? fmt::format("body {}", b) : "body `" + printable(name) + "`:", printable(body.material),
         body.area, body.mass, body.n_points, stages_text(model, b));
   }
@@ -64,8 +65,8 @@ void print_bodies(const Model& model)
 void print_sides(const Model& model)
 {
   for (const NamedSide& side : model.mesh->sides)
-    fmt::print("  side {:<10}{}, {:.4g} m\n", printable(side.name),
-        describe(condition_of(model.description, side.name)), shape_of_side(*model.mesh, side).length);
+    say("  side {:<10}{}, {:.4g} m\n", printable(side.name), describe(condition_of(model.description, side.name)),
+        shape_of_side(*model.mesh, side).length);
 }
 
 void check_picture(const std::string& path)
@@ -80,7 +81,7 @@ void check_picture(const std::string& path)
 void write_picture(const std::string& path, const Model& model, const State& state)
 {
   write_file_atomically(path, draw_section(model, state));
-  fmt::print("picture in {}\n", path);
+  say("picture in {}\n", path);
 }
 
 std::string count(std::int64_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
@@ -89,10 +90,10 @@ std::string megabytes(double bytes) { return fmt::format("{:.{}f} MB", bytes / 1
 
 void print_output(const OutputCost& cost)
 {
-  fmt::print("  output         {} of {}, {} of {}, {}\n", count(cost.n_frames, "frame"), megabytes(cost.frame_bytes),
+  say("  output         {} of {}, {} of {}, {}\n", count(cost.n_frames, "frame"), megabytes(cost.frame_bytes),
       count(cost.n_checkpoints, "checkpoint"), megabytes(cost.checkpoint_bytes),
       count(cost.n_ledger_rows + cost.n_history_rows, "row"));
-  fmt::print("  disk           {} at the end, with {}\n", megabytes(cost.bytes), count(cost.n_kept, "checkpoint"));
+  say("  disk           {} at the end, with {}\n", megabytes(cost.bytes), count(cost.n_kept, "checkpoint"));
 }
 
 /// Some end is only the latest one.
@@ -112,7 +113,7 @@ void print_stages(const Model& model, double all_s)
     for (const std::string& name : stage.place) changes += (changes.empty() ? ": places " : ", places ") + name;
     for (const std::string& name : stage.remove) changes += (changes.empty() ? ": removes " : ", removes ") + name;
     for (const auto& [key, value] : stage.changes) changes += (changes.empty() ? ": " : ", ") + key + " = " + value;
-    fmt::print("  stage {:<8} t = {:g} to {}{:g} s, solved in {}{}{}\n", stage.name, start, rests ? "at most " : "",
+    say("  stage {:<8} t = {:g} to {}{:g} s, solved in {}{}{}\n", stage.name, start, rests ? "at most " : "",
         start + stage.longest(), rests ? "at most " : "",
         readable_duration(all_s * stage.longest() / model.description.time.end), printable(changes));
     start += stage.longest();
@@ -131,7 +132,7 @@ void print_loads(const Model& model, const State& state)
       const Real y = block.row(Rows::x + 1)[lane];
       ++n, low = std::min(low, y), high = std::max(high, y);
     });
-    fmt::print("  load {:<10}{} on x = {:g} to {:g} m, {:.4g} kN per m{}\n", printable(load.name),
+    say("  load {:<10}{} on x = {:g} to {:g} m, {:.4g} kN per m{}\n", printable(load.name),
         printable(describe_pressures(model.whole ? *model.whole : model.description, k)), load.from, load.to,
         load.pressure * (load.to - load.from) / 1e3,
         n > 0 ? fmt::format(", on {} points at y = {:.4g} to {:.4g} m", n, low, high)
@@ -145,7 +146,7 @@ void print_flood(const FloodLevel& level)
   const std::string river = !level.river                   ? ""
                             : *level.river == Facing::left ? ", river on the left"
                                                            : ", river on the right";
-  fmt::print("  flood          judged at {:.4g} m, {}{}\n", level.value, printable(level.origin), river);
+  say("  flood          judged at {:.4g} m, {}{}\n", level.value, printable(level.origin), river);
 }
 
 /// K0 stress is at rest on level ground alone: elsewhere, how much of the weight it does not carry.
@@ -155,8 +156,7 @@ void print_start(Simulation& simulation)
   if (model.description.initial.stress != InitialStress::k0) return;
   if (is_flat(first_section(model, simulation.state.points, ground_of(model)))) return;
   make_steps(model, simulation.state, simulation.work, {.most_steps = 1});
-  fmt::print(
-      "  initial stress k0 on ground that is not level: {:.2g} % of the weight is out of balance at t = 0 and acts at "
+  say("  initial stress k0 on ground that is not level: {:.2g} % of the weight is out of balance at t = 0 and acts at "
       "once;\n                 at rest begins stress = \"equilibrium\", or a first stage with until = \"at_rest\"\n",
       100.0 * simulation.work.unbalanced_ratio);
 }
@@ -167,7 +167,7 @@ void print_profile(const Model& model, const State& state, Real x)
 {
   const std::vector<ProfileRow> rows = thinned(strength_profile(model, state, x), rows_of_profile);
   if (rows.empty()) {
-    fmt::print("  profile        no soil at x = {:g} m\n", x);
+    say("  profile        no soil at x = {:g} m\n", x);
     return;
   }
   const auto has = [&](Real ProfileRow::*value) {
@@ -178,11 +178,11 @@ void print_profile(const Model& model, const State& state, Real x)
   std::string last_water;  // its name
   for (const StageCase& stage : model.description.stages)
     if (!stage.water.empty()) last_water = stage.water;
-  fmt::print("  profile at x = {:g} m, water at the start{}{}\n", x,
+  say("  profile at x = {:g} m, water at the start{}{}\n", x,
       has_last ? fmt::format("; last sigma'_v: in the water `{}`", printable(last_water)) : "",
       has_yield ? "; sigma'_p: yield stress of SHANSEP" : "");
-  fmt::print("    {:>8}{:>9}  {:<14}{:>13}{:>10}{}{}{:>10}  {}\n", "depth m", "y m", "material", "sigma'_v kPa",
-      "p_w kPa", column(has_last, "last sigma'_v"), column(has_yield, "sigma'_p kPa"), "G MPa", "strength");
+  say("    {:>8}{:>9}  {:<14}{:>13}{:>10}{}{}{:>10}  {}\n", "depth m", "y m", "material", "sigma'_v kPa", "p_w kPa",
+      column(has_last, "last sigma'_v"), column(has_yield, "sigma'_p kPa"), "G MPa", "strength");
   const auto number = [](Real value, Real scale) {
     return std::isnan(value) ? std::string("-") : fmt::format("{:.2f}", value / scale);
   };
@@ -191,7 +191,7 @@ void print_profile(const Model& model, const State& state, Real x)
     for (const ProfileStrength& s : row.strengths)
       strengths += fmt::format("{}{} {:.2f} {}", strengths.empty() ? "" : ", ", s.name,
           s.unit == "Pa" ? s.value / 1e3 : s.value, s.unit == "Pa" ? "kPa" : s.unit);
-    fmt::print("    {:>8}{:>9.2f}  {:<14}{:>13}{:>10}{}{}{:>10}  {}\n", number(row.depth, 1.0), row.x[1],
+    say("    {:>8}{:>9.2f}  {:<14}{:>13}{:>10}{}{}{:>10}  {}\n", number(row.depth, 1.0), row.x[1],
         printable(row.material), number(row.stress, 1e3), number(row.pore, 1e3),
         column(has_last, number(row.last_stress, 1e3)), column(has_yield, number(row.yield_stress, 1e3)),
         number(row.shear, 1e6), strengths);
@@ -214,10 +214,9 @@ void print_strength_beside(const Model& model, const State& state)
     const StrengthComparison c = compare_strength(model, state, plane);
     const std::string name = printable(plane.name) + (plane.method.empty() ? "" : ", " + printable(plane.method));
     if (c.n == 0)
-      fmt::print("  S_u            none at the {} places of `{}`\n", c.n_all, name);
+      say("  S_u            none at the {} places of `{}`\n", c.n_all, name);
     else
-      fmt::print(
-          "  S_u            over that of `{}`: {:.3f} in the mean of {} of {} places, {:.3f} at [{:.2f}, {:.2f}] to "
+      say("  S_u            over that of `{}`: {:.3f} in the mean of {} of {} places, {:.3f} at [{:.2f}, {:.2f}] to "
           "{:.3f} at [{:.2f}, {:.2f}]\n",
           name, c.mean, c.n, c.n_all, c.low, c.x_low[0], c.x_low[1], c.high, c.x_high[0], c.x_high[1]);
   }
@@ -240,9 +239,9 @@ std::string numbers_text(const std::vector<NamedNumber>& numbers, std::span<cons
 void print_given(const MaterialCase& material)
 {
   const LibraryCase& library = material.library;
-  fmt::print("  {} is given  {}{}\n", printable(material.name), count(std::ssize(library.parameters), "parameter"),
+  say("  {} is given  {}{}\n", printable(material.name), count(std::ssize(library.parameters), "parameter"),
       printable(numbers_text(library.parameters)));
-  fmt::print("  {} remembers {}{}\n", printable(material.name), count(std::ssize(library.state), "state variable"),
+  say("  {} remembers {}{}\n", printable(material.name), count(std::ssize(library.state), "state variable"),
       printable(numbers_text(library.state, material.from_library->state)));
 }
 
@@ -273,7 +272,7 @@ std::vector<std::string> print_laws(const Model& model, const State& state)
     }
     const int threads = material.library.thread_safe ? model.threads : 1;
     const double all = cost.seconds * static_cast<double>(n) * static_cast<double>(model.n_steps) / threads;
-    fmt::print("  law of {:<8}{}: {:.2g} us per point and step, {} of all steps{}\n", printable(material.name),
+    say("  law of {:<8}{}: {:.2g} us per point and step, {} of all steps{}\n", printable(material.name),
         printable(material.library.file), 1e6 * cost.seconds, readable_duration(all),
         material.library.thread_safe ? "" : ", one thread at a time (thread_safe = false)");
   }
@@ -285,51 +284,50 @@ void print_form(const Model& model)
 {
   if (!looks_at(*model.scheme, "as")) return;
   const std::vector<std::string> differences = differences_from_paper(model.method, *model.scheme);
-  fmt::print("  method         {}{}\n",
+  say("  method         {}{}\n",
       differences.empty() ? "as in the paper" : "not the paper's: ", fmt::join(differences, ", "));
   if (model.method.shares == Shares::overlap && !model.scheme->with_overlap.empty())
-    fmt::print("                 {}\n", model.scheme->with_overlap);
+    say("                 {}\n", model.scheme->with_overlap);
 }
 
 void print_check(const CaseFile& file, Simulation& simulation, const RunOptions& options)
 {
   const Model& model = simulation.model;
   const State& state = simulation.state;
-  fmt::print("{}\n", printable(file.values.title.empty() ? file.values.name : file.values.title));
-  fmt::print("  scheme         {}\n", file.values.scheme);
+  say("{}\n", printable(file.values.title.empty() ? file.values.name : file.values.title));
+  say("  scheme         {}\n", file.values.scheme);
   print_form(model);
-  fmt::print("{}", describe(measure_quality(*model.mesh)));
-  fmt::print("  cells of soil  {}\n", state.points.occupied().size());
-  fmt::print("  points         {}\n", state.points.n_points());
-  fmt::print("  mass           {:.6g} kg per m\n", total_mass(state));
+  say("{}", describe(measure_quality(*model.mesh)));
+  say("  cells of soil  {}\n", state.points.occupied().size());
+  say("  points         {}\n", state.points.n_points());
+  say("  mass           {:.6g} kg per m\n", total_mass(state));
   print_bodies(model);
   print_sides(model);
   for (const std::string& note : std::set<std::string>(file.notes.begin(), file.notes.end()))  // parts of a soil share
-    fmt::print("  read as        {}\n", printable(note));
+    say("  read as        {}\n", printable(note));
   for (const Sentence& change : changes_since_import(file.source.root, file.values.folder))
-    fmt::print("  changed        {}\n", printable(change.en));
+    say("  changed        {}\n", printable(change.en));
   print_profiles(options, model, state);
   print_strength_beside(model, state);
   if (softens_point_by_point(model))
-    fmt::print(
-        "  softening      no length, no reference width: the result will depend on the cells (docs/convergence.md)\n");
-  fmt::print("  time step      {:.4g} s\n", model.dt);
-  fmt::print("  steps          {}{} to t = {:g} s\n", ends_at_rest(file.values) ? "at most " : "", model.n_steps,
+    say("  softening      no length, no reference width: the result will depend on the cells (docs/convergence.md)\n");
+  say("  time step      {:.4g} s\n", model.dt);
+  say("  steps          {}{} to t = {:g} s\n", ends_at_rest(file.values) ? "at most " : "", model.n_steps,
       file.values.time.end);
   print_loads(model, state);
   print_flood(model.flood_level);
   print_start(simulation);
-  fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);
+  say("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);
   const OutputCost cost = estimate_output(model, state);
   print_output(cost);
   const std::vector<std::string> faults = print_laws(model, state);
   const double step_s = time_a_step(simulation);  // a law that fails there, too, is reported once
-  for (const std::string& fault : faults) fmt::print(stderr, "warning: {}\n", fault);
+  for (const std::string& fault : faults) say(stderr, "warning: {}\n", fault);
   print_stages(model, seconds_of_steps(model, step_s));
-  fmt::print("  expected time  {} on {}, {} of it for output ({:.1f} M point-steps/s in a trial)\n",
+  say("  expected time  {} on {}, {} of it for output ({:.1f} M point-steps/s in a trial)\n",
       readable_duration(seconds_of_steps(model, step_s) + cost.seconds), count(model.threads, "thread"),
       readable_duration(cost.seconds), static_cast<double>(state.points.n_points()) / step_s / 1e6);
-  fmt::print("nothing was run\n");
+  say("nothing was run\n");
 }
 
 }  // namespace
@@ -338,11 +336,11 @@ int check_case(const RunOptions& options)
 {
   check_picture(options.picture);
   const CaseFile file = read_case(options.path, options.changes);
-  fmt::print(stderr, "{}", render_warnings(file));
+  say(stderr, "{}", render_warnings(file));
   try {
     Simulation simulation(file.values, threads_of(options));
     warn_of_missing_threads(options, simulation.model.threads);
-    fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
+    say(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
     if (!options.picture.empty()) write_picture(options.picture, simulation.model, simulation.state);
     if (options.quiet)
       time_a_step(simulation);  // a run that would stop itself is told all the same
@@ -350,7 +348,7 @@ int check_case(const RunOptions& options)
       print_check(file, simulation, options);
     return solved;
   } catch (const RunError& error) {
-    fmt::print(stderr, "error: the run would stop itself: {}\n", error.what());
+    say(stderr, "error: the run would stop itself: {}\n", error.what());
     return stopped_itself;
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));

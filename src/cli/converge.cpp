@@ -10,6 +10,7 @@
 #include "page/page.hpp"
 #include "os/stop.hpp"
 #include "cli/what_decides.hpp"
+#include "os/say.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
@@ -83,8 +84,8 @@ bool solve_all(Plan& plan, const ConvergeOptions& options)
     if (stop_requested) return false;
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     if (run.start != RunStart::kept) pace.done(run.seconds, seconds);
-    if (!fault.empty()) fmt::print(stderr, "warning: {}no result; the others go on\n  {}\n", label, fault);
-    if (fault.empty() && !options.run.quiet) fmt::print("{}{}\n", label, word(run, seconds));
+    if (!fault.empty()) say(stderr, "warning: {}no result; the others go on\n  {}\n", label, fault);
+    if (fault.empty() && !options.run.quiet) say("{}{}\n", label, word(run, seconds));
     plan.sequences[run.sequence].runs[run.number].fault = first_line(fault);
   }
   return true;
@@ -121,21 +122,21 @@ int converge_case(const ConvergeOptions& options)
   Plan plan = plan_study(options);
   const RunOptions& run = options.run;
   const bool speaks = !run.quiet && !run.json;
-  if (speaks || options.estimate) fmt::print("{}", plan_text(plan, threads_of(run)));
-  if (options.estimate) return fmt::print("nothing was run\n"), solved;
+  if (speaks || options.estimate) say("{}", plan_text(plan, threads_of(run)));
+  if (options.estimate) return say("nothing was run\n"), solved;
   make_folder(plan.folder);
   listen_for_stop();
   ConvergeOptions silent = options;
   silent.run.quiet = !speaks;
   if (!solve_all(plan, silent)) {
-    fmt::print(stderr, "stopped; what is solved is kept in {}. Go on with the same command\n", plan.folder);
+    say(stderr, "stopped; what is solved is kept in {}. Go on with the same command\n", plan.folder);
     return failed;
   }
   if (options.what_decides) {
     const Decision decision = decide(plan);
     write_file_atomically(path_in(plan.folder, depends_file), decision.json);
-    if (run.json) fmt::print("{}", decision.json);
-    if (speaks) fmt::print("{}numbers in {}\n", decision.text, path_in(plan.folder, depends_file));
+    if (run.json) say("{}", decision.json);
+    if (speaks) say("{}numbers in {}\n", decision.text, path_in(plan.folder, depends_file));
     if (run.report) write_report(plan);
     return plan.sequences.front().runs.front().fault.empty() ? solved : stopped_itself;  // else that is an outcome
   }
@@ -146,10 +147,10 @@ int converge_case(const ConvergeOptions& options)
   write_file_atomically(path_in(plan.folder, convergence_json), study_json(study, now));
   write_file_atomically(
       path_in(plan.folder, convergence_page), make_page(page_template(), convergence_payload(study, now)));
-  if (run.json) fmt::print("{}", study_json(study, now));
-  if (speaks) fmt::print("{}", study_text(study));
+  if (run.json) say("{}", study_json(study, now));
+  if (speaks) say("{}", study_text(study));
   if (run.report) write_report(plan);
-  if (speaks) fmt::print("page in {}, numbers in {}\n", path_in(plan.folder, convergence_page), convergence_json);
+  if (speaks) say("page in {}, numbers in {}\n", path_in(plan.folder, convergence_page), convergence_json);
   return count_faults(plan) == 0 ? solved : stopped_itself;
 }
 

@@ -15,6 +15,7 @@
 #include "model/meshes/turned_mesh.hpp"
 #include "run/findings/setup_warnings.hpp"
 #include "cli/what_decides.hpp"
+#include "os/say.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -161,10 +162,10 @@ RunStart find_start(const std::string& folder, const CaseFile& file, const Mesh<
   if (fs::exists(path_in(folder, summary_file), none)) {
     const SavedSummary summary = read_summary(path_in(folder, summary_file));
     if (summary.finished && summary.terp_version != TERP_VERSION)
-      fmt::print(stderr, "warning: {} was solved by terp {}, this is {}; --force solves it anew\n", folder,
+      say(stderr, "warning: {} was solved by terp {}, this is {}; --force solves it anew\n", folder,
           summary.terp_version, TERP_VERSION);
     if (summary.finished && !summary.values.method)
-      fmt::print(stderr, "warning: {} was solved when [method] had other defaults; --force solves it anew\n", folder);
+      say(stderr, "warning: {} was solved when [method] had other defaults; --force solves it anew\n", folder);
     if (summary.finished) return RunStart::kept;
   }
   const std::int64_t newest = newest_step(folder);
@@ -180,7 +181,7 @@ class Warnings {
     std::vector<Problem> fresh;
     for (const Problem& warning : warnings)
       if (seen_.insert(warning.key + '\n' + warning.what).second) fresh.push_back(warning);
-    fmt::print(stderr, "{}", render_warnings(fresh, file));
+    say(stderr, "{}", render_warnings(fresh, file));
   }
 
  private:
@@ -286,7 +287,7 @@ void warn_of_given_points(const CaseFile& file)
 {
   for (const BodyCase& body : file.values.bodies)
     if (!body.points_file.empty())
-      fmt::print(stderr,
+      say(stderr,
           "warning: the points of {} are the same at all sizes: smaller cells hold fewer of them, until cells are "
           "empty\n",
           printable(body.points_file));

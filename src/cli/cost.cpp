@@ -8,6 +8,7 @@
 #include "run/report/output_costs.hpp"
 #include "mpm/step/passes.hpp"
 #include "mpm/step/workspace.hpp"
+#include "os/say.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
@@ -71,8 +72,7 @@ void print_passes(const Workspace& work)
   double total = 0.0;
   for (const double s : work.seconds) total += s;
   for (int pass = 0; pass < n_passes; ++pass)
-    fmt::print(
-        "  {:<16} {:8.2f} s  {:4.1f} %\n", pass_names[pass], work.seconds[pass], 100.0 * work.seconds[pass] / total);
+    say("  {:<16} {:8.2f} s  {:4.1f} %\n", pass_names[pass], work.seconds[pass], 100.0 * work.seconds[pass] / total);
 }
 
 }  // namespace terp

@@ -8,6 +8,7 @@
 #include "cli/import_options.hpp"
 #include "io/case/printable.hpp"
 #include "io/files/files.hpp"
+#include "os/say.hpp"
 
 #include <fmt/format.h>
 
@@ -40,17 +41,16 @@ std::string verdict_of(const std::vector<ResultSlices>& results, std::size_t sce
 /// One line per result: how far the computed values are from the stored ones.
 void print_deviations(const std::vector<ResultSlices>& results)
 {
-  fmt::print(
-      "largest difference from the stored slices\n{:<56} {:>6} {:>7} {:>7} {:>7} {:>9}\n{:<56} {:>6} {:>7} {:>7} "
+  say("largest difference from the stored slices\n{:<56} {:>6} {:>7} {:>7} {:>7} {:>9}\n{:<56} {:>6} {:>7} {:>7} "
       "{:>7} {:>9}\n",
       "", "", "sigma_v", "u", "sigma_y", "s_u", "result", "slices", "kPa", "kPa", "kPa", "%");
   for (const ResultSlices& result : results) {
     const SliceDeviation most = largest_deviation(result);
-    fmt::print("{:<56} {:>6} {:>7.4f} {:>7.4f} {:>7.4f} {:>9.4f}{}{}\n", printable(result.name), result.rows.size(),
+    say("{:<56} {:>6} {:>7.4f} {:>7.4f} {:>7.4f} {:>9.4f}{}{}\n", printable(result.name), result.rows.size(),
         most.total_stress / 1e3, most.pore_pressure / 1e3, most.yield_stress / 1e3, 100.0 * most.su,
         most.missing == 0 ? "" : fmt::format("\n  {} stored numbers have no computed one", most.missing),
         result.stale.empty() ? "" : "\n  stale: " + result.stale);
-    if (!result.trouble.empty()) fmt::print(stderr, "warning: {}\n", printable(result.name + ": " + result.trouble));
+    if (!result.trouble.empty()) say(stderr, "warning: {}\n", printable(result.name + ": " + result.trouble));
   }
 }
 
@@ -64,11 +64,11 @@ try {
   if (!command.slices.empty()) {
     write_file_atomically(command.slices, slices_csv(results));
     print_deviations(results);
-    fmt::print("{} results in {}\n", results.size(), command.slices);
+    say("{} results in {}\n", results.size(), command.slices);
     return solved;
   }
   const StixVerdict verdict = [&](std::size_t s, std::size_t k) { return verdict_of(results, s, k); };
-  fmt::print("{}", command.json ? listing_json(project, verdict) : printable(listing_of(project, verdict)));
+  say("{}", command.json ? listing_json(project, verdict) : printable(listing_of(project, verdict)));
   return solved;
 } catch (const InputError& error) {
   refuse_import(command.path, error);

@@ -11,6 +11,7 @@
 #include "io/case/printable.hpp"
 #include "io/files/files.hpp"
 #include "model/bodies/csv_rows.hpp"
+#include "os/say.hpp"
 
 #include <fmt/format.h>
 
@@ -43,8 +44,8 @@ void write_folder(const ImportCommand& command, const CaseFolder& folder)
 {
   write_case_folder(command.output, folder);
   const std::string case_path = command.output + "/case.toml";
-  for (const Sentence& note : folder.notes) fmt::print(stderr, "warning: {}\n", printable(note.en));
-  fmt::print("case in {}; what was assumed, moved and left out: {}/report.md\nNext: terp check {}\n", case_path,
+  for (const Sentence& note : folder.notes) say(stderr, "warning: {}\n", printable(note.en));
+  say("case in {}; what was assumed, moved and left out: {}/report.md\nNext: terp check {}\n", case_path,
       command.output, case_path);
 }
 
@@ -57,9 +58,9 @@ int import_drawing(const ImportCommand& command)
   const DxfRegions regions = regions_of(drawing, drawing_snap);
   std::vector<std::string> notes = drawing.notes;
   notes.insert(notes.end(), drawing.doubts.begin(), drawing.doubts.end());
-  for (const std::string& doubt : drawing.doubts) fmt::print(stderr, "warning: {}\n", printable(doubt));
+  for (const std::string& doubt : drawing.doubts) say(stderr, "warning: {}\n", printable(doubt));
   if (command.output.empty()) {
-    fmt::print("{}", printable(drawing_listing(regions, notes)));
+    say("{}", printable(drawing_listing(regions, notes)));
     return solved;
   }
   refuse_to_replace(command);
@@ -73,7 +74,7 @@ int import_drawing(const ImportCommand& command)
 int import_file(const ImportCommand& command)
 try {
   if (command.print_defaults) {
-    fmt::print("{}", soil_defaults_table());
+    say("{}", soil_defaults_table());
     return solved;
   }
   if (command.path.empty())

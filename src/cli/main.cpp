@@ -13,6 +13,7 @@
 #include "page/page.hpp"
 #include "batch/reliability.hpp"
 #include "os/terminal.hpp"
+#include "os/say.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -64,8 +65,8 @@ int call(const CLI::App& app, const terp::CommandLine& line)
   if (app.got_subcommand("assess")) return terp::assess_reach(line.assess);
   if (app.got_subcommand("watch")) return terp::watch_run(line.watch);
   if (app.got_subcommand("bench")) return terp::bench_case(line.options);
-  if (app.got_subcommand("schema")) return fmt::print("{}", terp::case_schema()), terp::solved;
-  fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());
+  if (app.got_subcommand("schema")) return terp::say("{}", terp::case_schema()), terp::solved;
+  terp::say("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());
   return terp::solved;
 }
 
@@ -92,22 +93,30 @@ bool answer_help(const CLI::App& app, int argc, char** argv)
 {
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
-    if (k == 1 && word == "help") return fmt::print("{}", terp::help_on(app, argc > 2 ? argv[2] : "")), true;
-    if (word == "-h" || word == "--help") return fmt::print("{}", terp::help_on(app, argv[1])), true;
-    if (word == "--version") return fmt::print("{}", version_text()), true;
+    if (k == 1 && word == "help") return terp::say("{}", terp::help_on(app, argc > 2 ? argv[2] : "")), true;
+    if (word == "-h" || word == "--help") return terp::say("{}", terp::help_on(app, argv[1])), true;
+    if (word == "--version") return terp::say("{}", version_text()), true;
   }
-  if (argc == 1) fmt::print("{}", terp::help_on(app, ""));
+  if (argc == 1) terp::say("{}", terp::help_on(app, ""));
   return argc == 1;
 }
 
-/// What is still to be printed is lost on a full disk, and with it the answer of all commands but those that write a
-/// run folder.
-int print_the_rest(int status, bool writes_a_run)
+/// What cannot be printed is lost, on a full disk say, and with it the answer of a command that writes no files.
+int print_the_rest(int status, bool writes_files)
 {
-  errno = 0;
-  if (std::fflush(stdout) == 0 || errno == EPIPE || writes_a_run || status != terp::solved) return status;
-  fmt::print(stderr, "error: what was to be printed is not complete: {}\n", std::strerror(errno));
+  const int why = terp::why_output_is_lost();
+  if (why == 0 || why == EPIPE || writes_files || status != terp::solved) return status;
+  terp::say(stderr, "error: what was to be printed is not complete: {}\n", std::strerror(why));
   return terp::failed;
+}
+
+/// Whether the answer is in files, and what is printed only tells of them.
+bool writes_files(const CLI::App& app, const terp::CommandLine& line)
+{
+  return std::ranges::any_of(
+             std::initializer_list<const char*>{"run", "resume", "converge", "study", "report", "export", "assess"},
+             [&](const char* name) { return app.got_subcommand(name); }) ||
+         !line.imported.output.empty();
 }
 
 }  // namespace
@@ -124,30 +133,24 @@ int main(int argc, char** argv)
     check_command(app, argv[1]);
     app.parse(argc, argv);
     const int status = call(app, line);
-    return print_the_rest(status, app.got_subcommand("run") || app.got_subcommand("resume"));
+    return print_the_rest(status, writes_files(app, line));
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "{}", terp::printable(terp::describe(app, error)));
+    terp::say(stderr, "{}", terp::printable(terp::describe(app, error)));
     return terp::bad_input;
   } catch (const terp::CaseError& error) {
-    fmt::print(stderr, "{}", error.what());
+    terp::say(stderr, "{}", error.what());
     return terp::bad_input;
   } catch (const terp::InstructionsError& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    terp::say(stderr, "error: {}\n", error.what());
     return terp::bad_input;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: not enough memory for this case. `terp check CASE.toml` says how much it needs.\n");
+    terp::say(stderr, "error: not enough memory for this case. `terp check CASE.toml` says how much it needs.\n");
     return terp::failed;
   } catch (const std::filesystem::filesystem_error& error) {
-    fmt::print(stderr, "error: cannot use {}: {}\n", error.path1().string(), error.code().message());
-    return terp::failed;
-  } catch (const std::system_error& error) {
-    if (std::ferror(stdout) != 0)  // of a long answer; of a short one the end of main notices
-      fmt::print(stderr, "error: what was to be printed is not complete: {}\n", error.code().message());
-    else
-      fmt::print(stderr, "error: {}\n", error.what());
+    terp::say(stderr, "error: cannot use {}: {}\n", error.path1().string(), error.code().message());
     return terp::failed;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    terp::say(stderr, "error: {}\n", error.what());
     return terp::failed;
   }
 }

@@ -11,6 +11,7 @@
 #include "io/results/compare.hpp"
 #include "io/results/export.hpp"
 #include "import/drawing/section_export.hpp"
+#include "os/say.hpp"
 
 #include <cctype>
 #include <filesystem>
@@ -56,11 +57,10 @@ int report_runs(const ReportCommand& command)
   options.written = now_in_utc();
   const Payload payload = make_payload(command.runs, options);
   write_file_atomically(path, make_page(page_template(), payload));
-  for (const auto& note : payload.notes) fmt::print("{}\n", note);
-  for (const auto& warning : payload.warnings) fmt::print(stderr, "warning: {}\n", warning);
-  if (!has_page())
-    fmt::print(stderr, "warning: this terp was built without its report page; {} holds the data alone\n", path);
-  fmt::print("{} in {} ({:.1f} MB)\n", has_page() ? "report" : "data of the report", path,
+  for (const auto& note : payload.notes) say("{}\n", note);
+  for (const auto& warning : payload.warnings) say(stderr, "warning: {}\n", warning);
+  if (!has_page()) say(stderr, "warning: this terp was built without its report page; {} holds the data alone\n", path);
+  say("{} in {} ({:.1f} MB)\n", has_page() ? "report" : "data of the report", path,
       static_cast<double>(std::filesystem::file_size(path)) / 1e6);
   return solved;
 }
@@ -73,16 +73,16 @@ int export_run(const ExportCommand& command)
         {std::pair{command.dxf, section.dxf}, std::pair{command.profile, section.profile_csv()}}) {
       if (path.empty()) continue;
       write_file_atomically(path, text);
-      fmt::print("section in {}\n", path);
+      say("section at t = {:.4g} and {:.4g} s in {}\n", section.start, section.end, path);
     }
     return solved;
   }
   Frames frames = read_run(command.run).frames();
   const std::string folder = command.folder.empty() ? path_in(command.run, "csv") : command.folder;
   const auto paths = export_frames(frames, {command.fields, command.frames, folder});
-  for (const auto& warning : frames.warnings()) fmt::print(stderr, "warning: {}\n", warning.en);
+  for (const auto& warning : frames.warnings()) say(stderr, "warning: {}\n", warning.en);
   const std::size_t n = paths.size() - 1;
-  fmt::print("{} frame{} in {}, listed in {}\n", n, n == 1 ? "" : "s", folder, paths.back());
+  say("{} frame{} in {}, listed in {}\n", n, n == 1 ? "" : "s", folder, paths.back());
   return solved;
 }
 
@@ -94,7 +94,7 @@ int compare_folders(const ReportCommand& command)
   std::vector<RunResults> runs;
   for (const auto& folder : command.runs) runs.push_back(read_run(folder));
   const Comparison comparison = compare_runs(runs, distinct_names(command.runs));
-  fmt::print("{}", command.json ? comparison_json(comparison) + "\n" : comparison_table(comparison));
+  say("{}", command.json ? comparison_json(comparison) + "\n" : comparison_table(comparison));
   return solved;
 }
 

@@ -29,6 +29,7 @@
 #include "os/stop.hpp"
 #include "os/terminal.hpp"
 #include "run/findings/setup_warnings.hpp"
+#include "os/say.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -46,37 +47,34 @@ std::string optional_number(const std::optional<Real>& value, const char* unit)
 
 void print_summary(const Summary& s, const Model& model, const std::string& folder)
 {
-  fmt::print("solved in {}: {} points, {} steps of {:.4g} s, {:.1f} M point-steps/s on {} thread{}\n",
+  say("solved in {}: {} points, {} steps of {:.4g} s, {:.1f} M point-steps/s on {} thread{}\n",
       readable_duration(s.wall_s), s.n_points, s.n_steps, s.dt, s.point_steps_per_s / 1e6, s.threads,
       s.threads == 1 ? "" : "s");
   if (s.search_steps > 0)
-    fmt::print(
-        "  equilibrium      found in {} steps, {} of that time\n", s.search_steps, readable_duration(s.search_s));
-  if (s.at_strength != 1.0) fmt::print("  strengths        divided by {:g}\n", s.at_strength);
-  if (s.flood)
-    fmt::print("  water            {}\n                   {}\n", flood_clause(*s.flood) + '.', flood_caution);
-  fmt::print("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("x = {:.2f} m", s.front_x) : "-");
-  fmt::print("  crest            {}\n", s.crest_x ? fmt::format("x = {:.2f} m", *s.crest_x) : "-");
-  fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
-  if (s.max_eps_eq_p) fmt::print("  largest eps_eq_p {:.3g}\n", *s.max_eps_eq_p);
+    say("  equilibrium      found in {} steps, {} of that time\n", s.search_steps, readable_duration(s.search_s));
+  if (s.at_strength != 1.0) say("  strengths        divided by {:g}\n", s.at_strength);
+  if (s.flood) say("  water            {}\n                   {}\n", flood_clause(*s.flood) + '.', flood_caution);
+  say("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("x = {:.2f} m", s.front_x) : "-");
+  say("  crest            {}\n", s.crest_x ? fmt::format("x = {:.2f} m", *s.crest_x) : "-");
+  say("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
+  if (s.max_eps_eq_p) say("  largest eps_eq_p {:.3g}\n", *s.max_eps_eq_p);
   const Real most = s.max_eps_eq_p.value_or(0.0);
   if (softens_point_by_point(model) && most > s.softened_strain.value_or(most))
-    fmt::print(
-        "  softening        no length, no reference width: the result depends on the cells (docs/convergence.md)\n");
-  fmt::print("  energy balance   {:.2g} % of the energy from outside is unexplained\n", 100.0 * s.unexplained_energy);
+    say("  softening        no length, no reference width: the result depends on the cells (docs/convergence.md)\n");
+  say("  energy balance   {:.2g} % of the energy from outside is unexplained\n", 100.0 * s.unexplained_energy);
   for (const FootingSummary& f : s.footings)
-    fmt::print("  {:<16} reaction {:.4g} kN/m, {:.4g} kN/m up, at the end; largest against its motion {:.4g} kN/m\n",
+    say("  {:<16} reaction {:.4g} kN/m, {:.4g} kN/m up, at the end; largest against its motion {:.4g} kN/m\n",
         printable(f.name), f.reaction[0] / 1e3, f.reaction[1] / 1e3, f.largest / 1e3);
   for (const StageSummary& stage : s.stages) {
     const StageRecord& r = stage.record;
-    fmt::print("  {:<16} {:.4g} to {:.4g} s, {} steps{}\n", stage.name.empty() ? "end" : "stage " + stage.name, r.start,
-        r.end, r.steps,
+    say("  {:<16} {:.4g} to {:.4g} s, {} steps{}\n", stage.name.empty() ? "end" : "stage " + stage.name, r.start, r.end,
+        r.steps,
         r.at_rest                  ? ", at rest"
         : std::isfinite(r.fastest) ? fmt::format(", not at rest: fastest node {:.2g} m/s", r.fastest)
                                    : "");
   }
-  fmt::print("  points lost: 0; put back at walls: {}; left through open sides: {}\n", s.clamped_points, s.points_left);
-  fmt::print("results in {}\n", folder);
+  say("  points lost: 0; put back at walls: {}; left through open sides: {}\n", s.clamped_points, s.points_left);
+  say("results in {}\n", folder);
 }
 
 std::string resume_command(const std::string& folder, const RunOptions& options)
@@ -134,8 +132,7 @@ std::string instructions_after(const std::string& before)
   const std::string now(instructions()), last = before.substr(before.rfind(' ') + 1);  // of "avx512, avx2"
   if (before.empty() || last == now) return before.empty() ? now : before;
   const auto of_same_bits = [](const std::string& set) { return set == "avx512" || set == "avx2"; };
-  fmt::print(stderr, "warning: the run was solved with the instruction set {} so far, and goes on with {}{}\n", last,
-      now,
+  say(stderr, "warning: the run was solved with the instruction set {} so far, and goes on with {}{}\n", last, now,
       of_same_bits(last) && of_same_bits(now)
           ? ", which gives the same bits"
           : "; its results may differ in the last digits from those of one set (TERP_INSTRUCTIONS chooses)");
@@ -167,14 +164,14 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
     writer.summary(summary, outcome == Outcome::finished);
     if (outcome == Outcome::interrupted) {
       if (is_alone(options))
-        fmt::print("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  {}\n", state.time,
-            state.step, resume_command(folder, options));
+        say("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  {}\n", state.time, state.step,
+            resume_command(folder, options));
       return failed;
     }
     if (!options.quiet && is_alone(options)) print_summary(summary, model, folder);
     warn_of(summary, model, folder);
     if (const std::string overload = describe_overload(model, state); !overload.empty())
-      fmt::print(stderr, "warning: {}: {}\n", folder, overload);
+      say(stderr, "warning: {}: {}\n", folder, overload);
     if (options.at_end) options.at_end(simulation);
     if (options.verbose) print_passes(simulation.work);
     return solved;
@@ -182,9 +179,9 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
     progress.finish();
     if (part.fault != nullptr) *part.fault = error.what();
     if (part.slides != nullptr) *part.slides = dynamic_cast<const SlidesAsDrawn*>(&error) != nullptr;
-    if (is_alone(options)) fmt::print(stderr, "error: {}\n", error.what());
+    if (is_alone(options)) say(stderr, "error: {}\n", error.what());
     writer.summary(summarise(model, state), false);
-    if (is_alone(options) && has_failed_library(model)) fmt::print(stderr, "{}\n", hint_for_library(folder));
+    if (is_alone(options) && has_failed_library(model)) say(stderr, "{}\n", hint_for_library(folder));
     return stopped_itself;
   } catch (const FileError& error) {
     progress.finish();
@@ -225,7 +222,7 @@ Checkpoint find_checkpoint(const std::string& path)
 {
   if (std::filesystem::is_regular_file(path)) return {path, read_checkpoint(path)};
   CheckpointSearch found = newest_good_checkpoint(path);
-  for (const auto& bad : found.skipped) fmt::print(stderr, "warning: skipped {}: {}\n", bad.path, bad.reason);
+  for (const auto& bad : found.skipped) say(stderr, "warning: skipped {}: {}\n", bad.path, bad.reason);
   if (!found.image)
     throw FileError(fmt::format("{}: no checkpoint to resume from. Start the case anew with `terp run`.", path));
   return {found.path, std::move(*found.image)};
@@ -413,12 +410,11 @@ int run_case(const RunOptions& options)
   CaseFile file = read_case(options.path, changes);
   const std::string folder = options.output.empty() ? default_run_folder(options.path) : options.output;
   file.run = folder;
-  if (is_alone(options)) fmt::print(stderr, "{}", render_warnings(file));
+  if (is_alone(options)) say(stderr, "{}", render_warnings(file));
   try {
     Simulation simulation = begin(file, options);
     warn_of_missing_threads(options, simulation.model.threads);
-    if (is_alone(options))
-      fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
+    if (is_alone(options)) say(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
     const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
                                              record_text(make_case_record(file, *simulation.model.mesh)), file.inputs,
                                              all_tables(), options.exact_fields},
@@ -460,11 +456,10 @@ int resume_run(const RunOptions& options)
     const auto writer =
         RunWriter::resume(std::move(settings), std::move(lock), resume_point(simulation.model, state, image.tables));
     if (!options.quiet && is_alone(options))
-      fmt::print(
-          "resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, simulation.model.n_steps);
-    for (const auto& warning : writer->warnings()) fmt::print(stderr, "warning: {}\n", warning);
+      say("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, simulation.model.n_steps);
+    for (const auto& warning : writer->warnings()) say(stderr, "warning: {}\n", warning);
     for (const ChangedValue& change : changes)
-      if (!options.quiet) fmt::print("  from here on with another {}\n", change.text());
+      if (!options.quiet) say("  from here on with another {}\n", change.text());
     return solve_and_show(simulation, *writer, options, folder);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));

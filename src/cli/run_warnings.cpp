@@ -7,6 +7,7 @@
 #include "run/loop/guards.hpp"
 #include "model/parts/model.hpp"
 #include "run/report/summary.hpp"
+#include "os/say.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -37,7 +38,7 @@ void warn_of_no_rest(const Summary& s, const Model& model, const std::string& fo
   for (const StageSummary& stage : s.stages) {
     const StageRecord& r = stage.record;
     if (r.at_rest || !std::isfinite(r.fastest)) continue;
-    fmt::print(stderr,
+    say(stderr,
         "warning: {}: {} ended after {:.4g} s, at t = {:.4g} s, before the soil was at rest: {}; see "
         "docs/stages.md#at-rest\n",
         folder, stage.name.empty() ? "the run" : fmt::format("the stage `{}`", stage.name), r.end - r.start, r.end,
@@ -47,15 +48,14 @@ void warn_of_no_rest(const Summary& s, const Model& model, const std::string& fo
   const auto& flood = s.flood;
   if (!flood || !flood->still_moves || flood->verdict == FloodVerdict::floods) return;
   if (const bool at_end = flood->moves_at_end(); !at_end || !ends_at_rest)
-    fmt::print(stderr,
-        "warning: {}: {} {}, so nothing is decided: end {} at rest, or later; see docs/stages.md#at-rest\n", folder,
-        moving_when(*flood), motion_words(*flood), at_end ? "the run" : "that stage");
+    say(stderr, "warning: {}: {} {}, so nothing is decided: end {} at rest, or later; see docs/stages.md#at-rest\n",
+        folder, moving_when(*flood), motion_words(*flood), at_end ? "the run" : "that stage");
 }
 
 void warn_of_small_margin(const Summary& s, const std::string& folder)
 {
   if (s.flood && s.flood->margin)
-    fmt::print(stderr,
+    say(stderr,
         "warning: {}: the ground that remains is only {:.2f} m higher than holds the water: finer cells, or the water "
         "in the gap of a slide, may decide; see docs/flood.md#how-sure-is-it\n",
         folder, *s.flood->margin);
@@ -69,7 +69,7 @@ void warn_of(const Summary& s, const Model& model, const std::string& folder)
   warn_of_small_margin(s, folder);
   constexpr double much = 0.05;
   if (s.unexplained_energy > unexplained_that_warns)
-    fmt::print(stderr,
+    say(stderr,
         "warning: {}: nothing explains {:.2g} % of the energy that came from outside; see "
         "docs/troubleshooting.md#the-energy-balance-is-off\n",
         folder, 100.0 * s.unexplained_energy);
@@ -77,21 +77,21 @@ void warn_of(const Summary& s, const Model& model, const std::string& folder)
   const auto number = [&](const char* name) { return s.numbers.contains(name) ? s.numbers.at(name) : 0.0; };
   const double damping = number("damping_over_promised"), cells = number("softening_length_over_cell_reached");
   if (damping > many && number("damping_fraction") > much)
-    fmt::print(stderr,
+    say(stderr,
         "warning: {}: local damping took {:.2g} times the energy that its factor promises, so noise brakes the soil; "
         "see docs/troubleshooting.md#damping-took-more-than-it-promises\n",
         folder, damping);
   if (cells < 2.0 * (1.0 - 1e-9) && cells < number("softening_length_over_cell"))  // it was told of less at t = 0
-    fmt::print(stderr,
+    say(stderr,
         "warning: {}: soil came to cells of which its softening length holds {:.2g}; see docs/softening_length.md\n",
         folder, cells);
   if (const double lowest = number("lowest_library_strength"); lowest < 0.0)
-    fmt::print(stderr,
+    say(stderr,
         "warning: {}: a law of a library returned a strength of {:.3g} Pa, below zero; see "
         "docs/user_laws.md#the-keys\n",
         folder, lowest);
   for (const ReachedSide& reached : s.reached_sides)
-    fmt::print(stderr,
+    say(stderr,
         "warning: {}: soil {} the side `{}` of the mesh by t = {:.3g} s, which {}; see "
         "docs/troubleshooting.md#soil-reaches-the-side-of-the-mesh\n",
         folder, reached.rose ? "rose at" : "came to", printable(reached.side), reached.time,

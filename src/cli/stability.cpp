@@ -16,6 +16,7 @@
 #include "os/stop.hpp"
 #include "run/findings/setup_warnings.hpp"
 #include "run/loop/run.hpp"
+#include "os/say.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -64,19 +65,17 @@ void check_options(const BisectionOptions& o)
 void warn_of_motion(const Case& c, const std::string& folder)
 {
   if (!c.footings.empty())
-    fmt::print(
-        stderr, "warning: {}: terp stability leaves footings out: the soil carries its own weight alone\n", folder);
+    say(stderr, "warning: {}: terp stability leaves footings out: the soil carries its own weight alone\n", folder);
   for (const SideCondition& side : c.sides)
     if (is_driven(side))
-      fmt::print(stderr, "warning: {}: the side `{}` stands still in terp stability\n", folder, printable(side.side));
+      say(stderr, "warning: {}: the side `{}` stands still in terp stability\n", folder, printable(side.side));
 }
 
 void warn_of_limited_tension(const Case& c, const std::string& folder)
 {
   if (const auto soils = soils_that_limit_tension(c); !soils.empty())
-    fmt::print(stderr,
-        "warning: {}: --with-tension has no effect on `{}`: the case limits the tension by tension_cutoff\n", folder,
-        printable(fmt::format("{}", fmt::join(soils, "`, `"))));
+    say(stderr, "warning: {}: --with-tension has no effect on `{}`: the case limits the tension by tension_cutoff\n",
+        folder, printable(fmt::format("{}", fmt::join(soils, "`, `"))));
 }
 
 /// What `terp check` and `terp run` say of the section; not of outputs, the verdict and what the search leaves out.
@@ -90,7 +89,7 @@ void warn_of_section(const CaseFile& file)
     const Simulation section(file.values, 1);
     std::vector<Problem> warnings = find_warnings(section.model, section.state);
     std::erase_if(warnings, is_of_run);
-    fmt::print(stderr, "{}", render_warnings(warnings, file));
+    say(stderr, "{}", render_warnings(warnings, file));
   } catch (const InputError&) {  // the search says so, or does not need what a run does
   }
 }
@@ -168,7 +167,7 @@ int find_stability(const RunOptions& run, StabilityOptions options, const std::v
   CaseFile given = read_case(run.path, run.changes);
   const std::string folder = run.output.empty() ? default_run_folder(run.path) : run.output;
   given.run = folder;
-  fmt::print(stderr, "{}", render_warnings(given));
+  say(stderr, "{}", render_warnings(given));
   warn_of_motion(given.values, folder);
   if (!options.cracks) warn_of_limited_tension(given.values, folder);
   options.threads = threads_of(run);
@@ -186,23 +185,23 @@ int find_stability(const RunOptions& run, StabilityOptions options, const std::v
     const bool last = k + 1 == todo.size();
     try {
       if (k > 0) look_nearby(result, options.search);
-      if (todo.size() > 1 && !run.quiet && !run.json) fmt::print(stderr, "cells of {:g} m\n", todo[k]);
+      if (todo.size() > 1 && !run.quiet && !run.json) say(stderr, "cells of {:g} m\n", todo[k]);
       result = search_and_write(
           run, file, options, last ? folder : path_in(folder, fmt::format("cells_{:g}", todo[k])), sizes, last);
     } catch (const InputError& error) {
       throw CaseError(render(error.problems(), file));
     } catch (const RunError& error) {
-      fmt::print(stderr, "error: {}\n", error.what());
+      say(stderr, "error: {}\n", error.what());
       return stop_requested.load() ? failed : stopped_itself;
     }
     if (result.stopped) break;
   }
   const std::string& scheme = given.values.scheme;
   if (run.json)
-    fmt::print("{}", stability_json(result, scheme, {files.back().values.name, files.back().text}));
+    say("{}", stability_json(result, scheme, {files.back().values.name, files.back().text}));
   else if (!run.quiet || !result.search.found())
-    fmt::print("{}", stability_text(result, scheme));
-  if (!run.quiet && !run.json) fmt::print("results in {}\n", folder);
+    say("{}", stability_text(result, scheme));
+  if (!run.quiet && !run.json) say("results in {}\n", folder);
   return result.search.found() && !result.stopped ? solved : failed;
 }
 

@@ -17,6 +17,7 @@
 #include "batch/study_text.hpp"
 #include "cli/study_run.hpp"
 #include "os/stop.hpp"
+#include "os/say.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -36,20 +37,18 @@ std::string quantile_line(const RandomNumber& number)
 void print_input(const Study& study)
 {
   const StudySettings& s = study.settings;
-  for (const SweepKey& sweep : s.sweep) fmt::print("  sweep          {}: {} values\n", sweep.key, sweep.values.size());
+  for (const SweepKey& sweep : s.sweep) say("  sweep          {}: {} values\n", sweep.key, sweep.values.size());
   if (s.fragility)
-    fmt::print("  load           {}: {} levels from {:g} to {:g}, the same samples at each\n", s.fragility->label(),
+    say("  load           {}: {} levels from {:g} to {:g}, the same samples at each\n", s.fragility->label(),
         s.fragility->levels.size(), s.fragility->levels.front(), s.fragility->levels.back());
-  for (const RandomNumber& number : s.numbers) fmt::print("{}", quantile_line(number));
+  for (const RandomNumber& number : s.numbers) say("{}", quantile_line(number));
   for (std::size_t k = 0; k < s.fields.size(); ++k) {
     const RandomFieldKey& f = s.fields[k];
     const auto& box = study.boxes[k];
-    fmt::print("  field          {}: {}, {}, cov {:g}, theta {:g} and {:g} m, from ({:g}, {:g}) to ({:g}, {:g}) m\n",
-        f.key, f.distribution, f.correlation, f.cov, f.scale[0], f.scale[1], box[0][0], box[0][1], box[1][0],
-        box[1][1]);
+    say("  field          {}: {}, {}, cov {:g}, theta {:g} and {:g} m, from ({:g}, {:g}) to ({:g}, {:g}) m\n", f.key,
+        f.distribution, f.correlation, f.cov, f.scale[0], f.scale[1], box[0][0], box[0][1], box[1][0], box[1][1]);
   }
-  for (const StudyCorrelation& c : s.correlations)
-    fmt::print("  correlation    {:g} between {} and {}\n", c.value, c.a, c.b);
+  for (const StudyCorrelation& c : s.correlations) say("  correlation    {:g} between {} and {}\n", c.value, c.a, c.b);
 }
 
 /// All that is drawn at once, which the checks of single keys do not see. Of two levels both.
@@ -63,11 +62,11 @@ void check_first_draws(const Study& study)
     try {
       const CaseFile file = case_of(study, draw_realisation(study, number));
       const Simulation simulation(file.values, std::make_shared<const Mesh<2>>(build_mesh(file.values)), 1);
-      fmt::print("  {}  can be solved: {} material points\n", name, simulation.state.points.n_points());
+      say("  {}  can be solved: {} material points\n", name, simulation.state.points.n_points());
     } catch (const InputError& error) {
-      fmt::print(stderr, "warning: the case refuses {}: {}\n", name, error.what());
+      say(stderr, "warning: the case refuses {}: {}\n", name, error.what());
     } catch (const CaseError& error) {
-      fmt::print(stderr, "warning: the case refuses {}:\n{}", name, error.what());
+      say(stderr, "warning: the case refuses {}:\n{}", name, error.what());
     }
   }
 }
@@ -84,7 +83,7 @@ std::optional<RunCosts> costs_of(const CaseFile& base, const SharedMesh& mesh)
     const double seconds = seconds_of_steps(simulation.model, time_a_step(simulation));
     return RunCosts{seconds, static_cast<double>(bytes_of(simulation.model, simulation.state))};
   } catch (const RunError& error) {
-    fmt::print("  expected time  unknown: the case as it is stops itself: {}\n", error.what());
+    say("  expected time  unknown: the case as it is stops itself: {}\n", error.what());
     return std::nullopt;
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), base));
@@ -99,34 +98,32 @@ void print_costs(const Study& study, int threads)
   if (!fine || !coarse) return;
   const Index n_fine = study.coarse ? study.n_pairs() : study.n_realisations;
   const double all = fine->seconds * n_fine + coarse->seconds * (study.n_realisations - n_fine);
-  fmt::print(
-      "  memory         {:.0f} MB for each of {} threads\n", std::max(fine->bytes, coarse->bytes) / 1e6, threads);
-  fmt::print("  expected time  at most {} each{}, at most {} in all\n", readable_duration(fine->seconds),
+  say("  memory         {:.0f} MB for each of {} threads\n", std::max(fine->bytes, coarse->bytes) / 1e6, threads);
+  say("  expected time  at most {} each{}, at most {} in all\n", readable_duration(fine->seconds),
       study.coarse ? fmt::format(" fine, {} each coarse", readable_duration(coarse->seconds)) : "",
       readable_duration(all / threads));
   if (study.coarse && coarse->seconds >= fine->seconds)
-    fmt::print(stderr, "warning: a coarse realisation takes as long as a fine one: two levels save nothing\n");
+    say(stderr, "warning: a coarse realisation takes as long as a fine one: two levels save nothing\n");
   if (limit > 0.0 && std::max(fine->seconds, coarse->seconds) > limit)
-    fmt::print(stderr, "warning: one realisation may take longer than `stop.time`\n");
+    say(stderr, "warning: one realisation may take longer than `stop.time`\n");
 }
 
 int check_study(const Study& study, int threads)
 {
   const StudySettings& s = study.settings;
-  fmt::print("{}\n  case           {}\n", printable(s.title.empty() ? s.name : s.title), printable(study.case_path));
+  say("{}\n  case           {}\n", printable(s.title.empty() ? s.name : s.title), printable(study.case_path));
   print_input(study);
-  fmt::print("  realisations   {}{}, {}\n", s.stop.cov > 0.0 || info_of(s.estimator).adaptive ? "at most " : "",
+  say("  realisations   {}{}, {}\n", s.stop.cov > 0.0 || info_of(s.estimator).adaptive ? "at most " : "",
       study.n_realisations, info_of(s.estimator).title);
-  if (const std::string plan = plan_of_estimator(s); !plan.empty()) fmt::print("  of these       {}\n", plan);
-  if (s.stop.cov > 0.0) fmt::print("  stops          at a coefficient of variation of P of {:g}\n", s.stop.cov);
-  if (s.stop.time > 0.0) fmt::print("  stops          after {}\n", readable_duration(s.stop.time));
-  fmt::print("  I              {}\n", slide_words(s));
-  if (s.event.ends_run) fmt::print("  ends           a realisation with its events: I, and F where it is judged\n");
-  fmt::print(
-      "  mesh           {}\n", study.shares_mesh ? "one for all realisations" : "made anew for each realisation");
+  if (const std::string plan = plan_of_estimator(s); !plan.empty()) say("  of these       {}\n", plan);
+  if (s.stop.cov > 0.0) say("  stops          at a coefficient of variation of P of {:g}\n", s.stop.cov);
+  if (s.stop.time > 0.0) say("  stops          after {}\n", readable_duration(s.stop.time));
+  say("  I              {}\n", slide_words(s));
+  if (s.event.ends_run) say("  ends           a realisation with its events: I, and F where it is judged\n");
+  say("  mesh           {}\n", study.shares_mesh ? "one for all realisations" : "made anew for each realisation");
   print_costs(study, threads);
   check_first_draws(study);
-  fmt::print("nothing was run\n");
+  say("nothing was run\n");
   return solved;
 }
 
@@ -145,15 +142,14 @@ int report_study(const Study& study, const std::string& folder, bool writes)
   const StoredStudy stored = read_store(study, folder);
   if (stored.n_files == 0)
     throw FileError(fmt::format("{}: there are no results of this study yet\n  Begin with: terp study run", folder));
-  fmt::print("{}", study_text(study, stored.rows));
-  fmt::print(stderr, "{}", why_bits_differ(stored));
+  say("{}", study_text(study, stored.rows));
+  say(stderr, "{}", why_bits_differ(stored));
   if (stored.n_broken > 0)
-    fmt::print(
-        "  note: in the store {} lines were cut or altered; their realisations are made again\n", stored.n_broken);
+    say("  note: in the store {} lines were cut or altered; their realisations are made again\n", stored.n_broken);
   if (!writes) return solved;
   write_copies(study, *place);
   write_results(study, *place, stored.rows, now_in_utc());
-  fmt::print("page in {}, table in {}\n", path_in(folder, study_report), study_results);
+  say("page in {}, table in {}\n", path_in(folder, study_report), study_results);
   return solved;
 }
 
@@ -168,11 +164,11 @@ int sample_study(const Study& study, const std::string& folder, const StudyComma
   for (Index k = 0; k < std::min<Index>(n, 10); ++k) {
     const Index number = study.first_of_turn(k * study.n_levels());
     const Draw draw = draw_realisation(study, number);
-    fmt::print("realisation {}\n", number);
+    say("realisation {}\n", number);
     for (std::size_t i = 0; i < names.size(); ++i)
-      fmt::print("  {:>12}  {}\n", input_text(study, i, draw.inputs[i]), names[i]);
+      say("  {:>12}  {}\n", input_text(study, i, draw.inputs[i]), names[i]);
   }
-  fmt::print("histograms of {} in {}\n", n, page);
+  say("histograms of {} in {}\n", n, page);
   return solved;
 }
 
@@ -213,7 +209,7 @@ int keep(const Study& study, const std::string& folder, Index number, const Stud
                     "or machine: AVX-512 and AVX2 give the same bits, SSE2 others.",
             number, fmt::join(names, ", ")));
   write_file_atomically(kept, digits_of_study(study) + '\n');
-  if (is_known && !command.quiet) fmt::print("realisation {} has the results of the store, to the bit\n", number);
+  if (is_known && !command.quiet) say("realisation {} has the results of the store, to the bit\n", number);
   return status;
 }
 
@@ -226,7 +222,7 @@ int study_case(const StudyCommand& command)
   const Study study = open_study(command.path);
   const std::string folder = folder_of_study(command.path, command.output, study);
   if (!launched.is_silent)
-    fmt::print(stderr, "{}{}", render_warnings(study.base), render_warnings(find_doubts(study), study.settings.source));
+    say(stderr, "{}{}", render_warnings(study.base), render_warnings(find_doubts(study), study.settings.source));
   const int threads = command.threads > 0 ? command.threads : launched.shares_machine ? 1 : available_processors();
   if (command.action == "check") return check_study(study, threads);
   if (command.action == "sample") return sample_study(study, folder, command);

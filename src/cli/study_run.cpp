@@ -13,6 +13,7 @@
 #include "batch/study_text.hpp"
 #include "cli/study_progress.hpp"
 #include "os/stop.hpp"
+#include "os/say.hpp"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -57,7 +58,7 @@ void refuse_impossible(const Study& study, const std::string& folder, const Stud
 Realisations take_store(const Study& study, const std::string& folder)
 {
   StoredStudy stored = read_store(study, folder);
-  fmt::print(stderr, "{}", check_that_bits_agree(study, folder, stored, stop_requested));
+  say(stderr, "{}", check_that_bits_agree(study, folder, stored, stop_requested));
   return std::move(stored.rows);
 }
 
@@ -89,7 +90,7 @@ int run_study(const Study& study, const std::string& folder, const StudyCommand&
   write_copies(study, place);
   const StudyEnd end = solve(study, folder, part, command, rows);
   if (end == StudyEnd::stopped) {
-    fmt::print(stderr, "stopped; what is solved is kept in {}. Go on with the same command\n", folder);
+    say(stderr, "stopped; what is solved is kept in {}. Go on with the same command\n", folder);
     return failed;
   }
   if (part.n_all > 1) {
@@ -97,19 +98,19 @@ int run_study(const Study& study, const std::string& folder, const StudyCommand&
     rows = std::move(all.rows);
     if (!TableCounter(study, rows).rule_met()) {
       if (!command.quiet)
-        fmt::print("part {} of {} {}; what all have so far: terp study report {}\n", part.number, part.n_all,
+        say("part {} of {} {}; what all have so far: terp study report {}\n", part.number, part.n_all,
             end == StudyEnd::out_of_time ? "has had its stop.time, and the same command goes on" : "is done", folder);
       return solved;
     }
-    fmt::print(stderr, "{}", why_bits_differ(all));
+    say(stderr, "{}", why_bits_differ(all));
   }
   write_results(study, place_of_results(folder), rows, now_in_utc());
   if (!command.quiet) {
-    fmt::print("{}", study_text(study, rows));
-    fmt::print("page in {}, table in {}\n", path_in(folder, study_report), study_results);
+    say("{}", study_text(study, rows));
+    say("page in {}, table in {}\n", path_in(folder, study_report), study_results);
   }
   if (rows.empty() || !std::ranges::all_of(rows, [](const auto& row) { return row.second.failed(); })) return solved;
-  fmt::print(stderr, "error: all {} realisations failed, the first one: {}\n", rows.size(), rows.begin()->second.fault);
+  say(stderr, "error: all {} realisations failed, the first one: {}\n", rows.size(), rows.begin()->second.fault);
   return stopped_itself;
 }
 

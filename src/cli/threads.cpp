@@ -1,6 +1,7 @@
 #include "os/threads.hpp"
 
 #include "cli/commands.hpp"
+#include "os/say.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@ int threads_of(const RunOptions& options) { return options.threads > 0 ? options
 void warn_of_missing_threads(const RunOptions& options, int granted)
 {
   if (granted < threads_of(options))
-    fmt::print(stderr,
+    say(stderr,
         "warning: the system granted {} of {} threads (ulimit -u); the results are the same, the run takes longer\n",
         granted, threads_of(options));
 }

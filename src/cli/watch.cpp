@@ -10,6 +10,7 @@
 #include "cli/progress.hpp"
 #include "io/results/table.hpp"
 #include "os/terminal.hpp"
+#include "os/say.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -86,7 +87,7 @@ int watch_run(const WatchCommand& command)
     if (!running || command.once) {
       line.end();
       if (!running)
-        fmt::print("no terp is writing to {}: the run {}\n", folder,
+        say("no terp is writing to {}: the run {}\n", folder,
             now.time >= end * (1.0 - 1e-9) ? "is finished" : "has stopped; `terp resume` goes on");
       return solved;
     }

@@ -63,7 +63,6 @@ void listen_for_stop()
 {
   std::transform(std::begin(outputs), std::end(outputs), is_terminal, [](int output) { return ::isatty(output) == 1; });
   std::signal(SIGXFSZ, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN);
   for (const int signal : {SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2}) std::signal(signal, request_stop);
   std::signal(SIGXCPU, request_stop_only);
   if (std::signal(SIGHUP, stop_without_terminal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup

@@ -1,5 +1,6 @@
 #include "os/terminal.hpp"
 
+#include <csignal>
 #include <fcntl.h>
 #include <initializer_list>
 #include <poll.h>
@@ -12,6 +13,7 @@ bool prepare_standard_streams()
 {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != descriptor) return false;
+  std::signal(SIGPIPE, SIG_IGN);
   return true;
 }
 

@@ -182,6 +182,31 @@ TEST_F(Trouble, AnAnswerThatCannotBePrintedIsAnErrorButARunIsSolved)
   EXPECT_THAT(text_of(scratch.path() + "/run/summary.json"), HasSubstr("\"finished\": true"));
 }
 
+TEST_F(Trouble, AWordThatCannotBeWrittenChangesNoStatus)
+{
+  std::string run;
+  for (const std::string& word : column_command("run", {"-q", "--set", "output.history.every=0.3", "-o", folder}))
+    run += word + ' ';
+  const std::string wrong = scratch.path() + "/wrong.stix";
+  std::ofstream(wrong) << "no zip";
+  for (const std::string& words : {run, "report " + folder + " -o " + scratch.path() + "/page.html",
+           "export " + folder + " --profile " + scratch.path() + "/profile.csv", "import " + wrong,
+           "check " + scratch.path() + "/none.toml", "frobnicate " + wrong}) {
+    const auto status_with = [&](const std::string& stream) {
+      if (words == run) fs::remove_all(folder);
+      const std::string line = program() + " " + words + " > /dev/null " + stream;
+      return WEXITSTATUS(std::system(("bash -c 'trap \"\" PIPE; " + line + "'").c_str()));
+    };
+    const int good = status_with("2> /dev/null");
+    EXPECT_LT(good, 3) << words;
+    EXPECT_EQ(status_with("2> /dev/full"), good) << words;
+    EXPECT_EQ(status_with("2> >(exec 0<&-; true)"), good) << words;
+    if (words == run || words.starts_with("report") || words.starts_with("export")) {
+      EXPECT_EQ(status_with("> /dev/full 2> /dev/full"), good) << words;
+    }
+  }
+}
+
 TEST_F(Trouble, ClosedStandardStreamsLeaveTheTablesAsTheyAre)
 {
   const auto run = [&](const std::string& name, const std::string& redirections) {

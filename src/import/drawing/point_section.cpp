@@ -3,14 +3,19 @@
 
 #include "import/drawing/point_section.hpp"
 
+#include "math/interpolate.hpp"
+#include "math/nan.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace terp {
 namespace {
 
-constexpr Real least_fill = 0.05;   // of a box, from which on it counts as ground
+constexpr Real least_fill = 0.05;  // of a box, from which on it counts as ground
+constexpr Real infinite = std::numeric_limits<Real>::infinity();
 constexpr Real outline_fill = 0.5;  // of a box, from which on it lies in an outline
 
 struct BoxRaster {
@@ -55,17 +60,40 @@ BoxRaster raster_of(std::span<const Vec<2>> places, std::span<const Real> volume
   return raster;
 }
 
-std::vector<Vec<2>> ground_of(const BoxRaster& raster)
+/// The highest box of a column that counts as ground; -1: none, beyond the raster too.
+Index top_of(const BoxRaster& raster, Index i)
 {
+  if (i < 0 || i >= raster.n[0]) return -1;
+  Index j = raster.n[1] - 1;
+  while (j >= 0 && raster.fill(i, j) < least_fill) --j;
+  return j;
+}
+
+/// Where the points of each column begin and end [m].
+std::vector<Vec<2>> widths_of(const BoxRaster& raster, std::span<const Vec<2>> places)
+{
+  const Real point = raster.side / 3.0;
+  std::vector<Vec<2>> widths(static_cast<std::size_t>(raster.n[0]), Vec<2>{infinite, -infinite});
+  for (const Vec<2>& x : places) {
+    const auto i = static_cast<Index>((x[0] - raster.low[0]) / raster.side);
+    widths[i] = {std::min(widths[i][0], x[0] - 0.5 * point), std::max(widths[i][1], x[0] + 0.5 * point)};
+  }
+  return widths;
+}
+
+std::vector<Vec<2>> ground_of(const BoxRaster& raster, std::span<const Vec<2>> places)
+{
+  const std::vector<Vec<2>> widths = widths_of(raster, places);
   std::vector<Vec<2>> ground;
-  for (Index i = 0; i < raster.n[0]; ++i)
-    for (Index j = raster.n[1]; j-- > 0;) {
-      const Real fill = raster.fill(i, j);
-      if (fill < least_fill) continue;
-      ground.push_back(
-          {raster.low[0] + (i + 0.5) * raster.side, raster.low[1] + (j + std::min(fill, 1.0)) * raster.side});
-      break;
-    }
+  for (Index i = 0; i < raster.n[0]; ++i) {
+    const Index top = top_of(raster, i);
+    if (top < 0) continue;
+    Real left = raster.low[0] + i * raster.side, right = left + raster.side;
+    if (top_of(raster, i - 1) < 0) left = std::max(left, widths[i][0]);
+    if (top_of(raster, i + 1) < 0) right = std::min(right, widths[i][1]);
+    const Real fill = raster.fill(i, top) * raster.side / (right - left);
+    ground.push_back({0.5 * (left + right), raster.low[1] + (top + std::min(fill, 1.0)) * raster.side});
+  }
   return ground;
 }
 
@@ -90,12 +118,21 @@ PlanarGraph edges_of(const BoxRaster& raster)
 
 }  // namespace
 
+Real PointSection::ground_at(Real x) const
+{
+  const auto after = std::ranges::find_if(ground, [x](const Vec<2>& place) { return place[0] > x; });
+  const bool has_left = after != ground.begin(), has_right = after != ground.end();
+  if (has_left && has_right && (*after)[0] - (*(after - 1))[0] < 1.5 * box) return interpolate(ground, x);
+  if (has_left && x - (*(after - 1))[0] <= 0.5 * box) return (*(after - 1))[1];
+  return has_right && (*after)[0] - x <= 0.5 * box ? (*after)[1] : nan;
+}
+
 PointSection section_of_points(
     std::span<const Vec<2>> places, std::span<const Real> volumes, std::span<const int> materials)
 {
   if (places.empty()) return {};
   const BoxRaster raster = raster_of(places, volumes, materials);
-  PointSection section{raster.side, ground_of(raster), {}};
+  PointSection section{raster.side, ground_of(raster, places), {}};
   const PlanarGraph graph = edges_of(raster);
   const PlanarFaces faces = find_faces(graph);
   const ChainMap boxes = find_chains(graph, faces, regions_by_edges(graph, faces).value(), 1e-9 * raster.side);

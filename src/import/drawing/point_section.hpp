@@ -8,13 +8,17 @@ namespace terp {
 
 struct PointSection {
   Real box = 0.0;                    ///< side of a box: three points of typical size [m]
-  std::vector<Vec<2>> ground;        ///< top of the soil in the middle of each column of boxes, left to right [m]
+  std::vector<Vec<2>> ground;        ///< top of the soil in the middle of what each column holds, left to right [m]
   std::vector<CleanRegion> regions;  ///< `drawn`: number of the material
+
+  /// Level of the ground [m]; NaN where no soil is.
+  Real ground_at(Real x) const;
 };
 
 /// places [m], volumes [m^2] and materials of the points, shape [n_points]. In a box of the top the ground is as high
-/// as the points fill it; boxes filled by less than a twentieth do not count. A box has the material with most volume
-/// in it, if points fill half of it. Outlines are straightened within three quarters of a box.
+/// as the points fill it, at an end of the soil over the width that they have there; boxes filled by less than a
+/// twentieth do not count. A box has the material with most volume in it, if points fill half of it. Outlines are
+/// straightened within three quarters of a box.
 PointSection section_of_points(
     std::span<const Vec<2>> places, std::span<const Real> volumes, std::span<const int> materials);
 

@@ -1,7 +1,6 @@
 #include "import/drawing/section_export.hpp"
 
 #include "math/errors.hpp"
-#include "math/interpolate.hpp"
 #include "import/drawing/dxf_file.hpp"
 #include "import/drawing/point_section.hpp"
 #include "io/case/case_file.hpp"
@@ -32,9 +31,12 @@ PointSection section_of_frame(const Frames& frames, std::size_t k)
 SectionExport export_section(const RunResults& run)
 {
   const Frames frames = run.frames();
+  frames.require_first_and_last();
   const std::size_t n = frames.times().size();
-  if (n == 0) throw FileError(fmt::format("{} has no frame: there is no section to export", run.folder));
   const PointSection start = section_of_frame(frames, 0), end = section_of_frame(frames, n - 1);
+  if (end.ground.empty())
+    throw FileError(fmt::format(
+        "{}: no soil is left at t = {:.4g} s: there is no section to export", run.folder, frames.times().back()));
   const Case description = read_case_text(run.case_toml, run.folder + "/case.toml").values;
   std::vector<DxfLine> lines{{"ground_start", start.ground, false, ""}, {"ground_end", end.ground, false, ""}};
   for (const CleanRegion& region : end.regions) {
@@ -44,8 +46,8 @@ SectionExport export_section(const RunResults& run)
     lines.push_back({name, region.polygon, true, ""});
     for (const Polygon& hole : region.holes) lines.push_back({name, hole, true, ""});
   }
-  SectionExport section{dxf_text(lines), {}};
-  for (const Vec<2>& x : end.ground) section.profile.push_back({x[0], interpolate(start.ground, x[0]), x[1]});
+  SectionExport section{dxf_text(lines), {}, frames.times().front(), frames.times().back()};
+  for (const Vec<2>& x : end.ground) section.profile.push_back({x[0], start.ground_at(x[0]), x[1]});
   return section;
 }
 
@@ -54,7 +56,9 @@ std::vector<std::array<Real, 3>> profile_of(const RunResults& run) { return expo
 std::string SectionExport::profile_csv() const
 {
   std::string text = "x,start,end\n";
-  for (const auto& [x, start, end] : profile) text += fmt::format("{:.4f},{:.4f},{:.4f}\n", x, start, end);
+  for (const auto& [x, before, after] : profile)
+    text += std::isnan(before) ? fmt::format("{:.4f},,{:.4f}\n", x, after)
+                               : fmt::format("{:.4f},{:.4f},{:.4f}\n", x, before, after);
   return text;
 }
 

@@ -9,12 +9,13 @@ namespace terp {
 
 struct SectionExport {
   std::string dxf;  ///< layers ground_start, ground_end, and one for each material: its outlines at the end
-  std::vector<std::array<Real, 3>> profile;  ///< x, ground at the start and at the end [m]
+  std::vector<std::array<Real, 3>> profile;  ///< x, ground at the start and at the end [m]; NaN where no soil was
+  Real start = 0.0, end = 0.0;               ///< times of the two [s]
 
   std::string profile_csv() const;
 };
 
-/// Throws FileError if the run has no frame.
+/// Throws FileError if the first or the last frame of the run cannot be read, or no soil is left in it.
 SectionExport export_section(const RunResults& run);
 
 /// The ground alone: x, at the start and at the end [m].

@@ -37,7 +37,6 @@
 namespace terp {
 namespace {
 
-constexpr Real beyond_uplift = 20.0;  // [m] of the section, past ground that lifts
 constexpr const char *raised_water = "raised_water", *record = "imported.toml";
 
 class FolderMaker {
@@ -118,12 +117,7 @@ class FolderMaker {
     const BoundingBox box = box_around(drawn_);
     if (river_.side == "left" && !water_stands_at(section_, part.between[0])) part.between[0] = box.low[0];
     if (river_.side == "right" && !water_stands_at(section_, part.between[1])) part.between[1] = box.high[0];
-    if (const auto zone = options_.has_films ? zone_of_uplift(section_) : std::nullopt) {
-      if (river_.side != "left")
-        part.between[0] = std::max(std::min(part.between[0], (*zone)[0] - beyond_uplift), box.low[0]);
-      if (river_.side != "right")
-        part.between[1] = std::min(std::max(part.between[1], (*zone)[1] + beyond_uplift), box.high[0]);
-    }
+    if (options_.has_films) part.between = with_uplift(section_, river_.side, part.between);
     if (options_.between || options_.base) part.why.clear();
     part.between = options_.between.value_or(part.between);
     part.base = options_.base.value_or(part.base);

@@ -21,6 +21,7 @@ constexpr Real no_cohesion = 1e3;     // c* of soil that has next to none [Pa]
 constexpr Real rows_of_stress = 5.0;  // with more a row carries less than 10 % more than its top
 constexpr Real pushes = 500.0;        // pressure above that of the water over the border [Pa]
 constexpr Real lifted = 1e3;          // effective stress of ground on the point of uplift [Pa]
+constexpr Real beyond_uplift = 20.0;  // of the section [m]
 constexpr Real least_friction = 0.5;  // [degrees]
 constexpr Real aside = 1e-6;          // from a corner, and from a border [m]
 
@@ -163,14 +164,16 @@ std::optional<Real> base_with_row_at(const std::vector<Film>& films, Real low, R
   return base;
 }
 
-std::optional<Vec<2>> zone_of_uplift(const StixSection& section)
+Vec<2> with_uplift(const StixSection& section, const std::string& river, Vec<2> between)
 {
   const BoundingBox box = box_around(section.stage().layers);
-  std::optional<Vec<2>> zone;
   for (const Real x : places_along(section.stage(), {box.low[0], box.high[0]}, 1.0))
-    for (const BorderPlace& at : borders_at(section, section, x))
-      if (at.is_pushed && at.stress < lifted) zone = Vec<2>{zone ? (*zone)[0] : x, x};
-  return zone;
+    for (const BorderPlace& at : borders_at(section, section, x)) {
+      if (!at.is_pushed || !(at.stress < lifted)) continue;
+      if (river != "left") between[0] = std::max(std::min(between[0], x - beyond_uplift), box.low[0]);
+      if (river != "right") between[1] = std::min(std::max(between[1], x + beyond_uplift), box.high[0]);
+    }
+  return between;
 }
 
 SoilText film_text(SoilText of_soil, const std::string& name, const std::string& csv)

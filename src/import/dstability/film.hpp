@@ -26,9 +26,9 @@ std::vector<Film> films_of(const StixSection& now, const StixSection& first, Vec
 /// does so from `low`, or the film lies no row above it.
 std::optional<Real> base_with_row_at(const std::vector<Film>& films, Real low, Real row);
 
-/// How far the ground lifts: x of the first and the last place where the effective stress on such a border is below
-/// 1 kPa; none: nowhere.
-std::optional<Vec<2>> zone_of_uplift(const StixSection& section);
+/// Two x [m] moved apart until 20 m of the section lie beyond ground that lifts, with less than 1 kPa of effective
+/// stress on such a border; not at the end of the river, "left" or "right".
+Vec<2> with_uplift(const StixSection& section, const std::string& river, Vec<2> between);
 
 /// The soil of a film, from the text of the soil that it is of. csv: name of the file of its friction angles.
 SoilText film_text(SoilText of_soil, const std::string& name, const std::string& csv);

@@ -1,5 +1,5 @@
 // A frame is found by its name, its time and step are read from the file itself, whose metadata carry checksums. The
-// index is for ParaView alone: nothing of Terp reads it.
+// index is for ParaView; Terp asks it only which frame is the last.
 #include "io/files/frame_files.hpp"
 
 #include "math/errors.hpp"
@@ -54,6 +54,17 @@ std::int64_t number_of_frame(const FrameKind& kind, std::string_view file_name)
 FrameHead read_head(const Hdf5File& file)
 {
   return {file.integer("/", "frame"), file.real("/", "time"), file.integer("/", "step"), file.text("/", "case")};
+}
+
+std::int64_t last_in_index(const std::string& folder, const FrameKind& kind)
+{
+  const std::string path = path_in(folder, kind.index);
+  try {
+    const std::string name = nlohmann::json::parse(read_file(path)).at("files").back().at("name");
+    return number_of_frame(kind, fs::path(name).filename().string());
+  } catch (const nlohmann::json::exception&) {
+    throw FileError(fmt::format("cannot read {}: it is not the list of frames that terp wrote there", path));
+  }
 }
 
 std::vector<std::int64_t> list_frames(const std::string& folder, const FrameKind& kind)

@@ -39,6 +39,9 @@ struct FrameHead {
 };
 FrameHead read_head(const Hdf5File& file);
 
+/// The number of the last frame that the index of a run folder lists. Throws FileError if the index cannot be read.
+std::int64_t last_in_index(const std::string& folder, const FrameKind& kind);
+
 /// The numbers of the frames in a run folder, ascending. Empty if there are none.
 std::vector<std::int64_t> list_frames(const std::string& folder, const FrameKind& kind);
 

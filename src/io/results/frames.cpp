@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -131,6 +132,27 @@ void Frames::leave_out_damaged()
     }
   }
   if (numbers_.empty()) throw FileError(fmt::format("{}: all of its frames are damaged", folder_));
+}
+
+void Frames::require_first_and_last() const
+{
+  for (const std::int64_t number : {std::int64_t{0}, std::max(last_in_index(folder_, point_frames), numbers_.back())}) {
+    const std::string path = path_in(folder_, frame_file(point_frames, number));
+    std::string fault;
+    if (!std::ranges::binary_search(numbers_, number))
+      fault = std::filesystem::exists(path) ? "it is damaged" : "it is missing";
+    else
+      try {
+        Hdf5File(path, Hdf5File::Mode::read).check_values();
+      } catch (const FileError& error) {
+        fault = error.what();
+      }
+    if (!fault.empty())
+      throw FileError(
+          fmt::format("{}: {}\n  It has the {} of the run, and no other frame takes its place. Copy the "
+                      "folder again, or solve the case again.",
+              path, fault, number == 0 ? "start" : "end"));
+  }
 }
 
 std::vector<Real> Frames::read_rows(const std::string& name, int n_components, std::size_t k) const

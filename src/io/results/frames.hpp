@@ -44,6 +44,8 @@ class Frames {
 
   /// Reads every value once and leaves out the frames that turn out to be damaged.
   void leave_out_damaged();
+  /// Throws FileError unless the first frame of the run and the last that its index lists can be read, every value.
+  void require_first_and_last() const;
   /// A sentence for each frame that was left out.
   const std::vector<Sentence>& warnings() const { return warnings_; }
 

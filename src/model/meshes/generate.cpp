@@ -13,6 +13,7 @@
 #include "model/meshes/msh_content.hpp"
 #include "os/files.hpp"
 #include "os/read_file.hpp"
+#include "os/say.hpp"
 
 #include <fmt/format.h>
 
@@ -115,7 +116,7 @@ class Waiting {
   void operator()(double seconds)
   {
     if (seconds < next_) return;
-    fmt::print(stderr, "{}: {:.0f} s of at most {:.0f} s\n", what_, seconds, longest_);
+    say(stderr, "{}: {:.0f} s of at most {:.0f} s\n", what_, seconds, longest_);
     next_ = std::max(2.0 * next_, next_ + 10.0);
   }
   double longest() const { return longest_; }
@@ -156,7 +157,7 @@ void tell_of_work(const PolygonMesh& mesh)
   Real n = estimate_cells(mesh);
   for (const Refinement& refine : mesh.refine) n += estimate_more_cells(mesh, refine);
   if (n > many_cells)
-    fmt::print(stderr, "gmsh is at work on about {:.2g} million cells; it may take minutes, once\n", n / 1e6);
+    say(stderr, "gmsh is at work on about {:.2g} million cells; it may take minutes, once\n", n / 1e6);
 }
 
 std::string make_mesh(const PolygonMesh& mesh, const PlanarMap& map, const GmshTimes& times, const std::string& folder)
@@ -173,7 +174,7 @@ std::string make_mesh(const PolygonMesh& mesh, const PlanarMap& map, const GmshT
     Attempt attempt = try_recipe(mesh, map, all[k], folder, Waiting(what, seconds, times.first_word));
     if (!attempt.bytes.empty()) return attempt.bytes;
     why = attempt.why;
-    if (k + 1 < all.size()) fmt::print(stderr, "{} gave no mesh ({}); trying the next\n", what, first_line(why));
+    if (k + 1 < all.size()) say(stderr, "{} gave no mesh ({}); trying the next\n", what, first_line(why));
   }
   throw MeshError(
       fmt::format("gmsh made no mesh of quadrilaterals from the polygon: {}\n"

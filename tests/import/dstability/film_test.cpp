@@ -85,17 +85,20 @@ TEST(Film, ARowOfCellsBeginsAtIt)
   EXPECT_FALSE(base_with_row_at(films, -6.5, 1.0));   // no row below it
 }
 
-TEST(Film, TheZoneOfUpliftIsThatWithoutEffectiveStress)
+TEST(Film, TheSectionReachesBeyondGroundThatLifts)
 {
   StixProject project = lifted_ground(2.5);
-  project.scenarios[0].stages[0].water.head_lines[1].line = {{0.0, 2.0}, {10.0, 2.0}, {10.0, 3.5}, {20.0, 3.5}};
+  project.scenarios[0].stages[0].layers = {
+      box_layer("clay", {0.0, -6.0}, {100.0, 0.0}, 1), box_layer("sand", {0.0, -10.0}, {100.0, -6.0}, 0)};
+  project.scenarios[0].stages[0].water.head_lines[1].line = {
+      {0.0, 2.0}, {50.0, 2.0}, {50.0, 3.5}, {60.0, 3.5}, {60.0, 2.0}, {100.0, 2.0}};
   const StixSection section(project, 0, 0, StixBasis::deterministic);
-  const auto zone = zone_of_uplift(section);
-  ASSERT_TRUE(zone);
-  EXPECT_NEAR((*zone)[0], 10.0, 1e-3);
-  EXPECT_NEAR((*zone)[1], 20.0, 1e-3);
+  const Vec<2> both = with_uplift(section, "", {49.0, 61.0}), land = with_uplift(section, "left", {49.0, 61.0});
+  EXPECT_NEAR(both[0], 30.0, 1.0);
+  EXPECT_NEAR(both[1], 80.0, 1.0);
+  EXPECT_EQ(land[0], 49.0);
   const StixProject calm = lifted_ground(2.5);
-  EXPECT_FALSE(zone_of_uplift(StixSection(calm, 0, 0, StixBasis::deterministic)));
+  EXPECT_EQ(with_uplift(StixSection(calm, 0, 0, StixBasis::deterministic), "", {9.0, 11.0}), (Vec<2>{9.0, 11.0}));
 }
 
 /// The dike of 4 m on sand without cohesion, 6 m of clay between: the water in the sand stands 3 m above the polder.
