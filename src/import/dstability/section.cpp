@@ -40,6 +40,19 @@ Real pop_of(const StixPreload& preload, Real effective_stress, StixBasis basis)
   return 0.0;
 }
 
+/// Elevation from which the depth below a load counts: the mean of the ground at its two ends [m]. An end beyond the
+/// section takes the ground of the other one.
+Real ground_of(const StixUniformLoad& load, const StixStage& stage)
+{
+  const BoundingBox box = box_around(stage.layers);
+  const auto is_beyond = [&](Real x) { return x < box.low[0] || x > box.high[0]; };
+  const auto at = [&](Real x, Real other) {
+    const std::vector<SoilBand> bands = soil_bands(stage, is_beyond(x) && !is_beyond(other) ? other : x);
+    return bands.empty() ? not_given : bands.front().top;
+  };
+  return 0.5 * (at(load.start, load.end) + at(load.end, load.start));
+}
+
 bool needs_stress(const StixPreload& preload) { return preload.kind != StixPreload::Kind::pop; }
 
 constexpr Real most_pop = 1e6;     // [Pa]; the tables of the Schematiseringshandleiding have 10 to 30 kPa
@@ -105,12 +118,19 @@ StixStageColumn::StixStageColumn(const StixProject& project, const StixStage& st
       ground_(bands_.empty() ? not_given : bands_.front().top),
       water_(stage.water, x, ground_)
 {
+  for (const StixUniformLoad& load : stage.loads) load_grounds_.push_back(ground_of(load, stage));
+}
+
+Real StixStageColumn::stress_of_load(std::size_t k, Real z) const
+{
+  const Real depth = (std::isfinite(load_grounds_[k]) ? load_grounds_[k] : ground_) - z;
+  return stress_of(stage_->loads[k], x_, std::max(depth, 0.0));
 }
 
 Real StixStageColumn::load_stress(Real z) const
 {
   Real sum = 0.0;
-  for (const StixUniformLoad& load : stage_->loads) sum += stress_of(load, x_, std::max(ground_ - z, 0.0));
+  for (std::size_t k = 0; k < stage_->loads.size(); ++k) sum += stress_of_load(k, z);
   return sum;
 }
 
@@ -133,10 +153,11 @@ Real StixStageColumn::pore_pressure(Real z) const
   Real pressure = water_.pressure(z);
   const SoilBand* const band = band_at(bands_, z);
   if (band != nullptr && water_.is_below(z))
-    for (const StixUniformLoad& load : stage_->loads) {
-      const auto found = load.consolidation.find(stage_->layers[band->layer].id);
-      const Real degree = found == load.consolidation.end() ? full_consolidation : found->second;
-      pressure += (1.0 - degree / full_consolidation) * stress_of(load, x_, std::max(ground_ - z, 0.0));
+    for (std::size_t k = 0; k < stage_->loads.size(); ++k) {
+      const auto& consolidation = stage_->loads[k].consolidation;
+      const auto found = consolidation.find(stage_->layers[band->layer].id);
+      const Real degree = found == consolidation.end() ? full_consolidation : found->second;
+      pressure += (1.0 - degree / full_consolidation) * stress_of_load(k, z);
     }
   return std::min(pressure, total_stress(z));
 }

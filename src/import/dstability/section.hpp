@@ -90,9 +90,12 @@ class StixStageColumn {
   Real effective_stress(Real z) const { return total_stress(z) - pore_pressure(z); }
 
  private:
+  Real stress_of_load(std::size_t number, Real z) const;  ///< [Pa]
+
   const StixProject* project_;
   const StixStage* stage_;
   Real x_;
+  std::vector<Real> load_grounds_;  ///< elevation from which the depth below each load counts [m]
   std::vector<SoilBand> bands_;
   Real ground_;
   StixWaterColumn water_;

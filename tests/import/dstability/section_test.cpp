@@ -62,6 +62,29 @@ TEST(StixSection, SpreadsALoadWithDepth)
   EXPECT_DOUBLE_EQ(place_in(project, in_clay).pore_pressure, 30e3);  // consolidated, as no degree is given
 }
 
+/// Ground that falls by 1 in 4 from 4 m at x = 0 to -1 m at x = 20 m.
+StixStage sloping_ground(Real start, Real end)
+{
+  StixStage stage = clay_on_sand();
+  stage.layers[0].outline = {{0.0, 4.0}, {20.0, -1.0}, {20.0, -6.0}, {0.0, -6.0}};
+  stage.loads = {{.label = "road", .start = start, .end = end, .magnitude = 20e3, .spread = 45.0}};
+  return stage;
+}
+
+TEST(StixSection, TheDepthBelowALoadCountsFromTheMeanOfTheGroundAtItsEnds)
+{
+  const StixProject project = project_of({sloping_ground(4.0, 8.0)});  // 3 and 2 m
+  EXPECT_DOUBLE_EQ(place_in(project, {4.0, 0.0}).load_stress, 20e3 * 4.0 / (4.0 + 2.0 * 2.5));
+  EXPECT_DOUBLE_EQ(place_in(project, {8.0, 0.0}).load_stress, 20e3 * 4.0 / (4.0 + 2.0 * 2.5));
+  EXPECT_DOUBLE_EQ(place_in(project, {6.0, 2.4}).load_stress, 20e3 * 4.0 / (4.0 + 2.0 * 0.1));
+}
+
+TEST(StixSection, ALoadWithAnEndBeyondTheSectionTakesTheGroundOfItsOtherEnd)
+{
+  const StixProject project = project_of({sloping_ground(16.0, 24.0)});  // 0 m at x = 16
+  EXPECT_DOUBLE_EQ(place_in(project, {18.0, -2.0}).load_stress, 20e3 * 8.0 / (8.0 + 2.0 * 2.0));
+}
+
 TEST(StixSection, AddsTheLoadThatIsNotConsolidatedToThePorePressureBelowTheWater)
 {
   StixStage stage = clay_on_sand();
