@@ -6,13 +6,13 @@
 
 #include "math/checksum.hpp"
 #include "math/errors.hpp"
+#include "math/number_from.hpp"
 #include "io/files/run_folder.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 namespace terp {
@@ -34,18 +34,14 @@ std::optional<std::string_view> checked(std::string_view line)
   return digits_of(text) == line.substr(0, n_digits) ? std::optional(text) : std::nullopt;
 }
 
-template <class Number>
-bool to_number(std::string_view text, Number& value)
-{
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  return result.ec == std::errc() && result.ptr == text.data() + text.size();
-}
-
 bool to_numbers(std::string_view text, std::size_t n, std::vector<Real>& values)
 {
   if (text.empty()) return n == 0;
-  for (const std::string& part : split(text, ' '))
-    if (!to_number(part, values.emplace_back())) return false;
+  for (const std::string& part : split(text, ' ')) {
+    const auto value = number_from<Real>(part);
+    if (!value) return false;
+    values.push_back(*value);
+  }
   return values.size() == n;
 }
 
@@ -126,10 +122,11 @@ std::optional<Realisation> realisation_of(std::string_view line, std::size_t n_i
   r.fault = parts[5], r.screening = static_cast<Screening>(screening);
   const std::size_t n_outcomes = r.solved() ? study_outcomes().size() : 0;
   std::vector<Real> times;
-  if (!to_number(parts[0], r.number) || !to_numbers(parts[1], 2, times) || !to_numbers(parts[2], n_inputs, r.inputs) ||
+  const auto number = number_from<Index>(parts[0]);
+  if (!number || !to_numbers(parts[1], 2, times) || !to_numbers(parts[2], n_inputs, r.inputs) ||
       !to_numbers(parts[4], n_outcomes, r.outcomes))
     return std::nullopt;
-  r.wall_s = times[0], r.processor_s = times[1];
+  r.number = *number, r.wall_s = times[0], r.processor_s = times[1];
   r.slid = parts[3][0] == 'I', r.flooded = parts[3][1] == 'F', r.judges_flood = parts[3][2] == 'w';
   return r;
 }

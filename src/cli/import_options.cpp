@@ -4,6 +4,8 @@
 
 #include "cli/import_options.hpp"
 
+#include "math/nan.hpp"
+#include "math/number_from.hpp"
 #include "import/dstability/soil_defaults.hpp"
 #include "io/case/case_file.hpp"
 #include "io/case/printable.hpp"
@@ -13,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace terp {
@@ -30,9 +31,9 @@ FolderTrigger trigger_of(const std::string& text)
   if (!text.empty() && trigger.kind == TriggerKind::none)
     refuse_import(fmt::format("there is no trigger `{}`", word), "Triggers: strength, strength=F, water, water=LEVEL.");
   if (sign == text.size()) return trigger;
-  const auto [end, fault] = std::from_chars(number.data(), number.data() + number.size(), trigger.value);
-  const bool is_number = fault == std::errc() && end == number.data() + number.size() && std::isfinite(trigger.value);
-  if (!is_number || (trigger.kind == TriggerKind::strength && !(trigger.value > 1.0 && trigger.value <= 100.0)))
+  trigger.value = number_from<Real>(number).value_or(nan);
+  if (!std::isfinite(trigger.value) ||
+      (trigger.kind == TriggerKind::strength && !(trigger.value > 1.0 && trigger.value <= 100.0)))
     refuse_import(fmt::format("--trigger {}: `{}` is not a {}", text, number,
                       trigger.kind == TriggerKind::strength ? "factor over 1, at most 100" : "level in m"),
         "Strengths are divided by the factor: strength=1.2. Without a number it is looked for.");

@@ -3,6 +3,7 @@
 
 #include "cli/study_run.hpp"
 
+#include "math/number_from.hpp"
 #include "io/case/printable.hpp"
 #include "io/files/run_folder.hpp"
 #include "os/threads.hpp"
@@ -15,7 +16,6 @@
 #include "os/stop.hpp"
 #include "os/say.hpp"
 
-#include <charconv>
 #include <fmt/format.h>
 
 namespace terp {
@@ -24,17 +24,15 @@ namespace {
 /// "3/100"; empty: that of this process.
 StudyPart part_of(const std::string& text, const Launched& launched)
 {
-  StudyPart part{launched.rank + 1, launched.size};
-  if (text.empty()) return part;
-  const char *end = text.data() + text.size(), *slash = text.data() + std::min(text.find('/'), text.size());
-  const auto first = std::from_chars(text.data(), slash, part.number);
-  const auto second = slash == end ? first : std::from_chars(slash + 1, end, part.n_all);
-  if (slash == end || first.ec != std::errc() || first.ptr != slash || second.ec != std::errc() || second.ptr != end ||
-      part.number < 1 || part.n_all < part.number)
+  if (text.empty()) return {launched.rank + 1, launched.size};
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto number = number_from<Index>(text.substr(0, slash)),
+             n_all = number_from<Index>(text.substr(std::min(slash + 1, text.size())));
+  if (!number || !n_all || *number < 1 || *n_all < *number)
     throw CaseError(printable(fmt::format(
         "error: --part {}: a part is K/N, K from 1 to N\n  As in --part 3/100, of the third of a hundred tasks.\n",
         text)));
-  return part;
+  return {*number, *n_all};
 }
 
 void refuse_impossible(const Study& study, const std::string& folder, const StudyPart& part, bool force)

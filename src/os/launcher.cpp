@@ -1,11 +1,9 @@
 #include "os/launcher.hpp"
 
 #include "math/errors.hpp"
+#include "math/number_from.hpp"
 
-#include <charconv>
 #include <fmt/format.h>
-#include <optional>
-#include <string_view>
 
 namespace terp {
 namespace {
@@ -19,15 +17,6 @@ constexpr struct {
     {"PMI_RANK", "PMI_SIZE"},
     {"SLURM_PROCID", "SLURM_STEP_NUM_TASKS"},
 };
-
-std::optional<int> number_in(const char* text)
-{
-  if (text == nullptr) return std::nullopt;
-  const std::string_view word = text;
-  int value = 0;
-  const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-  return result.ec == std::errc() && result.ptr == word.data() + word.size() ? std::optional(value) : std::nullopt;
-}
 
 /// Slurm numbers the tasks as the user asked: --array=3-9:2 has 3, 5, 7 and 9.
 Launched place_in_array(int task, int n, int first, int step)
@@ -45,7 +34,10 @@ Launched place_in_array(int task, int n, int first, int step)
 
 Launched find_launch(const std::function<const char*(const char*)>& environment)
 {
-  const auto number = [&](const char* name) { return number_in(environment(name)); };
+  const auto number = [&](const char* name) {
+    const char* const text = environment(name);
+    return text != nullptr ? number_from<int>(text) : std::nullopt;
+  };
   Launched found;
   for (const auto& launcher : launchers) {
     const auto rank = number(launcher.rank), size = number(launcher.size);

@@ -4,13 +4,13 @@
 
 #include "math/errors.hpp"
 #include "math/utf8.hpp"
+#include "math/number_from.hpp"
 #include "import/drawing/dxf_letters.hpp"
 #include "os/read_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -83,11 +83,12 @@ class DxfReader {
     if (rest_.empty() || trimmed(rest_) == "\n") return false;
     const std::string_view code = line();
     if (code.empty() && rest_.empty()) return false;
-    const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), pair_.code);
-    if (error != std::errc() || end != code.data() + code.size())
+    const auto number = number_from<int>(code);
+    if (!number)
       refuse("is no DXF file", fmt::format("Line {} should be a group code, a whole number; got `{}`.", line_,
                                    std::string(code.substr(0, 40))));
     if (rest_.empty()) refuse("ends in the middle of a pair", fmt::format("Line {} is the last one.", line_));
+    pair_.code = *number;
     pair_.value = line();
     pair_.line = line_;
     return true;
@@ -129,14 +130,13 @@ class DxfReader {
 
   Real number()
   {
-    Real value = 0.0;
     std::string_view text = pair_.value;
     if (text.starts_with('+')) text.remove_prefix(1);
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !(std::abs(value) < 2e9))
+    const auto value = number_from<Real>(text);
+    if (!value || !(std::abs(*value) < 2e9))
       refuse("has a value that is no number", fmt::format("Line {}: group code {} needs a number, got `{}`.",
                                                   pair_.line, pair_.code, std::string(pair_.value.substr(0, 40))));
-    return value;
+    return *value;
   }
 
   struct Entity {

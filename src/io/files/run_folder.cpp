@@ -5,6 +5,7 @@
 #include "io/files/run_folder.hpp"
 
 #include "math/errors.hpp"
+#include "math/number_from.hpp"
 #include "run/measure/followers.hpp"
 #include "io/files/files.hpp"
 #include "io/files/frame_files.hpp"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <filesystem>
 #include <utility>
 
@@ -119,10 +119,7 @@ std::int64_t number_in_name(std::string_view name, std::string_view prefix, std:
 {
   if (!name.starts_with(prefix) || !name.ends_with(ending) || name.size() < prefix.size() + ending.size()) return -1;
   const std::string_view digits = name.substr(prefix.size(), name.size() - prefix.size() - ending.size());
-  const bool all_digits = std::ranges::all_of(digits, is_digit);
-  std::int64_t number = -1;
-  const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  return all_digits && end.ec == std::errc() ? number : -1;
+  return std::ranges::all_of(digits, is_digit) ? number_from<std::int64_t>(digits).value_or(-1) : -1;
 }
 
 std::int64_t step_of_checkpoint(std::string_view file_name) { return number_in_name(file_name, "checkpoint_", ".h5"); }

@@ -4,12 +4,12 @@
 
 #include "io/results/export.hpp"
 
+#include "math/number_from.hpp"
 #include "io/case/case_file.hpp"
 #include "io/files/files.hpp"
 #include "io/files/run_folder.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <set>
 
@@ -21,9 +21,7 @@ namespace {
 std::size_t parse_frame(std::string_view word, const std::string& text, std::size_t n_frames)
 {
   if (word == "last" && n_frames > 0) return n_frames - 1;
-  std::size_t k = 0;
-  const auto end = std::from_chars(word.data(), word.data() + word.size(), k);
-  if (!word.empty() && end.ec == std::errc() && end.ptr == word.data() + word.size() && k < n_frames) return k;
+  if (const auto k = number_from<std::size_t>(word); k && *k < n_frames) return *k;
   throw CaseError(
       fmt::format("error: there is no frame `{}` in `{}`: the run has frames 0 to {}\n  Write numbers, ranges and "
                   "`last`, as in --frames 0,5,10:20,last\n",

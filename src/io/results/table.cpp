@@ -6,25 +6,18 @@
 
 #include "os/csv.hpp"
 #include "math/errors.hpp"
+#include "math/nan.hpp"
+#include "math/number_from.hpp"
 #include "run/measure/followers.hpp"
 #include "io/files/files.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <limits>
 #include <map>
 
 #include <fmt/format.h>
 
 namespace terp {
 namespace {
-
-Real number_in(const std::string& cell)
-{
-  Real value = 0.0;
-  const auto end = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return end.ec == std::errc() && end.ptr == cell.data() + cell.size() ? value : std::numeric_limits<Real>::quiet_NaN();
-}
 
 /// The cells of all whole lines, the header first. Throws FileError if a line has another number of cells than the
 /// header.
@@ -44,7 +37,7 @@ std::vector<std::vector<std::string>> read_cells(const std::string& path)
 
 void add_row(Table& table, const std::vector<std::string>& cells)
 {
-  for (std::size_t c = 0; c < cells.size(); ++c) table.columns[c].push_back(number_in(cells[c]));
+  for (std::size_t c = 0; c < cells.size(); ++c) table.columns[c].push_back(number_from<Real>(cells[c]).value_or(nan));
 }
 
 Table empty_table(const std::vector<std::string>& names)

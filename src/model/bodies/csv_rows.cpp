@@ -6,9 +6,9 @@
 #include "math/closest.hpp"
 #include "os/csv.hpp"
 #include "math/utf8.hpp"
+#include "math/number_from.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -94,10 +94,7 @@ void CsvFaults::stop_if_any() const
 std::optional<Real> number_in_csv(std::string_view text)
 {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  Real value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return number_from<Real>(text);
 }
 
 Real finite_number_in_csv(std::string_view text, std::string_view column, Index line, CsvFaults& faults)

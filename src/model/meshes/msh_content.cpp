@@ -3,6 +3,7 @@
 
 #include "model/meshes/msh_content.hpp"
 
+#include "math/number_from.hpp"
 #include "model/meshes/mesh_error.hpp"
 
 #include <algorithm>
@@ -119,13 +120,11 @@ class MshScanner {
   {
     if (binary_) return width == Width::four ? bytes<std::int32_t>(what) : bytes<std::int64_t>(what);
     const std::string_view text = token(what);
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size())
-      fail(fmt::format("{} is expected, got `{}`", what, printable(text)));
-    if (width == Width::four && value != static_cast<std::int32_t>(value))
-      fail(fmt::format("{} is out of range: {}", what, value));
-    return value;
+    const auto value = number_from<std::int64_t>(text);
+    if (!value) fail(fmt::format("{} is expected, got `{}`", what, printable(text)));
+    if (width == Width::four && *value != static_cast<std::int32_t>(*value))
+      fail(fmt::format("{} is out of range: {}", what, *value));
+    return *value;
   }
 
   Real real(const char* what)
