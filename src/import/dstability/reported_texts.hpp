@@ -249,6 +249,9 @@ inline constexpr SentenceForm least_su{
     "{}: s_u is ten minste {:g} kPa; in D-Stability is zij nul waar sigma'_v nul is."};
 inline constexpr SentenceForm stiffness{"{}: stiffness, Poisson's ratio and K0 are defaults of {}.",
     "{}: stijfheid, dwarscontractie en K0 zijn standaardwaarden van de soort {}."};
+inline constexpr SentenceForm strength_taken_away{
+    "{}: by its name its author took its strength away, as engineers do where the ground lifts.",
+    "{}: volgens de naam is de sterkte weggenomen, zoals bij opdrijven gebruikelijk is."};
 inline constexpr SentenceForm film{
     "Under the border at the top of {}, x from {:.1f} to {:.1f} m, a film of {:g} m has the strength of that border, "
     "{:.1f} to {:.1f} kPa: soil slides there where water pushes from below. A row of cells would carry {:.0f} kN/m "

@@ -1,9 +1,11 @@
 // What drawings and D-Stability files do not say of a soil: stiffness, K0, and of drawings weight and strength. A table
-// by kind of soil, found by words in the soil's name; a user may give another one. docs/dstability.md, "Defaults".
+// by kind of soil, found by patterns and words in the soil's name; a user may give another one. docs/dstability.md,
+// "Defaults".
 #pragma once
 
 #include "math/types.hpp"
 
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -12,10 +14,11 @@ namespace terp {
 /// Numbers in the units of their columns.
 struct SoilKind {
   std::string kind;
-  std::vector<std::string> words;  ///< in lower case; any of them in the name makes the soil this kind
-  Real weight;                     ///< of the wet soil [kN/m^3]
-  Real stiffness_ratio;            ///< G over s_u, undrained [-]
-  Real shear_modulus;              ///< drained [MPa]
+  std::vector<std::string> words;    ///< in lower case; any of them in the name makes the soil this kind
+  std::vector<std::regex> patterns;  ///< of a whole name or code, in lower case
+  Real weight;                       ///< of the wet soil [kN/m^3]
+  Real stiffness_ratio;              ///< G over s_u, undrained [-]
+  Real shear_modulus;                ///< drained [MPa]
   Real poisson_undrained, poisson_drained;
   Real k0;              ///< horizontal over vertical effective stress [-]
   Real friction;        ///< [deg]
@@ -32,7 +35,7 @@ const std::string& soil_defaults_table();
 /// Throws CsvError with up to ten faults. The last row is that of soils that no word fits.
 std::vector<SoilKind> read_soil_defaults(const std::string& path, const std::string& text);
 
-/// The first row with a word in the name; the last row if there is none.
-const SoilKind& kind_of_soil(const std::vector<SoilKind>& kinds, const std::string& name);
+/// The first row with a pattern of the name, else of the code, else with a word in the name; else the last row.
+const SoilKind& kind_of_soil(const std::vector<SoilKind>& kinds, const std::string& name, const std::string& code = {});
 
 }  // namespace terp

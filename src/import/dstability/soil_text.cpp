@@ -278,7 +278,7 @@ SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKi
 {
   const StixSoil& soil = *use.soil;
   const StixStrengthModel model = use.above ? soil.above : soil.below;
-  const SoilKind& kind = kind_of_soil(kinds, soil.name);
+  const SoilKind& kind = kind_of_soil(kinds, soil.name, soil.code);
   check_numbers(use, model, basis, use.above ? soil.above_word : soil.below_word);
   SoilText text;
   text.material.name = use.name;
@@ -297,6 +297,7 @@ SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKi
       soil.colour.size() == 9 && soil.colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (has_colour) lines.push_back({"color", in_quotes('#' + soil.colour.substr(3)), "of the file"});
   text.assumed.push_back(filled<reported_texts::stiffness>(use.name, kind.kind));
+  if (soil.name.ends_with("phi=0")) text.assumed.push_back(filled<reported_texts::strength_taken_away>(soil.name));
   return text;
 }
 
