@@ -149,6 +149,19 @@ std::string fragility_csv(const Study& study, const FragilityCurve& curve)
   return out;
 }
 
+std::string continu_inzicht_csv(const FragilityCurve& curve, bool of_flood)
+{
+  std::string out = "section_id,failuremechanism_id,measure_id,hydraulicload,failure_probability\n";
+  Real largest = 1e-200;
+  for (const LevelEstimate& at : curve.levels) {
+    const auto p = (of_flood ? at.flood : at.slide).probability();
+    if (!p) continue;
+    largest = std::max(largest, *p);
+    out += fmt::format("0,0,0,{},{}\n", at.level, largest);
+  }
+  return out;
+}
+
 std::string dstability_curve(const Study& study, const FragilityCurve& curve, bool of_flood)
 {
   nlohmann::ordered_json points = nlohmann::ordered_json::array();

@@ -23,4 +23,8 @@ bool is_water_level(const FragilityLoad& load);
 /// factors (Monte Carlo has none). Levels where nothing happened, or all, have no finite index and are left out.
 std::string dstability_curve(const Study& study, const FragilityCurve& curve, bool of_flood);
 
+/// The same curve as Continu Inzicht takes it: probability of failure by water level, never falling and at least
+/// 1e-200; numbers of section, mechanism and measure are to be filled in. Levels without an estimate are left out.
+std::string continu_inzicht_csv(const FragilityCurve& curve, bool of_flood);
+
 }  // namespace terp

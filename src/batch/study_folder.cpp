@@ -57,8 +57,8 @@ std::string lock_folder_of(const std::string& folder, const std::string& lock)
   return path_in(folder, fmt::format("locks/{}", lock));
 }
 
-constexpr std::array<std::string_view, 6> result_files = {
-    study_results, study_numbers, study_report, fragility_table, fragility_of_slides, fragility_of_floods};
+constexpr std::array<std::string_view, 7> result_files = {study_results, study_numbers, study_report, fragility_table,
+    fragility_of_dikes, fragility_of_slides, fragility_of_floods};
 
 }  // namespace
 
@@ -163,6 +163,7 @@ void write_results(const Study& study, const StudyPlace& place, const Realisatio
     const FragilityCurve curve = estimate_fragility(study, rows);
     place.write(fragility_table, fragility_csv(study, curve));
     const bool is_water = is_water_level(*study.settings.fragility);
+    if (is_water) place.write(fragility_of_dikes, continu_inzicht_csv(curve, curve.judges_flood));
     if (is_water) place.write(fragility_of_slides, dstability_curve(study, curve, false));
     if (is_water && curve.judges_flood) place.write(fragility_of_floods, dstability_curve(study, curve, true));
   }

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* page_file = "index.html";
-constexpr const char* csv_file = "reach.csv";
+constexpr const char *csv_file = "reach.csv", *vrtool_file = "Stabiliteit_default.csv";
 constexpr const char* json_file = "reach.json";
 constexpr const char* log_file = "log.txt";
 
@@ -274,6 +274,8 @@ int write_reach(const std::vector<PlannedSection>& plan, const AssessCommand& co
       path_in(command.output, page_file), make_page(page_template(), page.payload("reach", now, command.language)));
   write_file_atomically(path_in(command.output, csv_file), reach_csv(sections));
   write_file_atomically(path_in(command.output, json_file), reach_json(sections, now));
+  if (const std::string table = vrtool_csv(sections); !table.empty())
+    write_file_atomically(path_in(command.output, vrtool_file), table);
   for (const ReachSection& s : sections) say("  {:<30} {}\n", s.record.name, printable(sentence_on(s)));
   say("{} of {} sections have a result; page in {}, tables in {} and {}\n", plan.size() - n_faults, plan.size(),
       path_in(command.output, page_file), csv_file, json_file);

@@ -216,6 +216,21 @@ TEST(Fragility, IsSaidInTextTableAndPageAndForDStability)
   EXPECT_TRUE(json["Stochasts"].empty());
 }
 
+TEST(Fragility, ForContinuInzichtNeverFallsAndIsNeverZero)
+{
+  FragilityCurve curve;
+  const auto add = [&](Real level, Index happened, Index solved) {
+    LevelEstimate at;
+    at.level = level;
+    at.slide.happened = happened, at.slide.solved = solved;
+    curve.levels.push_back(at);
+  };
+  add(1.0, 0, 4), add(2.0, 2, 4), add(3.0, 1, 4), add(4.0, 0, 0);
+  EXPECT_EQ(continu_inzicht_csv(curve, false),
+      "section_id,failuremechanism_id,measure_id,hydraulicload,failure_probability\n0,0,0,1,1e-200\n0,0,0,2,0.5\n"
+      "0,0,0,3,0.5\n");
+}
+
 TEST(Fragility, ThePageKnowsTheLevelOfEachRealisation)
 {
   const Study study = study_of(curve_text);

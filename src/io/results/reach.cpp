@@ -10,6 +10,7 @@
 #include "io/files/summary_json.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <cmath>
 #include <limits>
 
@@ -343,6 +344,21 @@ std::string reach_csv(const std::vector<ReachSection>& sections)
     text += '\n' + row;
   }
   return text + '\n';
+}
+
+std::string vrtool_csv(const std::vector<ReachSection>& sections)
+{
+  constexpr Real model_factor = 1.06, offset = 0.41, slope = 0.15, largest_index = 8.0;
+  std::string rows;
+  int n = 0;
+  for (const ReachSection& section : sections) {
+    const SectionRecord& record = section.record;
+    if (!record.factor) continue;
+    const Real beta = std::min((*record.factor / model_factor - offset) / slope, largest_index);
+    rows += fmt::format("{},{},1,{},1.0,{:.4g},{:.4g},{}\n", n++, csv_cell(record.name), csv_cell(record.title),
+        *record.factor, beta, csv_cell(std::filesystem::path(record.file).filename().string()));
+  }
+  return rows.empty() ? "" : ",doorsnede,scenario,scenarionaam,scenariokans,SF,beta,stixnaam\n" + rows;
 }
 
 std::string reach_json(const std::vector<ReachSection>& sections, const std::string& written, bool with_ground)

@@ -102,6 +102,9 @@ std::string sentence_on(const ReachSection& section);
 std::string stored_text(const SectionRecord& record, bool dutch);
 
 std::string reach_csv(const std::vector<ReachSection>& sections);
+/// The table of stability that VRTOOL (Veiligheidsrendement) reads, of the sections whose factor of safety is known;
+/// empty: of none. beta = (F/1.06 - 0.41)/0.15, at most 8, as the Dutch assessment rules calibrate it.
+std::string vrtool_csv(const std::vector<ReachSection>& sections);
 /// with_ground: for the page, which draws it.
 std::string reach_json(const std::vector<ReachSection>& sections, const std::string& written, bool with_ground = false);
 

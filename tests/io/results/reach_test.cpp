@@ -214,4 +214,16 @@ TEST(Reach, ASectionWithoutItsRunHasNoResult)
   EXPECT_EQ(state_of(read_section(scratch.path(), no_profile)), "not finished");
 }
 
+TEST(Reach, HasATableForVrtoolOfTheFactorsThatAreKnown)
+{
+  ReachSection known{.record = sample_record()}, strong = known, none = known;
+  strong.record.name = "dike_2", strong.record.factor = 3.0;
+  none.record.factor.reset();
+  EXPECT_EQ(vrtool_csv({known, none, strong}),
+      ",doorsnede,scenario,scenarionaam,scenariokans,SF,beta,stixnaam\n"
+      "0,dike_1,1,High: High,1.0,1.11,4.248,\"dike \"\"1\"\".stix\"\n"  // (1.11/1.06 - 0.41)/0.15
+      "1,dike_2,1,High: High,1.0,3,8,\"dike \"\"1\"\".stix\"\n");
+  EXPECT_EQ(vrtool_csv({none}), "");
+}
+
 }  // namespace reach_test
