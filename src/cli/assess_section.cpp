@@ -311,11 +311,12 @@ class Assessment {
     for (std::size_t k = 0; k < calculations.size(); ++k) {
       const StixCalculation& c = calculations[k];
       if (c.stage != options_.stage || !c.result || !std::isfinite(c.result->factor_of_safety)) continue;
-      const bool stale = std::ranges::any_of(slices, [&](const ResultSlices& of) {
-        return of.scenario == options_.scenario && of.calculation == k && !of.stale.empty();
-      });
-      record_.stored.push_back({c.method, c.result->factor_of_safety, stale || command_.import.river.has_value(),
-          std::string(strengths_of(c.kind))});
+      const auto found = std::ranges::find_if(
+          slices, [&](const ResultSlices& of) { return of.scenario == options_.scenario && of.calculation == k; });
+      const SliceState state = found == slices.end() ? SliceState::fits : found->state;
+      record_.stored.push_back({c.method, c.result->factor_of_safety,
+          state == SliceState::other_section || command_.import.river.has_value(),
+          std::string(state == SliceState::other_strengths ? "other" : strengths_of(c.kind))});
     }
   }
 

@@ -35,7 +35,7 @@ std::string verdict_of(const std::vector<ResultSlices>& results, std::size_t sce
       results, [&](const ResultSlices& r) { return r.scenario == scenario && r.calculation == calculation; });
   if (found == results.end()) return "no slices";
   if (!found->trouble.empty()) return "not computed";
-  return found->stale.empty() ? "fits" : "stale";
+  return words_of(found->state);
 }
 
 /// One line per result: how far the computed values are from the stored ones.
@@ -49,7 +49,7 @@ void print_deviations(const std::vector<ResultSlices>& results)
     say("{:<56} {:>6} {:>7.4f} {:>7.4f} {:>7.4f} {:>9.4f}{}{}\n", printable(result.name), result.rows.size(),
         most.total_stress / 1e3, most.pore_pressure / 1e3, most.yield_stress / 1e3, 100.0 * most.su,
         most.missing == 0 ? "" : fmt::format("\n  {} stored numbers have no computed one", most.missing),
-        result.stale.empty() ? "" : "\n  stale: " + result.stale);
+        result.why.empty() ? "" : fmt::format("\n  {}: {}", words_of(result.state), result.why));
     if (!result.trouble.empty()) say(stderr, "warning: {}\n", printable(result.name + ": " + result.trouble));
   }
 }

@@ -7,7 +7,7 @@
 
 namespace terp {
 
-/// How a stored result stands to what Terp computes of the file: "fits", "stale", "no slices", ...
+/// How a stored result stands to what Terp computes of the file: "fits", "other section", "no slices", ...
 using StixVerdict = std::function<std::string(std::size_t scenario, std::size_t calculation)>;
 
 /// Scenarios with stages and calculations, soils with strengths, what is left out. Weights in kN/m^3, strengths in kPa.

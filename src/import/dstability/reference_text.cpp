@@ -51,11 +51,13 @@ std::vector<CaseTableText> reference_texts(
     const auto& result = calculation.result;
     if (calculation.stage != stage || !result || result->slip_plane.size() < 2) continue;
     const ResultSlices* slices = slices_of(all, scenario, k);
-    const bool is_stale = slices != nullptr && !slices->stale.empty();
+    const SliceState state = slices != nullptr ? slices->state : SliceState::fits;
     const std::string_view strengths = strengths_of(calculation.kind);
     const bool is_alike = strengths == strengths_of(basis);
     const std::string name = name_of(calculation) + (is_alike ? "" : fmt::format(" ({} strengths)", strengths)) +
-                             (is_stale ? " (stale: of another section)" : "");
+                             (state == SliceState::other_section        ? " (of another section)"
+                                 : state == SliceState::other_strengths ? " (of other strengths)"
+                                                                        : "");
     std::vector<CaseLine> lines{{"name", in_quotes(name), ""}, {"method", in_quotes(calculation.method), ""}};
     if (result->factor_of_safety > 0.0 && std::isfinite(result->factor_of_safety)) {
       const std::string factor = fmt::format("{:.4f}", result->factor_of_safety);
@@ -65,7 +67,7 @@ std::vector<CaseTableText> reference_texts(
         lines.back().comment = fmt::format("factor {} with its {} strengths", factor, strengths);
     }
     lines.push_back({"line", places_text(result->slip_plane, 2, 19), ""});
-    if (slices != nullptr && !is_stale && is_alike)
+    if (slices != nullptr && state == SliceState::fits && is_alike)
       if (const auto rows = slice_strengths(*slices); !rows.empty())
         lines.push_back({"su", list_text(rows, 2, 19), ""});
     tables.push_back({"[[reference.slip_planes]]",
@@ -87,8 +89,8 @@ std::vector<std::string> slices_in_words(const StixProject& project, std::size_t
     std::string text = fmt::format("{}, {} slices: ", name_of(calculation), slices.rows.size());
     if (!slices.trouble.empty())
       text += slices.trouble;
-    else if (!slices.stale.empty())
-      text += fmt::format("not of this section, {}.", slices.stale);
+    else if (slices.state != SliceState::fits)
+      text += fmt::format("{}, {}.", words_of(slices.state), slices.why);
     else {
       const SliceDeviation most = largest_deviation(slices);
       text += fmt::format(

@@ -12,19 +12,29 @@ namespace terp {
 struct SliceRow {
   Vec<2> place{};
   Real total_stress[2], pore_pressure[2], yield_stress[2], su[2];  ///< computed, stored
-  Real carried = not_given;  ///< the largest effective stress of all stages so far, computed
+  Real strength[2];   ///< in shear, of drained soil under the stored normal stress; computed, stored
+  Real length = 0.0;  ///< of the foot [m]
 };
+
+/// What the section of the file is to a stored result, which stays when the section is edited afterwards.
+enum class SliceState {
+  fits,
+  other_strengths,  ///< the same section; its factor is of other strengths
+  other_section,
+};
+
+/// "fits", "strengths differ", "other section".
+const char* words_of(SliceState state);
 
 struct ResultSlices {
   std::size_t scenario = 0, calculation = 0;  ///< numbers in the project
   std::string name;                           ///< of the result
   std::vector<SliceRow> rows;
-  std::string stale;    ///< why the result belongs to another section or other stages than the file; empty: it fits
-  std::string trouble;  ///< why nothing could be computed; empty: it was
+  SliceState state = SliceState::fits;
+  std::string why;              ///< the state in words; empty: it fits
+  Real resistance = not_given;  ///< R: strength along the slip plane, computed over stored [-]
+  std::string trouble;          ///< why nothing could be computed; empty: it was
 };
-
-inline constexpr Real stale_total_stress = 100.0;   ///< difference from which on a slice is of another section [Pa]
-inline constexpr Real stale_yield_stress = 1000.0;  ///< by which a yield stress may be below the stress of its history
 
 /// All results with slices, in the order of the calculations.
 std::vector<ResultSlices> compare_slices(const StixProject& project);

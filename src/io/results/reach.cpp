@@ -323,7 +323,7 @@ std::string stored_text(const SectionRecord& record, bool dutch)
   for (const StoredFactor& s : record.stored) {
     std::vector<std::string> remarks;
     if (s.strength != "deterministic") remarks.push_back(strength_words(s.strength, dutch));
-    if (s.stale) remarks.emplace_back(dutch ? "verouderd" : "stale");
+    if (s.stale) remarks.emplace_back(dutch ? "andere doorsnede" : "other section");
     text += fmt::format("{}{} {}{}",
         text.empty() ? ""
         : dutch      ? "; "

@@ -62,7 +62,7 @@ TEST(ReferenceText, HasTheStrengthAtTheSlicesOfTheSameBasis)
       slices_in_words(project, 0, 0), ElementsAre(HasSubstr("2 slices: largest differences: total stress 0.000")));
   calculation.result->slices[0].total_stress += 5e3;
   EXPECT_EQ(reference_texts(project, 0, 0, basis_of(calculation.kind))[0].lines.size(), 4u);
-  EXPECT_THAT(slices_in_words(project, 0, 0), ElementsAre(HasSubstr("not of this section")));
+  EXPECT_THAT(slices_in_words(project, 0, 0), ElementsAre(HasSubstr("other section")));
 }
 
 TEST(ReferenceText, SaysThatAPlaneIsOfAnotherSection)
@@ -71,10 +71,10 @@ TEST(ReferenceText, SaysThatAPlaneIsOfAnotherSection)
   StixSlice slice{.bottom_left = {9.0, -4.0}, .bottom_right = {11.0, -4.0}};
   slice.total_stress = 15e3 + 3.0 * 16e3;  // of the section
   project.scenarios[0].calculations[0].result->slices = {slice};
-  EXPECT_THAT(reference_texts(project, 0, 0, StixBasis::deterministic)[0].lines[0].value, Not(HasSubstr("stale")));
+  EXPECT_THAT(reference_texts(project, 0, 0, StixBasis::deterministic)[0].lines[0].value, Not(HasSubstr("section")));
   project.scenarios[0].calculations[0].result->slices[0].total_stress += 5e3;
-  EXPECT_THAT(reference_texts(project, 0, 0, StixBasis::deterministic)[0].lines[0].value,
-      HasSubstr("(stale: of another section)"));
+  EXPECT_THAT(
+      reference_texts(project, 0, 0, StixBasis::deterministic)[0].lines[0].value, HasSubstr("(of another section)"));
 }
 
 }  // namespace reference_text_test

@@ -1,4 +1,4 @@
-// Stored slices beside computed ones: all samples that are not stale.
+// Stored slices beside computed ones, in all samples.
 #include "import/dstability/slices.hpp"
 
 #include "archives.hpp"
@@ -16,23 +16,30 @@ std::map<std::string, ResultSlices> results_of(const std::string& sample)
   return results;
 }
 
-/// What the samples are known to hold: how many results fit and how many are stale.
+/// What the samples are known to hold: how many results fit, how many of these at each slice, and how many do not.
 struct Known {
   std::string sample;
-  int fits, stale;
+  int fits, at_each_slice, other;
 };
-const std::vector<Known> known{{"berm-fragility-2023", 1, 0}, {"example-2020.03-v1", 2, 0}, {"tutorial-2020-v1", 2, 3},
-    {"tutorial-2022.01-v1", 5, 0}, {"tutorial-2023", 5, 0}, {"tutorial-2026.01", 8, 0},
-    {"all-result-kinds-stale", 0, 6}};
+const std::vector<Known> known{{"berm-fragility-2023", 1, 1, 0}, {"example-2020.03-v1", 2, 2, 0},
+    {"tutorial-2020-v1", 5, 2, 0}, {"tutorial-2022.01-v1", 5, 5, 0}, {"tutorial-2023", 5, 5, 0},
+    {"tutorial-2026.01", 8, 8, 0}, {"all-result-kinds-stale", 0, 0, 6}};
 
-TEST(Slices, FitInAllSamplesThatAreNotStale)
+/// In three results of 2020 a few slices have the weight of another section.
+bool fits_at_each_slice(const ResultSlices& result)
+{
+  return result.state == SliceState::fits && largest_deviation(result).total_stress < 100.0;
+}
+
+TEST(Slices, FitInAllSamplesThatWereNotEdited)
 {
   for (const Known& sample : known) {
-    int fits = 0, stale = 0;
+    int fits = 0, at_each = 0, other = 0;
     for (const auto& [name, result] : results_of(sample.sample)) {
-      ++(result.stale.empty() ? fits : stale);
+      ++(result.state == SliceState::fits ? fits : other);
       EXPECT_EQ(result.trouble, "");
-      if (!result.stale.empty()) continue;
+      if (!fits_at_each_slice(result)) continue;
+      ++at_each;
       const SliceDeviation most = largest_deviation(result);
       EXPECT_EQ(most.missing, 0u) << sample.sample << name;
       EXPECT_GE(most.compared, 2 * result.rows.size()) << sample.sample << name;
@@ -40,9 +47,11 @@ TEST(Slices, FitInAllSamplesThatAreNotStale)
       EXPECT_LT(most.pore_pressure, 50.0) << sample.sample << name;
       EXPECT_LT(most.yield_stress, 100.0) << sample.sample << name;
       EXPECT_LT(most.su, 1e-3) << sample.sample << name;
+      EXPECT_NEAR(result.resistance, 1.0, 0.02) << sample.sample << name;  // a border within 1 mm of the plane
     }
     EXPECT_EQ(fits, sample.fits) << sample.sample;
-    EXPECT_EQ(stale, sample.stale) << sample.sample;
+    EXPECT_EQ(at_each, sample.at_each_slice) << sample.sample;
+    EXPECT_EQ(other, sample.other) << sample.sample;
   }
 }
 
@@ -73,7 +82,7 @@ TEST(Slices, HaveTheStoredStrengthDrainedAndUndrained)
   for (const Known& sample : known) {
     const StixProject project = read_stix(sample_path(sample.sample));
     for (const ResultSlices& result : compare_slices(project)) {
-      if (!result.stale.empty()) continue;
+      if (!fits_at_each_slice(result)) continue;
       const StixCalculation& c = project.scenarios[result.scenario].calculations[result.calculation];
       const StixSection section(project, result.scenario, c.stage, basis_of(c.kind));
       for (const StixSlice& slice : c.result->slices) {
@@ -87,13 +96,44 @@ TEST(Slices, HaveTheStoredStrengthDrainedAndUndrained)
   EXPECT_GT(n, 100);
 }
 
-TEST(Slices, AreStaleByAnotherWeightOrAnotherHistory)
+TEST(Slices, OfASectionThatWasEditedSaySo)
 {
   const auto results = results_of("all-result-kinds-stale");
-  EXPECT_EQ(results.at("bishopbruteforce/bishopbruteforceresult").stale,
-      "the total stress of 7 of 38 slices is another, by up to 3.00 kPa");
-  EXPECT_EQ(results.at("bishop/bishopresult").stale,
-      "the yield stress of 85 of 98 slices is less than the soil carried in a stage of this file");
+  EXPECT_EQ(results.at("bishopbruteforce/bishopbruteforceresult").state, SliceState::other_section);
+  EXPECT_EQ(results.at("bishopbruteforce/bishopbruteforceresult").why,
+      "25 of 38 slices have another total stress or pore pressure");
+  EXPECT_EQ(results.at("bishop/bishopresult").state, SliceState::other_strengths);
+}
+
+/// A section whose first `n` slices were changed.
+ResultSlices with_changed(std::size_t n, void (*change)(StixSlice&))
+{
+  StixProject project = read_stix(sample_path("berm-fragility-2023"));
+  auto& slices = project.scenarios[0].calculations[0].result->slices;
+  for (std::size_t k = 0; k < n; ++k) change(slices[k]);
+  return compare_slices(project)[0];
+}
+
+TEST(Slices, OneSliceMakesNoOtherSection)
+{
+  const std::size_t n = compare_slices(read_stix(sample_path("berm-fragility-2023")))[0].rows.size();
+  ASSERT_GE(n, 25u);  // one slice is less than 5 %
+  const auto heavier = [](StixSlice& s) { s.total_stress += std::max(200.0, 0.02 * s.total_stress); };
+  const auto wetter = [](StixSlice& s) { s.pore_pressure += 500.0 + 0.03 * s.total_stress; };
+  EXPECT_EQ(with_changed(1, heavier).state, SliceState::fits);
+  EXPECT_EQ(with_changed(n / 20 + 1, heavier).state, SliceState::other_section);
+  EXPECT_EQ(with_changed(1, wetter).state, SliceState::fits);
+  EXPECT_EQ(with_changed(n / 20 + 1, wetter).state, SliceState::other_section);
+}
+
+TEST(Slices, OfOtherStrengthsSayByHowMuch)
+{
+  const ResultSlices same = with_changed(0, nullptr);
+  EXPECT_NEAR(same.resistance, 1.0, 2e-3);
+  const ResultSlices other = with_changed(same.rows.size(), [](StixSlice& s) { s.strength /= 0.93; });
+  EXPECT_EQ(other.state, SliceState::other_strengths);
+  EXPECT_NEAR(other.resistance, 0.93, 2e-3);
+  EXPECT_THAT(other.why, HasSubstr("0.93 times the stored one"));
 }
 
 TEST(Slices, AreWrittenAsATable)
@@ -114,7 +154,7 @@ TEST(Slices, OfAStageThatCannotBeComputedSayWhy)
   project.scenarios[0].stages[0].layers[0].soil.reset();
   const auto results = compare_slices(project);
   EXPECT_THAT(results[0].trouble, HasSubstr("has no soil"));
-  EXPECT_NE(results[0].stale, "");
+  EXPECT_EQ(results[0].state, SliceState::other_section);
   EXPECT_THAT(slices_csv(results), HasSubstr(",1,nan,"));
 }
 
