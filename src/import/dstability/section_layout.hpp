@@ -22,7 +22,7 @@ enum class LandEnd { left, right, lower };
 
 /// What is known of a section before it is laid out.
 struct LayoutWishes {
-  Real cell = 0.0;  ///< [m]; 0: a tenth of the height, a round number, and so that there are at most 60 000
+  Real cell = 0.0;  ///< [m]; 0: a tenth of the height, a round number, or what a laptop solves in some minutes
   LandEnd land = LandEnd::lower;     ///< the end that the height is over
   std::optional<Vec<2>> crest = {};  ///< the dike has its crest between these x [m]; none: where the ground is highest
                                      ///< over the lowest ground on both of its sides

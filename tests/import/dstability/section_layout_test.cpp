@@ -53,6 +53,14 @@ TEST(SectionLayout, TakesTheHighestPlaceWhereTheSectionBeginsOnTheCrest)
   EXPECT_NEAR(layout(half).crest[1], 8.0, 1e-3);
 }
 
+TEST(SectionLayout, ChoosesCellsThatALaptopSolvesInSomeMinutes)
+{
+  const Polygon low = over_level_base({{0, 0}, {20, 0}, {24, 2}, {28, 2}, {32, 0}, {60, 0}});
+  const Polygon wide = over_level_base({{0, 0}, {1000, 0}, {1004, 2}, {1008, 2}, {1012, 0}, {2000, 0}});
+  EXPECT_EQ(layout(low).cell, 0.4);  // 0.2 m would be ten times the work
+  EXPECT_EQ(layout(wide).cell, 1.0);
+}
+
 TEST(SectionLayout, RefusesCellsThatAreTooManyBeforeItMakesThem)
 {
   const Polygon box{{0, -10}, {100, -10}, {100, 0}, {0, 0}};
