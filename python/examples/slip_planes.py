@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Bishop's and Spencer's factors on the slip planes that an imported case names, and the lowest circle of Bishop.
+"""Bishop's and Spencer's factors on the slip planes that an imported case names, and the lowest circle and plane.
 
     python3 python/examples/slip_planes.py section/case.toml [--search]
 
@@ -139,7 +139,10 @@ class Section:
     def set_strength(self, soil, here):
         if soil["model"] == "mohr_coulomb":
             self.cohesion[here] = number(soil["cohesion"])
-            self.friction[here] = math.tan(math.radians(soil["friction_angle"]))
+            angle = soil["friction_angle"]
+            if isinstance(angle, dict):  # of a film at the top of an aquifer
+                angle = Table(self.folder / angle["csv"]).at(self.grid[0][here], self.grid[1][here])
+            self.friction[here] = np.tan(np.radians(angle))
         elif not isinstance(soil["su_peak"], dict):
             self.cohesion[here] = number(soil["su_peak"])
         elif "table" in soil["su_peak"]:
@@ -253,10 +256,41 @@ def lowest_circle(section, least_depth=2.0):
     return best[:2]
 
 
+def lowest_plane(section):
+    """Down from the crest, along the top of a soil, and up again: the lowest factor of Spencer of such planes, on any
+    side of the crest, that no metre of free water pushes on. The level part runs within a step below the border."""
+    crest = section.x[np.argmax(section.ground)]
+    ground, wet = (np.column_stack([section.x, y]) for y in (section.ground, section.water[section.last][1]))
+    borders = set()
+    for column in section.soil[:: max(len(section.x) // 20, 1)]:
+        borders |= {round(z, 2) for z in section.z[:-1][(column[1:] != column[:-1]) & (column[1:] >= 0)]}
+    best = (math.inf, None)
+    for way in (1.0, -1.0):
+        for level in (b for b in borders if section.z[0] < b < section.ground.min()):
+            for entry in crest - way * np.linspace(-3.0, 6.0, 4):
+                for down in (45.0, 60.0):
+                    first = entry + way * (height(ground, entry) - level) / math.tan(math.radians(down))
+                    for length in np.linspace(5.0, 60.0, 23):
+                        for up in (20.0, 30.0, 40.0):
+                            last = first + way * length
+                            end = last + way * (height(ground, last) - level) / math.tan(math.radians(up))
+                            if not section.x[0] < end < section.x[-1] or (end - last) * way < 0:
+                                continue
+                            line = [(entry, height(ground, entry)), (first, level), (last, level),
+                                    (end, height(ground, end))]
+                            if max(height(wet, x) for x, _ in line) > 1e4:
+                                continue
+                            factor = spencer(section.slices(line[:: int(way)]))
+                            if 0.05 < factor < best[0]:
+                                best = (factor, line)
+    return best
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("case", help="case.toml of an imported section")
     parser.add_argument("--search", action="store_true", help="look for the lowest circle that is 2 m deep or deeper")
+    parser.add_argument("--planes", action="store_true", help="look for the lowest plane of three parts, too")
     arguments = parser.parse_args()
     section = Section(arguments.case)
     for plane in section.case.get("reference", {}).get("slip_planes", []):
@@ -267,6 +301,11 @@ def main():
         factor, line = lowest_circle(Section(arguments.case, width=0.5))
         print("no circle" if line is None else f"lowest circle of Bishop {factor:.3f}, from ({line[0][0]:.1f}, "
               f"{line[0][1]:.1f}) to ({line[-1][0]:.1f}, {line[-1][1]:.1f}) m, lowest at {line[:, 1].min():.1f} m")
+    if arguments.planes:
+        factor, line = lowest_plane(Section(arguments.case, width=0.5))
+        print("no plane" if line is None else f"lowest plane of Spencer {factor:.3f}, from ({line[0][0]:.1f}, "
+              f"{line[0][1]:.1f}) along z = {line[1][1]:.2f} from {line[1][0]:.1f} to {line[2][0]:.1f} m, out at "
+              f"x = {line[3][0]:.1f} m")
 
 
 if __name__ == "__main__":
