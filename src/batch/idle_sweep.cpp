@@ -21,7 +21,7 @@ CaseFile case_with(const Study& study, const SweepKey& sweep, const Node& value)
 
 bool leaves_no_trace(const RecordedValue& value)
 {
-  return value.key == "title" || value.key.starts_with("output.checkpoint");
+  return value.key == "title" || value.key.starts_with("output.checkpoint") || value.key.starts_with("output.fields");
 }
 
 /// Numbers of two values that make the same case.
@@ -38,11 +38,24 @@ std::optional<std::array<std::size_t, 2>> find_same(const Study& study, const Sw
   return std::nullopt;
 }
 
+void refuse_equal_rows(const std::vector<SweepKey>& columns, std::vector<Problem>& problems)
+{
+  std::map<std::string, std::size_t> seen;
+  for (std::size_t row = 0; row < columns.front().values.size(); ++row) {
+    std::string text;
+    for (const SweepKey& column : columns) text += toml_value(column.values[row]) + '\n';
+    if (const auto [place, is_new] = seen.emplace(text, row); !is_new)
+      problems.push_back({fmt::format("{}[{}]", join_path(columns.front().path, "values"), row),
+          fmt::format("rows {} and {} of the table are the same case", place->second, row), "Give each case once.",
+          ""});
+  }
+}
+
 }  // namespace
 
 void refuse_idle_sweeps(const Study& study, std::vector<Problem>& problems)
 {
-  if (study.settings.form == SweepForm::table) return;
+  if (study.settings.form == SweepForm::table) return refuse_equal_rows(study.settings.sweep, problems);
   for (const SweepKey& sweep : study.settings.sweep)
     if (const auto same = find_same(study, sweep))
       problems.push_back({fmt::format("{}[{}]", join_path(sweep.path, "values"), (*same)[1]),

@@ -11,6 +11,7 @@
 #include "model/bodies/polygon.hpp"
 #include "model/parts/setup.hpp"
 #include "model/meshes/setup_mesh.hpp"
+#include "run/findings/field_warnings.hpp"
 #include "run/stability/factor_of_safety.hpp"
 #include "batch/case_refusal.hpp"
 #include "batch/idle_sweep.hpp"
@@ -397,6 +398,21 @@ void doubt_places_of_lines(const Study& study, std::vector<Problem>& doubts)
   for (const SweepKey& sweep : study.settings.sweep) take(sweep.key, sweep.path);
 }
 
+/// Soil that settles or swings goes as far; a slide of less than a few points shows nothing.
+void doubt_small_events(const Study& study, Real cell, std::vector<Problem>& doubts)
+{
+  constexpr Real least_displacement = 1e-3, least_volume = 0.04;  // of a cell; one point of 5 x 5
+  const EventRule& event = study.settings.event;
+  if (event.displacement < least_displacement * cell)
+    doubts.push_back({"events.displacement", "soil that only settles counts as a slide",
+        fmt::format("Got {:g} m; cells are {:.3g} m wide. Soil at rest still moves by as much. Usual: 0.1 to 1 m.",
+            event.displacement, cell),
+        ""});
+  if (event.volume < least_volume * cell * cell)
+    doubts.push_back({"events.volume", "a slide may be smaller than a material point",
+        fmt::format("Got {:g} m^2; a cell holds {:.3g} m^2. Usual: 1 m^2 or more.", event.volume, cell * cell), ""});
+}
+
 }  // namespace
 
 std::vector<Problem> find_doubts(const Study& study)
@@ -420,17 +436,11 @@ std::vector<Problem> find_doubts(const Study& study)
           "It is the same in all realisations. Give it as [[field]] to draw it.", ""});
   }
   const Real cell = typical_cell_size(*study.mesh);
-  for (const RandomFieldKey& field : study.settings.fields) {
-    const Real least = std::min(field.scale[0], field.scale[1]);
-    if (cell <= 0.25 * least) continue;
-    const Real share = std::sqrt(correlation_named(field.correlation).variance_of_mean(cell / least));
-    doubts.push_back({join_path(field.path, "theta"), "the cells hardly resolve the random field",
-        fmt::format(
-            "Cells of {:.2g} m, a scale of fluctuation of {:g} m; a quarter of it or less resolves it. The mean "
-            "over\na cell has {:.0f} % of the standard deviation of a point, along the shorter scale.",
-            cell, least, 100.0 * share),
-        ""});
-  }
+  doubt_small_events(study, cell, doubts);
+  for (const RandomFieldKey& field : study.settings.fields)
+    if (auto coarse = find_coarse_cells(
+            join_path(field.path, "theta"), {field.scale, &correlation_named(field.correlation)}, cell))
+      doubts.push_back(std::move(*coarse));
   return doubts;
 }
 

@@ -190,6 +190,9 @@ void check_keys(const StudySettings& s, Findings& findings)
   Paths numbers, fields, all;
   const auto take = [&](const std::string& key, const std::string& path, Paths* list) {
     if (key.empty()) return;
+    if (s.estimator != Estimator::sweep && (key == "title" || key.starts_with("output.")))
+      findings.problems.push_back({join_path(path, "key"), fmt::format("no result depends on `{}`", key),
+          "It says what a run writes. Draw keys of the soil, the water or the loads; set this one in `set`.", ""});
     if (std::ranges::find(all, key) != all.end())
       findings.problems.push_back({join_path(path, "key"), fmt::format("`{}` is given twice", key), "", ""});
     all.push_back(key);

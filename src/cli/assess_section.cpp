@@ -19,6 +19,7 @@
 #include "os/files.hpp"
 #include "os/stop.hpp"
 #include "os/say.hpp"
+#include "run/findings/setup_warnings.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -350,6 +351,7 @@ class Assessment {
     record_.title = printable(file.values.title.empty() ? file.values.name : file.values.title);
     try {
       Simulation simulation(file.values, command_.threads);
+      say("{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
       record_.cell = typical_cell_size(*simulation.model.mesh);
       record_.n_points = simulation.state.points.n_points();
       record_.expected_s = expected_seconds(simulation, trial_seconds);

@@ -15,6 +15,7 @@
 #include "batch/study_page.hpp"
 #include "page/page.hpp"
 #include "batch/study_text.hpp"
+#include "batch/study_warnings.hpp"
 #include "cli/study_run.hpp"
 #include "os/stop.hpp"
 #include "os/say.hpp"
@@ -213,6 +214,16 @@ int keep(const Study& study, const std::string& folder, Index number, const Stud
   return status;
 }
 
+void print_doubts(const Study& study, bool makes_cases)
+{
+  std::vector<Problem> doubts = find_doubts(study);
+  WarningsOfCases of_cases;
+  if (makes_cases) of_cases = find_warnings_of_cases(study, doubts);
+  std::ranges::move(of_cases.drawn, std::back_inserter(doubts));
+  say(stderr, "{}{}{}", render_warnings(study.base), render_warnings(of_cases.base, study.base),
+      render_warnings(doubts, study.settings.source));
+}
+
 }  // namespace
 
 int study_case(const StudyCommand& command)
@@ -221,8 +232,7 @@ int study_case(const StudyCommand& command)
   const Launched launched = takes_part ? find_launch([](const char* name) { return std::getenv(name); }) : Launched{};
   const Study study = open_study(command.path);
   const std::string folder = folder_of_study(command.path, command.output, study);
-  if (!launched.is_silent)
-    say(stderr, "{}{}", render_warnings(study.base), render_warnings(find_doubts(study), study.settings.source));
+  if (!launched.is_silent) print_doubts(study, takes_part || command.action == "check");
   const int threads = command.threads > 0 ? command.threads : launched.shares_machine ? 1 : available_processors();
   if (command.action == "check") return check_study(study, threads);
   if (command.action == "sample") return sample_study(study, folder, command);

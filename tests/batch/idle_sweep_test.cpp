@@ -9,13 +9,20 @@ TEST(IdleSweep, ValuesOfASweepThatMakeTheSameCaseAreRefused)
 {
   const auto message = [](const std::string& key, const std::string& values) {
     const ScratchFolder folder;
-    const std::string text = "case = \"column.toml\"\n[estimator]\nkind = \"sweep\"\n[[sweep]]\nkey = \"" + key +
-                             "\"\nvalues = " + values + "\n";
+    const std::string own = values.find("[estimator]") == std::string::npos ? "[estimator]\nkind = \"sweep\"\n" : "";
+    const std::string text =
+        "case = \"column.toml\"\n" + own + "[[sweep]]\nkey = \"" + key + "\"\nvalues = " + values + "\n";
     return refusal<CaseError>([&] { open_study(write_study(folder.path(), text)); });
   };
   EXPECT_THAT(message("material.clay.su_peak", "[6e3, 7e3, \"6 kPa\"]"),
       AllOf(
           HasSubstr("two values of `material.clay.su_peak` make the same case"), HasSubstr("6 kPa\" give one result")));
+  EXPECT_THAT(message("output.fields.every", "[0.1, 0.2]"), HasSubstr("make the same case"));
+  const std::string more =
+      "\n[[sweep]]\nkey = \"material.clay.eta\"\nvalues = [2, 3, 2]\n[estimator]\nkind = "
+      "\"sweep\"\nform = \"table\"";
+  EXPECT_THAT(message("material.clay.su_peak", "[6e3, 6e3, 6e3]" + more),
+      HasSubstr("rows 0 and 2 of the table are the same case"));
   EXPECT_THAT(message("title", "[\"a\", \"b\"]"), HasSubstr("two values of `title` make the same case"));
 }
 

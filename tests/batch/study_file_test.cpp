@@ -58,6 +58,7 @@ TEST(StudyFile, WithOneMistakeHasOneMessage)
               "cov = 0.4\n[[random]]\nkey = \"material.clay.su_peak\"\ndistribution = \"uniform\"\nlowest = 1\nhighest "
               "= 2",
               "`material.clay.su_peak` is given twice"},
+          {"material.clay.su_peak", "output.fields.every", "no result depends on `output.fields.every`"},
           {"number = 12", "", "the stop rule cannot be met: `number` is missing"},
           {"number = 12", "number = 12\ncov = 0.1", "takes 100 events, which 12 realisations cannot have.\n"},
           {"number = 12", "number = 150\ncov = 0.1", "the stop rule cannot be met by so few realisations"},
@@ -290,6 +291,16 @@ TEST(StudyFile, CellsThatAverageAFieldAreDoubted)
   EXPECT_EQ(found[0].what, "the cells hardly resolve the random field");
   EXPECT_THAT(found[0].detail, HasSubstr("has 86 % of the standard deviation of a point"))
       << "sqrt(2 (1 + exp(-1) - 1))";
+}
+
+TEST(StudyFile, ASlideThatIsSmallerThanAPointOrASettlementIsDoubted)
+{
+  const ScratchFolder folder;
+  const auto doubts = [&](const std::string& text) { return find_doubts(study_in(folder.path(), text)); };
+  EXPECT_THAT(doubts(changed(column_study, "displacement = 0.3", "displacement = 3e-4")),
+      ElementsAre(told("events.displacement", "soil that only settles counts as a slide", _)));
+  EXPECT_THAT(doubts(changed(column_study, "volume = 1.0", "volume = 0.01")),
+      ElementsAre(told("events.volume", "a slide may be smaller than a material point", _)));
 }
 
 }  // namespace study_file_test

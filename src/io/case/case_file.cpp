@@ -113,6 +113,7 @@ CaseFile read_case_text(const std::string& text, const std::string& path, const 
   Findings findings;
   for (const std::string& change : overrides)
     if (auto problem = apply_override(file.source.root, change)) findings.problems.push_back(*problem);
+  if (findings.problems.empty()) doubt_replaced(file.source.root, overrides, findings.warnings);
   file.values.name = name_of_case(path);
   file.values.folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".";
   read_values(file.source.root, file.values, findings);

@@ -43,7 +43,7 @@ std::string key_on_one_line(const std::string& key)
 
 class Recorder {
  public:
-  explicit Recorder(const CaseFile& file) : root_(file.source.root), values_(file.values) {}
+  Recorder(const Node& root, const Case& values) : root_(root), values_(values) {}
 
   void add(const std::string& key, const std::string& value, bool is_default = false)
   {
@@ -192,9 +192,17 @@ const RecordedValue* find_value(const CaseRecord& record, std::string_view key)
 
 }  // namespace
 
+std::string text_of_keys(const Node& root, const Case& values)
+{
+  Recorder recorder(root, values);
+  recorder.add_keys();
+  recorder.add_outlines();
+  return record_text(recorder.take());
+}
+
 CaseRecord make_case_record(const CaseFile& file, const Mesh<2>& mesh)
 {
-  Recorder recorder(file);
+  Recorder recorder(file.source.root, file.values);
   recorder.add_keys();
   recorder.add_outlines();
   recorder.add_orders();

@@ -24,6 +24,9 @@ using CaseRecord = std::vector<RecordedValue>;
 /// counts: points are numbered by it. Throws FileError if a file cannot be read.
 CaseRecord make_case_record(const CaseFile& file, const Mesh<2>& mesh);
 
+/// The same without what is in files, as "key = value" per line: of a case before it has a mesh.
+std::string text_of_keys(const Node& root, const Case& values);
+
 /// "key = value" per line.
 std::string record_text(const CaseRecord& record);
 

@@ -59,6 +59,23 @@ void check_law(const MaterialCase& material, const MaterialType& law, Findings& 
       "material.drainage", false, {material_path(material)}});
 }
 
+/// A strength of total stress with moduli of the skeleton alone: undrained soil hardly changes its volume.
+void check_volume_change(const Case& values, const MaterialCase& material, const MaterialType& law, Findings& findings)
+{
+  const Vec<2> g = values.forces.gravity;
+  constexpr Real least = 0.4;
+  const Real nu = parameter_of(material, law, "poisson_ratio");
+  const bool yields = std::ranges::any_of(law.parameters, [](const auto& info) { return is_strength(info.reduction); });
+  if (!(nu < least) || !yields || !(-g[1] > std::abs(g[0])) ||
+      !(law.total_stress || material.drainage == Drainage::undrained))
+    return;
+  findings.warnings.push_back({join_path(material_path(material), "poisson_ratio"),
+      fmt::format("`{}` is undrained, and its weight changes its volume much", material.name),
+      fmt::format("poisson_ratio = {:g} makes K = {:.2g} G. Undrained soil: 0.45 to 0.495, where K is 10 to 100 G.", nu,
+          bulk_from_poisson(1.0, nu)),
+      std::string(law.name), false, {material_path(material)}});
+}
+
 void check_water_stiffness(
     const Node& root, const Case& values, const MaterialCase& material, const MaterialType& law, Findings& findings)
 {
@@ -141,6 +158,7 @@ void check_drainage(const Node& root, const Case& values, Findings& findings)
     if (law == nullptr) continue;
     check_law(material, *law, findings);
     if (!law->total_stress) check_water_stiffness(root, values, material, *law, findings);
+    check_volume_change(values, material, *law, findings);
     check_friction(values, material, *law, findings);
     check_axes(values, material, *law, findings);
   }

@@ -174,6 +174,11 @@ void check_stage(const Node& root, const Case& values, std::size_t k, Findings& 
     findings.problems.push_back({path + ".name", fmt::format("two stages have the name `{}`", stage.name),
         "Give each its own, as in name = \"flood\".", "stage.name", false, {path}});
   check_water_of_stage(values, k, findings);
+  if (k == 0 && stage.trigger)
+    findings.warnings.push_back({path + ".trigger", "no stage comes before the trigger",
+        "The verdict is then of a section that was never looked at as it is. Give a stage without `trigger` before, in "
+        "which\nit stands or fails by itself.",
+        "stage.trigger"});
   if (stage.longest() > 0.0 && stage.ramp > stage.longest())
     findings.problems.push_back({path + ".ramp", "the ramp is longer than the stage",
         fmt::format("Got {:g} s; allowed: at most {:g} s.", stage.ramp, stage.longest()), "stage.ramp", false, {path}});

@@ -16,6 +16,8 @@
 namespace terp {
 namespace {
 
+using Problems = std::vector<Problem>;
+
 /// Where two reference lines cross [m]; none if one lies above the other at every x. Both are straight between the
 /// places of either.
 std::optional<Real> crossing_of(const ReferenceLine& a, const ReferenceLine& b)
@@ -111,6 +113,54 @@ void check_times(const WaterCase& water, Findings& findings)
   }
 }
 
+bool same_water(const WaterSituation& a, const WaterSituation& b)
+{
+  const auto same_head = [](const HeadLine& one, const HeadLine& other) {
+    return one.name == other.name && one.places == other.places;
+  };
+  const auto same_reference = [](const ReferenceLine& one, const ReferenceLine& other) {
+    return one.head == other.head && one.head_bottom == other.head_bottom && one.places == other.places;
+  };
+  return a.phreatic_line == b.phreatic_line && a.formula_text == b.formula_text && a.grid_file == b.grid_file &&
+         std::ranges::equal(a.head_lines, b.head_lines, same_head) &&
+         std::ranges::equal(a.reference_lines, b.reference_lines, same_reference);
+}
+
+/// Other water that is the water that was there: a situation without lines of its own, or a copy of them. A situation
+/// with a time may hold the water until then.
+void check_same_water(const Node* list, const Case& values, Problems& warnings)
+{
+  const WaterCase& water = values.water;
+  const auto& others = water.situations;
+  const bool none_differs =
+      std::ranges::all_of(others, [&](const WaterSituation& s) { return same_water(s, water.start); });
+  const auto warn = [&](const std::string& path, const std::string& what) {
+    warnings.push_back({path, what,
+        "What a situation leaves out is that of the start. Give its own, as phreatic_line = [[x, y], ...] in m.",
+        "water.situation", true, {"stage"}});
+  };
+  const auto gives_lines = [&](std::size_t k) {
+    return list != nullptr && std::ranges::any_of(list->items[k].items,
+                                  [](const Node& item) { return item.name != "name" && item.name != "time"; });
+  };
+  for (std::size_t k = 0; k < others.size(); ++k)
+    if (!gives_lines(k) && (std::isnan(others[k].time) || none_differs))
+      warn(fmt::format("water.situation[{}]", k),
+          fmt::format("the water{} is that of the start: it has no line",
+              others[k].name.empty() ? "" : fmt::format(" `{}`", others[k].name)));
+  std::string before(name_of_start);
+  for (std::size_t k = 0; k < values.stages.size(); ++k) {
+    const std::string& now = values.stages[k].water;
+    if (now.empty() || now == before) continue;
+    const std::size_t number = situation_number(water, now);
+    if (same_water(situation_of(water, number), situation_of(water, situation_number(water, before))) &&
+        (number == 0 || gives_lines(number - 1)))
+      warn(fmt::format("stage[{}].water", k),
+          fmt::format("the water `{}` has the lines of `{}`, which is there already", now, before));
+    before = now;
+  }
+}
+
 bool is_hydrostatic(const WaterCase& water)
 {
   const auto is = [](const WaterSituation& s) { return !s.formula || s.formula_gives_head; };
@@ -124,6 +174,17 @@ void check_parts(const Case& values, Findings& findings)
       findings.problems.push_back(
           {join_path("material", material.soil), "soil below and above the phreatic line needs that line",
               "Give [water] with phreatic_line = [[x, y], ...], or one density and one model.", "water", true});
+    const auto is_above = [&](const MaterialCase& other) {
+      return other.zone == Zone::above && other.soil == material.soil;
+    };
+    if (const auto above = std::ranges::find_if(values.materials, is_above);
+        material.zone == Zone::below && above != values.materials.end() && material.density < above->density)
+      findings.warnings.push_back({join_path("material", material.soil),
+          fmt::format("`{}` is lighter below the water than above", material.soil),
+          fmt::format("Got {:.4g} kg/m^3 below and {:.4g} kg/m^3 above. Both are with the water in the pores, which "
+                      "fills them below\nthe line: swap the two, or give the saturated density below.",
+              material.density, above->density),
+          "material.density", false, {"water"}});
     if (material.zone != Zone::all)
       for (const MaterialCase& other : values.materials)
         if (other.zone == Zone::all && other.name == material.name)
@@ -154,6 +215,7 @@ void check_water(const Node& root, const Case& values, Findings& findings)
     check_situation(water.situations[k], list != nullptr ? &list->items[k] : nullptr,
         fmt::format("water.situation[{}]", k), findings);
   check_times(water, findings);
+  check_same_water(list, values, findings.warnings);
   const Vec<2> g = values.forces.gravity;
   if (g[0] != 0.0 && is_hydrostatic(water))
     findings.problems.push_back({"water.phreatic_line", "the lines of water need gravity along y",

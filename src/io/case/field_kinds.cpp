@@ -59,17 +59,27 @@ std::optional<std::vector<Vec<2>>> read_line(
   return line;
 }
 
+/// Notes for which arguments there are values, and gives them.
+std::optional<FieldValue> value_of_line(std::optional<std::vector<Vec<2>>> line, const FieldContext& context,
+    std::string_view what, std::string_view unit, const FieldValue& argument)
+{
+  if (!line) return std::nullopt;
+  if (line->front()[0] < line->back()[0])
+    context.needs.reaches.push_back({what, unit, line->front()[0], line->back()[0], argument});
+  return by_line(std::move(*line), argument);
+}
+
 std::optional<FieldValue> read_depth(const Node& value, const FieldContext& context)
 {
   context.needs.outlines = true;
-  auto line = read_line(value, context, key_like(context.entry.key, "m", not_negative));
-  return line ? std::optional(by_depth(std::move(*line))) : std::nullopt;
+  return value_of_line(read_line(value, context, key_like(context.entry.key, "m", not_negative)), context, "depth", "m",
+      depth_below_ground());
 }
 
 std::optional<FieldValue> read_elevation(const Node& value, const FieldContext& context)
 {
-  auto line = read_line(value, context, key_like(context.entry.key, "m", any_number), true);
-  return line ? std::optional(by_elevation(std::move(*line))) : std::nullopt;
+  return value_of_line(read_line(value, context, key_like(context.entry.key, "m", any_number), true), context,
+      "elevation", "m", elevation_in_soil());
 }
 
 std::optional<FieldValue> read_csv(const Node& value, const FieldContext& context)
@@ -83,6 +93,13 @@ std::optional<FieldValue> read_csv(const Node& value, const FieldContext& contex
   try {
     ValueMap map = read_values_csv(file);
     context.needs.covers.push_back({value.text, map.low(), map.high()});
+    if (constexpr Real most_of_it = 0.75; !map.is_grid() && map.share_of_grid() >= most_of_it)
+      context.findings.warnings.push_back({path, "places are missing from the grid of this table",
+          fmt::format("`{}` has {} places, {} of a grid. Without the others each value is a mean of the eight nearest "
+                      "places, and not bilinear.\nLook for lines that are missing, and for coordinates that differ in "
+                      "their last digits.",
+              value.text, map.n_places(), std::lround(static_cast<Real>(map.n_places()) / map.share_of_grid())),
+          "field"});
     return by_map(std::move(map));
   } catch (const FileError& error) {
     return refuse_field(context, path, "the table cannot be used", error.what());
@@ -125,7 +142,8 @@ std::optional<FieldValue> read_table(const Node& value, const FieldContext& cont
     context.needs.stress_water = name_of_water(*water);
     note(context, fmt::format("sigma'_v in {}", water_text(*water)));
   }
-  return line && water ? std::optional(by_stress(std::move(*line), *water)) : std::nullopt;
+  if (!water) return std::nullopt;
+  return value_of_line(std::move(line), context, "sigma'_v", "Pa", vertical_stress(*water));
 }
 
 struct ShansepKey {

@@ -303,6 +303,18 @@ std::optional<Problem> apply_override(Node& root, const std::string& change)
   return std::nullopt;
 }
 
+void doubt_replaced(const Node& root, const std::vector<std::string>& changes, std::vector<Problem>& warnings)
+{
+  const auto holds = [](const auto& self, const Node& node, const std::string& text) -> bool {
+    return node.override_text == text ||
+           std::ranges::any_of(node.items, [&](const Node& item) { return self(self, item, text); });
+  };
+  for (const std::string& change : changes)
+    if (const std::string where = "--set " + change; !holds(holds, root, where))
+      warnings.push_back({where, "it has no effect: a later --set gives the same key another value",
+          "The last one counts. Leave one of the two out.", ""});
+}
+
 std::optional<Problem> set_in_tree(Node& root, const std::string& key, const Node& value, const std::string& where,
     const std::function<std::optional<Problem>(const std::vector<std::string>&)>& refuse)
 {

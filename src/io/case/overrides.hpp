@@ -18,6 +18,9 @@ namespace terp {
 /// itself, then the tree is as before or holds empty tables.
 std::optional<Problem> apply_override(Node& root, const std::string& change);
 
+/// Warns of changes of which nothing is left in the tree, as later ones took their places.
+void doubt_replaced(const Node& root, const std::vector<std::string>& changes, std::vector<Problem>& warnings);
+
 /// Sets the value of a key in the tree in the same way, of [[stage]] set; the nodes of the value keep their places.
 /// where: key that a problem is about; refuse: says of each key that is meant, in its parts, why it must not be set.
 std::optional<Problem> set_in_tree(Node& root, const std::string& key, const Node& value, const std::string& where,

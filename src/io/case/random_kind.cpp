@@ -37,7 +37,7 @@ constexpr Range whole{0.0, most_seed};
 
 // Usual values: docs/probability.md.
 const RandomKey random_keys[] = {
-    {"cov", "-", {0.0, 3.0, true, false}, between(0.02, 0.8), true, [](RandomText& t) -> Field { return &t.cov; },
+    {"cov", "-", {0.0, 3.0, true, false}, between(0.02, 1.0), true, [](RandomText& t) -> Field { return &t.cov; },
         "coefficient of variation"},
     {"theta", "m", positive, between(0.05, 200.0), true, [](RandomText& t) -> Field { return &t.field.scale; },
         "scales of fluctuation along x and y"},
@@ -135,6 +135,13 @@ constexpr Real widest_normal = 0.25;  // Phi(-1/0.25) = 3e-5
 
 bool check_text(const FieldContext& context, const RandomText& text)
 {
+  if (const Vec<2>& theta = text.field.scale; theta[1] > theta[0])
+    context.findings.warnings.push_back({join_path(context.entry.path, "theta"),
+        "the soil varies more along x than along y",
+        fmt::format("Got scales of {:g} m along x and {:g} m along y. Layers that were laid down vary over 0.5 to 2 m "
+                    "along y, and\nover tens of metres along x. Swap the two.",
+            theta[0], theta[1]),
+        "field"});
   if (text.distribution == "normal" && text.cov > widest_normal)
     return fail(context, join_path(context.entry.path, "cov"), "a normal field so wide has negative values",
         fmt::format("Got a coefficient of variation of {}; allowed for a normal field: at most {}, where 3 of "
@@ -228,6 +235,7 @@ std::optional<RandomField> read_random_field(const Node& table, const FieldConte
   text.field.realisation = static_cast<std::uint32_t>(text.realisation);
   const Node* known = find_item(table, "known");
   if (known != nullptr && !read_known(*known, context, *trend, text)) return std::nullopt;
+  context.needs.scales.push_back({text.field.scale, text.field.correlation});
   const FieldMarginal marginal = text.distribution == "normal" ? FieldMarginal::normal : FieldMarginal::lognormal;
   return RandomField{std::move(text.field), marginal, text.cov, *trend};
 }

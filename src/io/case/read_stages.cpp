@@ -4,6 +4,7 @@
 #include "io/case/reader.hpp"
 
 #include "io/case/case_file.hpp"
+#include "io/case/case_record.hpp"
 #include "io/case/check_case.hpp"
 #include "io/case/key_text.hpp"
 #include "io/case/library_keys.hpp"
@@ -153,6 +154,7 @@ void enter_bodies(const std::vector<StageCase>& stages, StageNumber now, std::ve
 void read_stages(const Document& document, Case& values, std::vector<Problem>& warnings)
 {
   Document changed = document;
+  std::string keys_before = text_of_keys(document.root, values);
   const auto known = [&](const Problem& problem) {
     return std::ranges::any_of(
         warnings, [&](const Problem& w) { return w.what == problem.what && w.key == problem.key; });
@@ -176,6 +178,12 @@ void read_stages(const Document& document, Case& values, std::vector<Problem>& w
       if (stage.until == Until::at_rest) check_what_goes_on(now, findings.warnings);
     }
     if (!findings.problems.empty()) throw CaseError(render_errors(findings.problems, changed));
+    const bool sets = !stage.changes.empty();
+    std::string keys_now = sets ? text_of_keys(changed.root, now) : keys_before;
+    if (sets && keys_now == keys_before)
+      findings.warnings.push_back({path + ".set", "`set` of this stage changes nothing",
+          "All its keys have these values already. Leave it out, or give the values of this stage.", "stage.set"});
+    keys_before = std::move(keys_now);
     for (const Problem& w : findings.warnings)
       if (!known(w) && !is_of_use(w) && !(stage.until == Until::at_rest && w.key.starts_with("forces.damping")))
         warnings.push_back(w);

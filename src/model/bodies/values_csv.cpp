@@ -47,7 +47,9 @@ ValueMap::ValueMap(std::vector<PlacedValue> values) : values_(std::move(values))
   std::vector<Real> x = distinct(values_, 0), y = distinct(values_, 1);
   low_ = {x.front(), y.front()};
   high_ = {x.back(), y.back()};
-  if (x.size() < 2 || y.size() < 2 || x.size() * y.size() != values_.size()) return;
+  const bool has_lines = x.size() >= 2 && y.size() >= 2;
+  if (has_lines) share_of_grid_ = static_cast<Real>(values_.size()) / static_cast<Real>(x.size() * y.size());
+  if (!has_lines || x.size() * y.size() != values_.size()) return;
   x_ = std::move(x);
   y_ = std::move(y);
   at_grid_.resize(values_.size());

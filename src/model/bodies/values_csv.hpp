@@ -24,8 +24,10 @@ class ValueMap {
   explicit ValueMap(std::vector<PlacedValue> values);
 
   bool is_grid() const { return !at_grid_.empty(); }
-  Vec<2> low() const { return low_; }    ///< of the box about the places [m]
-  Vec<2> high() const { return high_; }  ///< [m]
+  std::size_t n_places() const { return values_.size(); }
+  Real share_of_grid() const { return share_of_grid_; }  ///< of all places with an x and a y that occur
+  Vec<2> low() const { return low_; }                    ///< of the box about the places [m]
+  Vec<2> high() const { return high_; }                  ///< [m]
 
   /// Beyond a grid: the value at the nearest place of its edge.
   Real at(Vec<2> x) const;
@@ -37,6 +39,7 @@ class ValueMap {
   std::vector<PlacedValue> values_;
   std::vector<Real> x_, y_, at_grid_;  // lines of the grid [m]; values, shape [n_y, n_x]
   Vec<2> low_{}, high_{};
+  Real share_of_grid_ = 0.0;
 };
 
 /// Throws CsvError: faults of the file, two lines of one place, more than most_scattered of them; FileError if it

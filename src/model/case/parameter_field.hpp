@@ -9,12 +9,14 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace terp {
 
 class Overburden;
+struct CorrelationKind;
 
 /// A place in the soil at t = 0, with what lies above it. It serves where a plain place is asked for.
 struct PlaceInSoil {
@@ -33,11 +35,26 @@ struct FieldCover {
   Vec<2> low{0.0, 0.0}, high;  ///< corners of the box about its places [m]
 };
 
+/// What the pairs of a field are given for: from where to where, and what each place has of it.
+struct FieldReach {
+  std::string_view what, unit;  ///< "depth", "m"
+  Real low, high;
+  FieldValue argument;
+};
+
+/// Of a random field.
+struct FieldScale {
+  Vec<2> theta;                        ///< [m]
+  const CorrelationKind* correlation;  ///< never null
+};
+
 /// What a field asks of the case beside the place.
 struct FieldNeeds {
   bool outlines = false;                ///< the ground above a place: bodies that are drawn
   bool stress = false;                  ///< effective vertical stress: water, gravity, and bodies that are drawn
   std::vector<FieldCover> covers;       ///< of the files that it comes from
+  std::vector<FieldReach> reaches;      ///< of the pairs that it is made of
+  std::vector<FieldScale> scales;       ///< of the random fields that it is made of
   std::vector<std::string> situations;  ///< names of water that it asks for
   std::string stress_water = {};        ///< the water of sigma'_v, "start" that of t = 0; empty: it does not ask
   std::string daily_water = {};         ///< the same of sigma'_v,daily, from which sigma'_p follows

@@ -27,24 +27,31 @@ Real effective_stress(const PlaceInSoil& at, const std::string& water)
 
 }  // namespace
 
-FieldValue by_depth(std::vector<Vec<2>> line)
+FieldValue depth_below_ground()
 {
-  return [line = std::move(line)](const PlaceInSoil& at) {
+  return [](const PlaceInSoil& at) {
     TERP_ASSERT(at.ground != nullptr);
     const std::optional<Real> ground = at.ground->ground(at.x[0]);
-    return ground ? interpolate(line, *ground - at.x[1]) : nan;
+    return ground ? *ground - at.x[1] : nan;
   };
 }
 
-FieldValue by_elevation(std::vector<Vec<2>> line)
+FieldValue elevation_in_soil()
 {
-  return [line = std::move(line)](const PlaceInSoil& at) { return interpolate(line, at.x[1]); };
+  return [](const PlaceInSoil& at) { return at.x[1]; };
 }
 
-FieldValue by_stress(std::vector<Vec<2>> line, std::string water)
+FieldValue vertical_stress(std::string water)
 {
-  return [line = std::move(line), water = std::move(water)](
-             const PlaceInSoil& at) { return interpolate(line, effective_stress(at, water)); };
+  return [water = std::move(water)](const PlaceInSoil& at) { return effective_stress(at, water); };
+}
+
+FieldValue by_line(std::vector<Vec<2>> line, FieldValue argument)
+{
+  return [line = std::move(line), argument = std::move(argument)](const PlaceInSoil& at) {
+    const Real here = argument(at);
+    return std::isnan(here) ? nan : interpolate(line, here);
+  };
 }
 
 FieldValue by_map(ValueMap map)

@@ -11,15 +11,20 @@
 
 namespace terp {
 
-/// Linear in the depth below the highest soil at that x, in m downwards; constant beyond both ends. line: (depth,
-/// value), depth ascending. Not a number where there is no soil.
-FieldValue by_depth(std::vector<Vec<2>> line);
+/// Of the highest soil at that x, downwards [m]. Not a number where there is no soil.
+FieldValue depth_below_ground();
+FieldValue elevation_in_soil();  ///< y [m]
+/// Effective, in a water situation; its name, empty: that of the start [Pa].
+FieldValue vertical_stress(std::string water);
 
-/// The same in the elevation y [m].
-FieldValue by_elevation(std::vector<Vec<2>> line);
-
-/// The same in the effective vertical stress [Pa] that a water situation gives; its name, empty: that of the start.
-FieldValue by_stress(std::vector<Vec<2>> line, std::string water);
+/// Linear in what a place is asked for; constant beyond both ends. line: (argument, value), arguments ascending.
+FieldValue by_line(std::vector<Vec<2>> line, FieldValue argument);
+inline FieldValue by_depth(std::vector<Vec<2>> line) { return by_line(std::move(line), depth_below_ground()); }
+inline FieldValue by_elevation(std::vector<Vec<2>> line) { return by_line(std::move(line), elevation_in_soil()); }
+inline FieldValue by_stress(std::vector<Vec<2>> line, std::string water)
+{
+  return by_line(std::move(line), vertical_stress(std::move(water)));
+}
 
 FieldValue by_map(ValueMap map);
 

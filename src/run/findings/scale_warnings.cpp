@@ -4,8 +4,11 @@
 
 #include "model/soils/overburden.hpp"
 #include "model/bodies/setup_points.hpp"
+#include "model/meshes/mesh_error.hpp"
+#include "model/soils/point_parameters.hpp"
 #include "mpm/features/conditions.hpp"
 #include "run/findings/setup_warnings.hpp"
+#include "run/findings/soil_size.hpp"
 #include "model/water/water_pressure.hpp"
 
 #include <algorithm>
@@ -24,34 +27,12 @@ constexpr Real greatest_without_strength = 4e4;               // of G / (rho g H
 constexpr Real greatest_over_friction = 1e5;                  // G over rho g H/2 tan(phi); soil: 50 to 2000
 constexpr Real greatest_strength_over_weight = 50.0;          // soil: 0.02 to 5
 constexpr Real least_strength_over_weight = 1.0 / 300.0;      // a heap of slurry flows at 0.05
+constexpr Real band_over_length = 3.07;                       // width of a band (docs/softening_length.md)
+constexpr Real little_soil = 1.2;                             // density over that of water: pores of 88 % and more
+constexpr Real stiff = 3e6;                                   // [Pa]; peat, which is as light, has less
 constexpr Real greatest_speed = 3.0;                          // of a body over sqrt(g H); a fall from H ends at 1.4
 constexpr Real greatest_push = 0.1;                           // of a side or footing over sqrt(g H); pushes are slow
 constexpr Real least_motion = 1e-5;                           // of a footing in the whole run, over H
-
-struct Soil {
-  Real g = 0.0;       ///< [m/s^2]
-  Real height = 0.0;  ///< between its lowest and its highest point along gravity [m]
-};
-
-Soil measure_soil(const Model& model, const State& state)
-{
-  const Real g = std::hypot(model.gravity[0], model.gravity[1]);
-  const Vec<2> down = g > 0.0 ? Vec<2>{model.gravity[0] / g, model.gravity[1] / g} : Vec<2>{0.0, -1.0};
-  Real low = INFINITY, high = -INFINITY;
-  for (std::size_t k = 0; k + 1 < state.x_initial.size(); k += 2) {
-    const Real depth = state.x_initial[k] * down[0] + state.x_initial[k + 1] * down[1];
-    low = std::min(low, depth);
-    high = std::max(high, depth);
-  }
-  return {g, std::max(high - low, 0.0)};
-}
-
-bool is_used(const Model& model, const std::string& material)
-{
-  return std::ranges::any_of(model.bodies, [&](const BodyShare& body) {
-    return body.n_points > 0 && (" + " + body.material + " + ").find(" + " + material + " + ") != std::string::npos;
-  });
-}
 
 /// What `terp stability` divides, which has no default.
 bool is_strength(const ParameterInfo& info)
@@ -65,7 +46,7 @@ std::string number(Real value) { return fmt::format("{:.3g}", value); }
 
 class MaterialScales {
  public:
-  MaterialScales(const SoilMaterial& material, const MaterialCase& values, const Soil& soil, Problems& warnings)
+  MaterialScales(const SoilMaterial& material, const MaterialCase& values, const SoilSize& soil, Problems& warnings)
       : material_(material), values_(values), soil_(soil), warnings_(warnings)
   {
   }
@@ -74,6 +55,7 @@ class MaterialScales {
   {
     check_stiffness();
     check_friction();
+    check_softening();
     for (const ParameterField& field : values_.fields) check_angle(field);
     for (std::size_t k = 0; k < material_.type->parameters.size(); ++k)
       if (is_strength(material_.type->parameters[k]) && values_.parameters[k] > 0.0) {
@@ -150,6 +132,31 @@ class MaterialScales {
             std::string(values_.model), false, {fmt::format("material.\"{}\"", values_.name)}});
   }
 
+  /// Softening that takes a slip larger than the section: a shape factor in per cent, or of another strain.
+  void check_softening()
+  {
+    const auto factor = std::ranges::find_if(material_.type->parameters, is_shape_factor);
+    const Real slowest = material_.law->softened_strain();
+    if (!std::isfinite(slowest) || factor == material_.type->parameters.end()) return;
+    const Real eta = values_.parameters[static_cast<std::size_t>(factor - material_.type->parameters.begin())];
+    const SofteningOptions& options = values_.softening;
+    const Real width = options.is_scaled()     ? options.reference_width
+                       : options.is_nonlocal() ? band_over_length * options.length
+                                               : soil_.cell,
+               band = std::min(width, soil_.height);  // of a length that is too long another warning speaks
+    const auto slip_of = [&](Real strain) { return 2.0 * strain * band; };  // half the engineering shear strain
+    const Real strain = eta > 0.0 && slip_of(slowest) < 10.0 * soil_.height ? std::min(slowest, 3.0 / eta) : slowest;
+    const Real slip = slip_of(strain);
+    if (!(slip > soil_.height)) return;
+    const std::string name(factor->name);
+    warnings_.push_back({fmt::format("material.\"{}\".{}", values_.name, name),
+        fmt::format("`{}` softens too slowly to lose any strength", values_.name),
+        fmt::format("95 % of its softening takes a strain of {}, which is a slip of {} m; H = {} m of soil. Usual: a "
+                    "strain of\n0.03 to 0.6, which is {} = 5 to 100.",
+            number(strain), number(slip), number(soil_.height), name),
+        std::string(values_.model), false, {fmt::format("material.\"{}\"", values_.name), "body"}});
+  }
+
   std::string stiffness_name() const
   {
     for (const ParameterInfo& info : material_.type->parameters)
@@ -196,7 +203,7 @@ class MaterialScales {
 
   const SoilMaterial& material_;
   const MaterialCase& values_;
-  const Soil& soil_;
+  const SoilSize& soil_;
   Problems& warnings_;
 };
 
@@ -209,7 +216,7 @@ struct Mover {
 };
 
 /// True if it is very fast.
-bool warn_of_speed(const Mover& mover, const Soil& soil, Problems& warnings)
+bool warn_of_speed(const Mover& mover, const SoilSize& soil, Problems& warnings)
 {
   const bool is_body = mover.key.starts_with("body");
   const Real scale = std::sqrt(soil.g * soil.height);
@@ -253,7 +260,7 @@ std::vector<Real> speeds_of_bodies(const Model& model)
 }
 
 void warn_of_no_motion(
-    const std::string& key, const FootingCase& footing, const Model& model, const Soil& soil, Problems& warnings)
+    const std::string& key, const FootingCase& footing, const Model& model, const SoilSize& soil, Problems& warnings)
 {
   const Real speed = size(footing.velocity), distance = speed * model.description.time.end;
   if (speed == 0.0 || !(distance < least_motion * soil.height)) return;
@@ -280,7 +287,7 @@ void warn_of_inertia(const std::string& key, const FootingCase& footing, const M
   }
 }
 
-void check_speeds(const Model& model, const Soil& soil, Problems& warnings)
+void check_speeds(const Model& model, const SoilSize& soil, Problems& warnings)
 {
   const Case& c = model.description;
   const std::vector<Real> speeds = speeds_of_bodies(model);
@@ -317,6 +324,37 @@ struct PastLoad {
   Index n = 0;
   Real daily = 0.0, beyond = 0.0;  ///< sums of sigma'_v,daily, and of sigma'_p above it [Pa]
 };
+
+/// Soil under water that is as light as water, though it is no peat: its weight is given less that of the water.
+void find_submerged_weights(const Model& model, const State& state, Problems& warnings)
+{
+  const WaterCase& water = model.description.water;
+  const Real g = std::hypot(model.gravity[0], model.gravity[1]);
+  if (!model.with.water || g == 0.0) return;
+  const Real of_water = water.unit_weight / g;
+  const auto is_wet = [&](Vec<2> x) {
+    for (std::size_t k = 0; k <= water.situations.size(); ++k)
+      if (unlimited_pressure(water, situation_of(water, k), x, 0.0) > 0.0) return true;
+    return false;
+  };
+  std::vector<bool> wet(model.materials.size(), false);
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto m = static_cast<std::size_t>(block.material);
+    if (!wet[m]) wet[m] = is_wet({block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]});
+  });
+  for (std::size_t m = 0; m < wet.size(); ++m) {
+    const SoilMaterial& soil = model.materials[m];
+    const Real shear = soil.law->shear_modulus();
+    const bool floats = soil.density < of_water * (1.0 - 1e-3);
+    if (!wet[m] || shear == 0.0 || !(floats || (soil.density < little_soil * of_water && shear > stiff))) continue;
+    warnings.push_back({parameter_key(model.description.materials[m], "density"),
+        fmt::format("`{}` lies under water and is {}", soil.name, floats ? "lighter than water" : "hardly heavier"),
+        fmt::format("Got {:.4g} kg/m^3, {:.4g} kN/m^3; water has {:.4g} kg/m^3. Is this a submerged weight? Terp takes "
+                    "that of soil with\nthe water in its pores, and lifts it by the water: here {:.4g} kN/m^3?",
+            soil.density, 1e-3 * soil.density * g, of_water, 1e-3 * (soil.density * g + water.unit_weight)),
+        "material.density", false, {"water"}});
+  }
+}
 
 /// Soil whose yield stress would need a former load, on top of today's, larger than the largest that any soil with such
 /// a strength bears in this section. Yield stress and today's stress, point by point, would doubt the shallow peat of a
@@ -360,7 +398,8 @@ void find_large_yield_stress(const Model& model, const State& state, Problems& w
 
 void find_odd_scales(const Model& model, const State& state, Problems& warnings)
 {
-  const Soil soil = measure_soil(model, state);
+  const SoilSize soil = measure_soil(model, state);
+  find_submerged_weights(model, state, warnings);
   for (std::size_t k = 0; k < model.materials.size(); ++k)
     if (is_used(model, model.materials[k].name))
       MaterialScales(model.materials[k], model.description.materials[k], soil, warnings).check();

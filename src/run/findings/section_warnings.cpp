@@ -10,7 +10,6 @@
 #include "mpm/features/conditions.hpp"
 #include "mpm/mesh/locate.hpp"
 #include "model/meshes/mesh_error.hpp"
-#include "model/bodies/overlay.hpp"
 #include "model/meshes/setup_mesh.hpp"
 #include "model/bodies/setup_points.hpp"
 #include "model/loads/side_shape.hpp"
@@ -31,8 +30,6 @@ constexpr Real gap_in_cells = 0.5;  // less is no room that was left on purpose
 constexpr int most_samples = 2000;  // of the outline of one body
 constexpr Real least_rise = 0.05;   // of a wedge, in cells: chords of one curve differ by less
 constexpr Real some_share = 0.1;    // of gravity across a side: steeper sides carry nothing
-constexpr Real lost_share = 2e-3;   // of the drawn area; curved outlines on straight cells lose less
-constexpr std::size_t most_corners = 2000;
 
 Vec<2> plus(Vec<2> a, Real t, Vec<2> d) { return {a[0] + t * d[0], a[1] + t * d[1]}; }
 
@@ -75,12 +72,15 @@ std::string name_of(const BodyCase& body, std::size_t number)
 
 class SectionCheck {
  public:
-  explicit SectionCheck(const Model& model) : model_(model), cell_(typical_cell_size(*model.mesh))
+  /// absent: bodies that are left out, by their numbers.
+  explicit SectionCheck(const Model& model, const std::set<std::size_t>& absent = {})
+      : model_(model), cell_(typical_cell_size(*model.mesh))
   {
     const auto outlines = outlines_of(model);
     n_bodies_ = outlines.size();
     for (std::size_t b = 0; b < n_bodies_; ++b)
-      obstacles_.push_back({name_of(model.description.bodies[b], b), outline_sides(*model.mesh, outlines[b])});
+      obstacles_.push_back({name_of(model.description.bodies[b], b),
+          absent.contains(b) ? std::vector<Side>{} : outline_sides(*model.mesh, outlines[b])});
     for (const SideCondition& side : model.description.sides) {
       if (info_of(side.kind).action == SideAction{}) continue;
       Obstacle held{fmt::format("the side `{}`", side.side), {}, is_driven(side), resists_along(side),
@@ -104,7 +104,28 @@ class SectionCheck {
         down_ == Vec<2>{})
       return;
     find_wedges(warnings);
-    find_hanging(warnings);
+    for (const Hanging& chain : find_hanging()) report_hanging(chain, warnings);
+  }
+
+  struct Hanging {
+    std::vector<bool> bodies;
+    std::string names;
+
+    bool is_alone() const { return std::ranges::count(bodies, true) == 1; }
+  };
+
+  /// The bodies that hang in the air, by their numbers; their names go to `names`.
+  std::set<std::size_t> hanging(std::string& names)
+  {
+    Problems ignored;
+    for (std::size_t b = 0; b < n_bodies_; ++b) look_around(b, ignored);
+    std::set<std::size_t> found;
+    for (const Hanging& chain : find_hanging()) {
+      for (std::size_t b = 0; b < n_bodies_; ++b)
+        if (chain.bodies[b]) found.insert(b);
+      names += (names.empty() ? "" : " and ") + chain.names;
+    }
+    return found;
   }
 
  private:
@@ -257,31 +278,38 @@ class SectionCheck {
     }
   }
 
-  /// Bodies that no chain of bodies joins to a side that holds them: each chain is reported once.
-  void find_hanging(Problems& warnings) const
+  /// Bodies that no chain of bodies joins to a side that holds them, each chain once.
+  std::vector<Hanging> find_hanging() const
   {
+    std::vector<Hanging> chains;
     const std::vector<bool> held = held_by(near_, near_side_);
     std::vector<bool> reported(n_bodies_, false);
     for (std::size_t b = 0; b < n_bodies_; ++b) {
-      if (held[b] || reported[b] || is_thrown(b) || model_.bodies[b].n_points == 0) continue;
+      if (held[b] || reported[b] || is_thrown(b) || obstacles_[b].sides.empty() || model_.bodies[b].n_points == 0)
+        continue;
       std::vector<bool> first(n_bodies_, false);
       first[b] = true;
-      const std::vector<bool> chain = held_by(near_, first);
-      std::string names = obstacles_[b].name;
+      Hanging chain{held_by(near_, first), obstacles_[b].name};
       bool thrown = false;
       for (std::size_t k = 0; k < n_bodies_; ++k) {
-        if (!chain[k]) continue;
+        if (!chain.bodies[k]) continue;
         reported[k] = true;
         thrown = thrown || is_thrown(k);
-        if (k != b) names += " and " + obstacles_[k].name;
+        if (k != b) chain.names += " and " + obstacles_[k].name;
       }
-      if (thrown) continue;
-      const bool alone = std::ranges::count(chain, true) == 1;
-      warnings.push_back({fmt::format("body[{}]", b), fmt::format("{} hang{} in the air", names, alone ? "s" : ""),
-          fmt::format("{} no {}side that holds against gravity{}. {}", alone ? "It touches" : "They touch",
-              alone ? "other body and no " : "", beside_text(chain), fall_of(chain)),
-          "body", false, keys_of_outline(b)});
+      if (!thrown) chains.push_back(std::move(chain));
     }
+    return chains;
+  }
+
+  void report_hanging(const Hanging& chain, Problems& warnings) const
+  {
+    const auto b = static_cast<std::size_t>(std::ranges::find(chain.bodies, true) - chain.bodies.begin());
+    warnings.push_back(
+        {fmt::format("body[{}]", b), fmt::format("{} hang{} in the air", chain.names, chain.is_alone() ? "s" : ""),
+            fmt::format("{} no {}side that holds against gravity{}. {}", chain.is_alone() ? "It touches" : "They touch",
+                chain.is_alone() ? "other body and no " : "", beside_text(chain.bodies), fall_of(chain.bodies)),
+            "body", false, keys_of_outline(b)});
   }
 
   /// Sides that a chain of bodies touches without being held by them.
@@ -327,148 +355,38 @@ class SectionCheck {
   std::set<std::pair<std::size_t, std::size_t>> reported_;
 };
 
-/// The built-in names say where a side lies; edges of a polygon may be counted from 1 or run clockwise.
-void find_misplaced_sides(const Model& model, Problems& warnings)
+/// A stage digs away what other bodies stand on.
+void find_undermined_soil(const Model& model, Problems& warnings)
 {
-  struct Named {
-    const char* name;
-    Vec<2> normal;
-    const char* place;
-  };
-  constexpr Named known[] = {{"left", {-1.0, 0.0}, "to the left"}, {"right", {1.0, 0.0}, "to the right"},
-      {"bottom", {0.0, -1.0}, "downward"}, {"top", {0.0, 1.0}, "upward"}};
-  const auto facing = [](Vec<2> n, const Named& side) { return n[0] * side.normal[0] + n[1] * side.normal[1]; };
-  constexpr Real faces = 0.25;  // cosine: a slope of 1:4 may be the left side
-  for (const NamedSide& side : model.mesh->sides)
-    for (const Named& named : known) {
-      const SideShape shape = shape_of_side(*model.mesh, side);
-      if (side.name != named.name || shape.length == 0.0 || facing(shape.normal, named) >= faces) continue;
-      const Named* looks = std::ranges::max_element(
-          known, [&](const Named& a, const Named& b) { return facing(shape.normal, a) < facing(shape.normal, b); });
-      const MeshKind kind = model.description.mesh.kind;
-      const bool polygon = kind == MeshKind::polygon, file = kind == MeshKind::file;
-      const std::string key = polygon ? fmt::format("mesh.edges.\"{}\"", side.name) : file ? "mesh.file" : "mesh.sides";
-      warnings.push_back({key, fmt::format("the side `{}` does not face {}", side.name, named.place),
-          fmt::format("It faces {}, {:.4g} m long. {}", looks->place, shape.length,
-              polygon ? "Edge k runs from corner k of the polygon to corner k + 1, counted from 0.\n"
-                        "`terp check CASE --picture section.svg` draws it."
-              : file  ? "Look at the physical group of that name in the mesh file, or give the side another name."
-                      : "Look at the order of the four lines of the grid."),
-          polygon ? "mesh.edges" : "mesh", false, {"mesh.polygon", "mesh"}});
-    }
-}
-
-/// Area of all drawn polygons together, where they overlap once [m^2]; none if that is not so easily said.
-std::optional<Real> drawn_area(const Model& model)
-{
-  Overlay overlay;
-  Vec<2> low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-  std::size_t n_corners = 0;
-  const auto outlines = outlines_of(model);
-  for (std::size_t b = 0; b < outlines.size(); ++b) {
-    if (outlines[b].polygon.empty()) return std::nullopt;
-    overlay.rings.push_back({outlines[b].polygon, static_cast<Index>(b), false});
-    for (const Polygon& hole : outlines[b].holes) overlay.rings.push_back({hole, static_cast<Index>(b), true});
-    for (const Vec<2>& x : outlines[b].polygon)
-      for (int d = 0; d < 2; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
+  const Case& whole = model.whole ? *model.whole : model.description;
+  if (model.gravity == Vec<2>{} || whole.sides.empty()) return;
+  std::string ignored;
+  std::optional<std::set<std::size_t>> before;
+  for (std::size_t k = 0; k < whole.stages.size(); ++k) {
+    if (whole.stages[k].remove.empty()) continue;
+    if (!before) before = SectionCheck(model).hanging(ignored);
+    std::set<std::size_t> absent;
+    for (std::size_t b = 0; b < whole.bodies.size(); ++b)
+      if (whole.bodies[b].placed > k + 1 || whole.bodies[b].removed <= k + 1) absent.insert(b);
+    std::string names;
+    const std::set<std::size_t> now = SectionCheck(model, absent).hanging(names);
+    if (std::ranges::includes(*before, now)) continue;
+    warnings.push_back({fmt::format("stage[{}].remove", k),
+        fmt::format("{} then hang{} in the air", names, now.size() == 1 ? "s" : ""),
+        fmt::format(
+            "The stage `{}` removes what carries {}. Remove that soil first, or the parts of it that stand free.",
+            whole.stages[k].name, now.size() == 1 ? "it" : "them"),
+        "stage.remove", false, {"stage", "body"}});
+    before->insert(now.begin(), now.end());
   }
-  const Vec<2> middle{0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])};
-  const Vec<2> half{0.51 * (high[0] - low[0]), 0.51 * (high[1] - low[1])};
-  for (Ring& ring : overlay.rings) {
-    n_corners += ring.corners.size();
-    for (Vec<2>& x : ring.corners) x = between(middle, x);
-  }
-  if (n_corners > most_corners) return std::nullopt;
-  Real area = 0.0;
-  for (const Part& part :
-      share_out(overlay, {Vec<2>{-half[0], -half[1]}, {half[0], -half[1]}, {half[0], half[1]}, {-half[0], half[1]}}))
-    area += part.area;
-  return area;
-}
-
-/// A place where a body reaches over the boundary of the mesh.
-std::string place_of_loss(const Model& model)
-{
-  const auto outlines = outlines_of(model);
-  for (Index e = 0; e < model.mesh->n_cells(); ++e)
-    for (int s = 0; s < 4; ++s) {
-      if (model.mesh->neighbours[e][s] != outside) continue;
-      const Side edge = edge_of(*model.mesh, {e, s});
-      const Vec<2> along = between(edge.a, edge.b), middle = plus(edge.a, 0.5, along);
-      const Vec<2> beyond = plus(middle, 0.05, Vec<2>{along[1], -along[0]});
-      if (std::ranges::any_of(outlines, [&](const BodyOutline& body) { return covers(body, beyond); }))
-        return fmt::format(" It reaches over the boundary of the mesh at {} m.", place_text(middle));
-    }
-  return "";
-}
-
-void find_lost_soil(const Model& model, Problems& warnings)
-{
-  const auto drawn = drawn_area(model);
-  Real seeded = 0.0;
-  for (const BodyShare& body : model.bodies) seeded += body.area;
-  if (!drawn || !(*drawn - seeded > lost_share * *drawn)) return;
-  warnings.push_back({"body", "a part of the soil lies outside of the mesh",
-      fmt::format("The bodies are drawn with {:.6g} m^2, their points stand for {:.6g} m^2: {:.2g} % is missing.{}\n"
-                  "Look for a cell that is missing from the mesh, or make the outline of body and mesh the same.",
-          *drawn, seeded, 100.0 * (*drawn - seeded) / *drawn, place_of_loss(model)),
-      "mesh", false, {"mesh"}});
-}
-
-/// A hole in the mesh that no side names, no larger than a few cells: cells that were forgotten.
-void find_holes(const Model& model, Problems& warnings)
-{
-  constexpr Real few_cells = 4.5;
-  const Mesh<2>& mesh = *model.mesh;
-  std::vector<Index> next(mesh.nodes.size(), -1);
-  for (Index e = 0; e < mesh.n_cells(); ++e)
-    for (int s = 0; s < 4; ++s)
-      if (mesh.neighbours[e][s] == outside) next[mesh.cells[e][s]] = mesh.cells[e][(s + 1) % 4];
-  for (const NamedSide& side : mesh.sides)
-    for (const CellSide& edge : side.edges) next[mesh.cells[edge.cell][edge.side]] = -1;
-  const Real cell = typical_cell_size(mesh);
-  for (Index start = 0; start < mesh.n_nodes(); ++start) {
-    Polygon hole;
-    Index i = start;
-    while (next[i] >= 0) hole.push_back(mesh.nodes[i]), i = std::exchange(next[i], -1);
-    if (hole.empty() || i != start) continue;
-    const Real area = -signed_area(hole);
-    if (!(area > 0.0) || area > few_cells * cell * cell) continue;
-    warnings.push_back({"mesh", "the mesh has a hole",
-        fmt::format("At {} m {:.3g} m^2 are missing, about {:.0f} cell{}. Soil cannot enter it, and no side names it.\n"
-                    "Add the cell, or name the boundary of the hole.",
-            place_text(hole.front()), area, std::max(1.0, area / (cell * cell)), area > 1.5 * cell * cell ? "s" : ""),
-        "mesh", false, {"mesh.file"}});
-  }
-}
-
-void find_tiny_soil(const Model& model, Problems& warnings)
-{
-  Polygon corners;
-  for (const BodyOutline& outline : outlines_of(model))
-    corners.insert(corners.end(), outline.polygon.begin(), outline.polygon.end());
-  if (corners.empty()) return;
-  const BoundingBox box = box_around(corners);
-  const Vec<2> soil = between(box.low, box.high);
-  const Real cell = typical_cell_size(*model.mesh);
-  if (!(std::max(soil[0], soil[1]) < 0.999 * cell) || model.mesh->n_cells() == 1) return;  // one cell: a test of a law
-  warnings.push_back({"body", "all bodies together are smaller than a cell",
-      fmt::format(
-          "They measure {:.3g} m by {:.3g} m, a cell {:.3g} m. Lengths of mesh and bodies are in metres: a mesh in "
-          "mm is 1000 times too large.",
-          soil[0], soil[1], cell),
-      "mesh", false, {"mesh"}});
 }
 
 }  // namespace
 
 void find_odd_places(const Model& model, Problems& warnings)
 {
-  find_misplaced_sides(model, warnings);
-  find_tiny_soil(model, warnings);
-  find_lost_soil(model, warnings);
-  find_holes(model, warnings);
   SectionCheck(model).check(warnings);
+  find_undermined_soil(model, warnings);
 }
 
 }  // namespace terp

@@ -12,10 +12,14 @@
 #include "model/parts/setup_history.hpp"
 #include "model/meshes/setup_mesh.hpp"
 #include "model/soils/softening_scales.hpp"
+#include "run/findings/field_warnings.hpp"
 #include "run/findings/flood_warnings.hpp"
 #include "run/findings/library_warnings.hpp"
 #include "run/findings/limit_warnings.hpp"
+#include "run/findings/missing_soil.hpp"
 #include "run/findings/shared_cells.hpp"
+#include "run/findings/side_warnings.hpp"
+#include "run/findings/time_warnings.hpp"
 #include "run/findings/water_warnings.hpp"
 
 #include <algorithm>
@@ -78,26 +82,6 @@ void find_low_excavations(const Model& model, std::vector<Problem>& warnings)
   }
 }
 
-void find_sides_that_move_far(const Model& model, std::vector<Problem>& warnings)
-{
-  for (const SideCondition& side : model.description.sides) {
-    Real speed = 0.0;
-    for (const CellSide& edge : find_side(*model.mesh, side.side).edges) {
-      const Vec<2> v = velocity_of(side, model.mesh->nodes[model.mesh->cells[edge.cell][edge.side]]);
-      speed = std::max(speed, std::hypot(v[0], v[1]));
-    }
-    const Real distance = speed * model.description.time.end;
-    if (!(distance > model.mesh->smallest_altitude)) continue;
-    warnings.push_back({fmt::format("boundary.\"{}\".velocity", side.side),
-        "the side stays in place: it pushes soil over one cell at most",
-        fmt::format("Its velocity times time.end is {:.4g} m, the smallest cell is {:.4g} m high. The mesh does not "
-                    "move with the side:\n"
-                    "soil that has left the cells next to it is pushed no more.",
-            distance, model.mesh->smallest_altitude),
-        "boundary.SIDE.velocity"});
-  }
-}
-
 /// A mean over less than a step is the force of that step.
 void find_short_averaging(const Model& model, std::vector<Problem>& warnings)
 {
@@ -136,7 +120,8 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_thin_points(model, warnings);
   find_low_excavations(model, warnings);
   find_frames_without_soil(model, warnings);
-  find_sides_that_move_far(model, warnings);
+  find_odd_sides(model, state, warnings);
+  find_missing_soil(model, state, warnings);
   find_odd_places(model, warnings);
   find_odd_water(model, state, warnings);
   find_odd_scales(model, state, warnings);
@@ -146,6 +131,8 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_odd_libraries(model, state, warnings);
   find_wide_cells(model, state, warnings);
   find_short_averaging(model, warnings);
+  find_odd_times(model, state, warnings);
+  find_odd_fields(model, state, warnings);
   find_uncovered_soil(model, state, warnings);
   for (Problem& problem : find_idle_footings(model, state)) warnings.push_back(std::move(problem));
   return warnings;

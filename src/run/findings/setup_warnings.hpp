@@ -15,8 +15,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state);
 
 void find_odd_scales(const Model& model, const State& state, std::vector<Problem>& warnings);
 
-/// Odd places in the section: sides that do not lie where their names say, gaps, bodies in the air, soil beside the
-/// mesh, holes in it.
+/// Odd places in the section: gaps, bodies in the air, now or once a stage has removed what carries them.
 void find_odd_places(const Model& model, std::vector<Problem>& warnings);
 
 }  // namespace terp

@@ -12,4 +12,7 @@ namespace terp {
 /// Water that touches no soil, stands above all of it or lifts it; lines and grids that do not reach over it.
 void find_odd_water(const Model& model, const State& state, std::vector<Problem>& warnings);
 
+/// Free water that slopes, changes its side, stands on the land or on a load.
+void find_odd_free_water(const Model& model, const State& state, std::vector<Problem>& warnings);
+
 }  // namespace terp

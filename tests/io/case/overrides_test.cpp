@@ -11,6 +11,15 @@ Case with(const std::vector<std::string>& overrides)
 
 TEST(Overrides, ChangeAKeyThatIsThere) { EXPECT_EQ(with({"mesh.cell=0.25"}).mesh.cell, (Vec<2>{0.25, 0.25})); }
 
+TEST(Overrides, OfOneKeyTwiceAreDoubtedWhateverItsName)
+{
+  const std::string doubt = "it has no effect: a later --set gives the same key another value";
+  EXPECT_THAT(
+      message_for(small_case, {"mesh.cell=0.25", "mesh.cell=0.5"}), HasSubstr("--set mesh.cell=0.25: " + doubt));
+  EXPECT_THAT(message_for(small_case, {"body[0].points_per_cell=4", "body.*.points_per_cell=3"}), HasSubstr(doubt));
+  EXPECT_EQ(message_for(small_case, {"material.*.density=1800", "mesh.cell=0.5"}), "accepted\n");
+}
+
 TEST(Overrides, RefuseAKeyOfVeryManyParts)
 {
   std::string key = "a";

@@ -42,7 +42,8 @@ TEST(SettleFields, NameThePlaceWhereAValueIsWorst)
 TEST(SettleFields, AFileThatCoversNoSoilIsRefusedAndOneThatCoversAPartIsDoubted)
 {
   const auto covering = [](Vec<2> low, Vec<2> high) {
-    return with_field({eta, [](Vec<2>) { return 40.0; }, "", {.covers = {{"eta.csv", low, high}}, .situations = {}}});
+    return with_field({eta, [](Vec<2>) { return 40.0; }, "",
+        {.covers = {{"eta.csv", low, high}}, .reaches = {}, .scales = {}, .situations = {}}});
   };
   EXPECT_THAT(refusal_of(covering({0.0, -5.0}, {8.0, -1.0})),
       ElementsAre(told("material.clay.eta", "the table `eta.csv` covers none of the soil",

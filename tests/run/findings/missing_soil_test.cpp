@@ -1,21 +1,23 @@
-#include "run/findings/setup_warnings.hpp"
+#include "run/findings/missing_soil.hpp"
+#include "run/findings/side_warnings.hpp"
 #include "model/parts/setup.hpp"
 #include "model/meshes/setup_mesh.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
 
-namespace section_warnings_test {
+namespace missing_soil_test {
 
 std::vector<Problem> warnings_on(const Case& c, Mesh<2> mesh)
 {
   Model model = build_model(c, std::make_shared<const Mesh<2>>(std::move(mesh)), 1);
-  build_state(model);
+  const State state = build_state(model);
   std::vector<Problem> warnings;
-  find_odd_places(model, warnings);
+  find_odd_sides(model, state, warnings);
+  find_missing_soil(model, state, warnings);
   return warnings;
 }
 
-TEST(SectionWarnings, ASideThatDoesNotLieWhereItsNameSaysIsTold)
+TEST(SideWarnings, ASideThatDoesNotLieWhereItsNameSaysIsTold)
 {
   const Case c = column("mpm_gp");
   Mesh<2> mesh = make_rectangle({0.0, 0.0}, {16.0, 3.0}, {32, 6});
@@ -37,7 +39,7 @@ Mesh<2> without_cell(Index cell)
   return mesh;
 }
 
-TEST(SectionWarnings, ACellThatIsMissingInsideABodyIsTold)
+TEST(MissingSoil, ACellThatIsMissingInsideABodyIsTold)
 {
   const auto warnings = warnings_on(column("mpm_gp"), without_cell(32 + 4));  // of 64 under the body
   ASSERT_EQ(warnings.size(), 2u);
@@ -47,4 +49,4 @@ TEST(SectionWarnings, ACellThatIsMissingInsideABodyIsTold)
   EXPECT_THAT(warnings[1], told(_, "the mesh has a hole", HasSubstr("0.25 m^2 are missing, about 1 cell.")));
 }
 
-}  // namespace section_warnings_test
+}  // namespace missing_soil_test
