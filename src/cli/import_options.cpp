@@ -133,7 +133,9 @@ FolderTrigger find_weakness(
 void write_case_folder(const std::string& path, const CaseFolder& folder)
 {
   make_folder(path);
-  for (const auto& [name, contents] : folder.files) write_file_atomically(path + "/" + name, contents);
+  for (const bool is_case : {false, true})  // the case last: where it is, all that it names is
+    for (const auto& [name, contents] : folder.files)
+      if ((name == "case.toml") == is_case) write_file_atomically(path + "/" + name, contents);
 }
 
 }  // namespace terp

@@ -1,5 +1,7 @@
 #include "os/csv.hpp"
 
+#include <cstdlib>
+
 namespace terp {
 
 std::string csv_cell(std::string_view text)
@@ -13,6 +15,17 @@ std::string csv_cell(std::string_view text)
       cell += c;
   }
   return cell.find_first_of(",\"") == std::string::npos ? cell : '"' + cell + '"';
+}
+
+std::string plain_csv_cell(std::string_view text)
+{
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || std::string_view("=+-@").find(text[first]) == std::string_view::npos)
+    return csv_cell(text);
+  char* end = nullptr;
+  const std::string number(text);
+  std::strtod(number.c_str(), &end);
+  return csv_cell(*end == '\0' ? number : "'" + number);
 }
 
 std::vector<std::string> csv_cells(std::string_view line)

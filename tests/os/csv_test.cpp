@@ -12,6 +12,15 @@ TEST(Csv, ACellIsInQuotesWhereItMustBe)
   EXPECT_EQ(csv_cell("first\r\nsecond"), "first; second");
 }
 
+TEST(Csv, ATextOfOthersIsNoFormula)
+{
+  EXPECT_EQ(plain_csv_cell("=HYPERLINK(\"a\",\"b\")"), "\"'=HYPERLINK(\"\"a\"\",\"\"b\"\")\"");
+  EXPECT_EQ(plain_csv_cell(" +1+cmd"), "' +1+cmd");
+  EXPECT_EQ(plain_csv_cell("@sum"), "'@sum");
+  EXPECT_EQ(plain_csv_cell("-clay"), "'-clay");
+  for (const char* plain : {"-1.5", "+2e3", "clay = peat", "", "dike"}) EXPECT_EQ(plain_csv_cell(plain), plain);
+}
+
 TEST(Csv, ReadsWhatItWrites)
 {
   EXPECT_THAT(csv_cells(csv_cell("a, \"b\"") + ",,2.5, c "), ElementsAre("a, \"b\"", "", "2.5", " c "));

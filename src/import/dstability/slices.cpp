@@ -147,7 +147,7 @@ std::string slices_csv(const std::vector<ResultSlices>& results)
   text += "\n";
   for (const ResultSlices& result : results)
     for (const SliceRow& row : result.rows) {
-      text += fmt::format("{},{},{},{}", csv_cell(printable(result.name)), row.place[0], row.place[1],
+      text += fmt::format("{},{},{},{}", plain_csv_cell(printable(result.name)), row.place[0], row.place[1],
           result.state == SliceState::other_section ? 1 : 0);
       for (const auto* pair : {&row.total_stress, &row.pore_pressure, &row.yield_stress, &row.su})
         text += fmt::format(",{},{}", (*pair)[0], (*pair)[1]);

@@ -259,22 +259,6 @@ CheckpointSearch newest_good_checkpoint(const std::string& folder)
   return search;
 }
 
-std::optional<WrittenTables> newest_tables(const std::string& folder)
-{
-  for (const std::int64_t step : steps_of_checkpoints(folder)) {
-    if (step == 0) break;
-    const std::string path = path_in(folder, checkpoint_file(step));
-    try {
-      const Hdf5File file(path, Hdf5File::Mode::read);
-      check_format(file, path);
-      Room room(path);
-      return WrittenTables{file.real("/", "time"), read_text(file, tables_place, room)};
-    } catch (const FileError&) {  // an older one may be whole
-    }
-  }
-  return std::nullopt;
-}
-
 void remove_old_checkpoints(const std::string& folder, Index n_kept)
 {
   if (n_kept == 0) return;

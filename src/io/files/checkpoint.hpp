@@ -55,14 +55,6 @@ struct CheckpointSearch {
 /// The checkpoint of the latest step in a run folder that can be read.
 CheckpointSearch newest_good_checkpoint(const std::string& folder);
 
-struct WrittenTables {
-  Real time = 0.0;    ///< of the checkpoint [s]
-  std::string lines;  ///< of each table one: table_line() of table_csv.hpp
-};
-
-/// By the newest checkpoint of a run folder that can be read, of a step after the first; none: there is none.
-std::optional<WrittenTables> newest_tables(const std::string& folder);
-
 /// Removes all but the `n_kept` newest checkpoints; 0 keeps all.
 void remove_old_checkpoints(const std::string& folder, Index n_kept);
 

@@ -129,6 +129,8 @@ FrameSeries::FrameSeries(
 Hdf5File& FrameSeries::begin(Real time, std::int64_t step, std::int64_t n_reserved)
 {
   pending_.reset();
+  if (!frames_.empty() && !fs::exists(folder_of_frames(folder_)))
+    throw FileError(fmt::format("{}: it was removed while the run went on", folder_of_frames(folder_)));
   make_folder(folder_of_frames(folder_));
   TemporaryFile place(path_in(folder_, frame_file(kind_, next_)));
   const std::string temporary = place.name();
@@ -150,6 +152,13 @@ void FrameSeries::end()
   frames_.push_back(next_head_);
   ++next_;
   write_index();
+}
+
+void FrameSeries::require_all() const
+{
+  for (const FrameHead& frame : frames_)
+    if (const std::string path = path_in(folder_, frame_file(kind_, frame.number)); !fs::exists(path))
+      throw FileError(fmt::format("{}: it was removed while the run went on", path));
 }
 
 void FrameSeries::write_index() const

@@ -75,6 +75,9 @@ class FrameSeries {
 
   const std::string& run() const { return run_; }
 
+  /// Throws FileError if one of the frames that were written is gone.
+  void require_all() const;
+
   /// Writes the index. Without a frame it is removed.
   void write_index() const;
 

@@ -18,6 +18,8 @@ class PointFrameWriter {
   /// The frame is there when its last part is.
   void append(const Frame& frame);
 
+  const FrameSeries& frames() const { return series_; }
+
  private:
   FrameSeries series_;
   bool exact_fields_;

@@ -207,7 +207,16 @@ std::string RunWriter::save_failed(const StateImage& image)
 void RunWriter::summary(const Summary& summary, bool finished)
 {
   finish();
-  write_summary(path_in(settings_.folder, summary_file), summary, finished, settings_.case_text);
+  std::vector<WrittenTable> written;
+  for (const auto& [file, table] : tables_) {
+    const std::string path = path_in(settings_.folder, file);
+    std::error_code gone;
+    if (std::filesystem::file_size(path, gone) != static_cast<std::uintmax_t>(table.n_bytes()) || gone)
+      throw FileError(fmt::format("{}: it was removed or changed while the run wrote it", path));
+    written.push_back({file, table.n_bytes(), table.checksum()});
+  }
+  if (finished) points_.frames().require_all(), mesh_.require_all();
+  write_summary(path_in(settings_.folder, summary_file), summary, finished, settings_.case_text, written);
 }
 
 }  // namespace terp

@@ -4,6 +4,7 @@
 
 #include "io/files/summary_json.hpp"
 
+#include "math/checksum.hpp"
 #include "math/errors.hpp"
 #include "run/measure/followers.hpp"
 #include "io/files/files.hpp"
@@ -20,6 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::int64_t summary_format = 1;
+const std::string checksum_key = ",\n  \"checksum\": \"";  // the last key; its value is over the text without it
 
 /// Calls f(name, value) for each entry of a part of summary.json, in the order of the file: written and read alike.
 template <class F>
@@ -201,9 +203,21 @@ nlohmann::json parse(const std::string& text)
       text, [](int depth, auto, auto&) { return depth <= most_levels; }, false);
 }
 
+void check_own_checksum(const std::string& path, const std::string& text)
+{
+  const std::size_t at = text.rfind(checksum_key);
+  if (at != std::string::npos) {
+    const std::string sealed = text.substr(0, at) + "\n}";
+    if (text == sealed.substr(0, at) + checksum_key + digits_of(sealed) + "\"\n}\n") return;
+  }
+  throw FileError(fmt::format(
+      "{}: this is not what the run wrote: it was altered\n  Copy the folder again, or solve the case again.", path));
+}
+
 SavedSummary read_values(const std::string& path)
 {
-  SavedSummary saved{.values = {}, .finished = false, .terp_version = {}, .text = read_file(path)};
+  SavedSummary saved{
+      .values = {}, .finished = false, .terp_version = {}, .text = read_file(path), .case_toml = {}, .tables = {}};
   const auto json = parse(saved.text);
   if (!json.is_object()) throw FileError("cannot read " + path + ": it is not JSON");
   get(json, "terp_version", saved.terp_version);
@@ -215,6 +229,12 @@ SavedSummary read_values(const std::string& path)
                     "with that one.",
             path, format, TERP_VERSION, summary_format, saved.terp_version));
   get(json, "finished", saved.finished);
+  if (json.contains("checksum")) {
+    check_own_checksum(path, saved.text);
+    saved.case_toml = json.at("case");
+    for (const auto& table : json.at("tables"))
+      saved.tables.push_back({table.at("file"), table.at("bytes"), table.at("checksum")});
+  }
   Summary& s = saved.values;
   for (const SummaryQuantity& quantity : summary_quantities())
     std::visit([&](auto member) { get(json, quantity.info.name.data(), s.*member); }, quantity.member);
@@ -248,7 +268,8 @@ nlohmann::ordered_json slides_json(const Summary& summary) { return to_value(sum
 
 nlohmann::ordered_json flood_json(const Summary& summary) { return to_value(summary.flood); }
 
-std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text)
+std::string summary_text(
+    const Summary& summary, bool finished, const CaseText& case_text, const std::vector<WrittenTable>& tables)
 {
   Json json = {{"terp_version", TERP_VERSION}, {"format", summary_format}, {"finished", finished}};
   for (const SummaryQuantity& quantity : summary_quantities())
@@ -260,7 +281,11 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
   for (const auto& [name, value] : summary.numbers) json[name] = value;
   json["case_name"] = case_text.name;
   json["case"] = case_text.toml;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  json["tables"] = Json::array();
+  for (const WrittenTable& table : tables)
+    json["tables"].push_back({{"file", table.file}, {"bytes", table.n_bytes}, {"checksum", table.checksum}});
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
+  return text.substr(0, text.size() - 2) + checksum_key + digits_of(text) + "\"\n}\n";
 }
 
 std::string case_name_in(const std::string& folder)
@@ -273,9 +298,10 @@ std::string case_name_in(const std::string& folder)
   return std::filesystem::path(folder).lexically_normal().filename().string();
 }
 
-void write_summary(const std::string& path, const Summary& summary, bool finished, const CaseText& case_text)
+void write_summary(const std::string& path, const Summary& summary, bool finished, const CaseText& case_text,
+    const std::vector<WrittenTable>& tables)
 {
-  write_file_atomically(path, summary_text(summary, finished, case_text));
+  write_file_atomically(path, summary_text(summary, finished, case_text, tables));
 }
 
 }  // namespace terp

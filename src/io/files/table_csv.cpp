@@ -109,7 +109,9 @@ void drop_rows_after(const std::string& path, std::string_view header, Real time
 
 TableFile::TableFile(const std::string& path, std::string_view header) : file_(path)
 {
-  checksum_.add(read_file(path));
+  const std::string text = read_file(path);
+  checksum_.add(text);
+  n_bytes_ = std::ssize(text);
   if (std::filesystem::is_empty(path)) append(std::string(header) + '\n');
 }
 
@@ -117,6 +119,7 @@ void TableFile::append(std::string_view lines)
 {
   file_.append(lines);
   checksum_.add(lines);
+  n_bytes_ += std::ssize(lines);
 }
 
 }  // namespace terp

@@ -41,10 +41,12 @@ class TableFile {
   /// Whole lines with their line ends.
   void append(std::string_view lines);
   std::string checksum() const { return checksum_.digits(); }  ///< as in TablePart, of all rows
+  std::int64_t n_bytes() const { return n_bytes_; }
 
  private:
   AppendFile file_;
   Fnv1a checksum_;
+  std::int64_t n_bytes_;
 };
 
 }  // namespace terp

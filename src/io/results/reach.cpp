@@ -149,11 +149,11 @@ std::string of_flood(S s, F&& f)
 
 /// In the order of the file. A new column is one entry here and a row of docs/assess.md.
 const Column reach_columns[] = {
-    {"section", [](S s) { return csv_cell(s.record.name); }},
-    {"file", [](S s) { return csv_cell(s.record.file); }},
-    {"title", [](S s) { return csv_cell(s.record.title); }},
+    {"section", [](S s) { return plain_csv_cell(s.record.name); }},
+    {"file", [](S s) { return plain_csv_cell(s.record.file); }},
+    {"title", [](S s) { return plain_csv_cell(s.record.title); }},
     {"state", [](S s) { return state_of(s); }},
-    {"reason", [](S s) { return csv_cell(s.record.fault); }},
+    {"reason", [](S s) { return plain_csv_cell(s.record.fault); }},
     {"verdict",
         [](S s) {
           return of_flood(
@@ -162,7 +162,7 @@ const Column reach_columns[] = {
     {"trigger",
         [](S s) {
           return of_flood(
-              s, [](const FloodSummary& f) { return csv_cell(f.trigger ? trigger_words(*f.trigger) : ""); });
+              s, [](const FloodSummary& f) { return plain_csv_cell(f.trigger ? trigger_words(*f.trigger) : ""); });
         }},
     {"verdict_before",
         [](S s) {
@@ -177,7 +177,7 @@ const Column reach_columns[] = {
           return std::string(at_rest ? *at_rest ? "yes" : "no" : "");
         }},
     {"fastest_node_m_s", [](S s) { return number(speed_at_end(s), "{:.2g}"); }},
-    {"hints", [](S s) { return csv_cell(hints_text(s)); }},
+    {"hints", [](S s) { return plain_csv_cell(hints_text(s)); }},
     {"water_level_m",
         [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.water_level, "{:.2f}"); }); }},
     {"residual_height_m", [](S s) { return s.is_solved ? number(s.summary.residual_height, "{:.2f}") : ""; }},
@@ -190,7 +190,7 @@ const Column reach_columns[] = {
         [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.first_time_below, "{:.2f}"); }); }},
     {"factor", [](S s) { return number(s.record.factor, "{:.3f}"); }},
     {"factor_uncertainty", [](S s) { return number(s.record.uncertainty, "{:.3f}"); }},
-    {"stored_factors", [](S s) { return csv_cell(stored_text(s.record, false)); }},
+    {"stored_factors", [](S s) { return plain_csv_cell(stored_text(s.record, false)); }},
     {"cell_m", [](S s) { return number(s.record.cell); }},
     {"points", [](S s) { return fmt::format("{}", s.record.n_points); }},
     {"expected_s", [](S s) { return number(s.record.expected_s, "{:.0f}"); }},
@@ -355,8 +355,8 @@ std::string vrtool_csv(const std::vector<ReachSection>& sections)
     const SectionRecord& record = section.record;
     if (!record.factor) continue;
     const Real beta = std::min((*record.factor / model_factor - offset) / slope, largest_index);
-    rows += fmt::format("{},{},1,{},1.0,{:.4g},{:.4g},{}\n", n++, csv_cell(record.name), csv_cell(record.title),
-        *record.factor, beta, csv_cell(std::filesystem::path(record.file).filename().string()));
+    rows += fmt::format("{},{},1,{},1.0,{:.4g},{:.4g},{}\n", n++, plain_csv_cell(record.name), plain_csv_cell(record.title),
+        *record.factor, beta, plain_csv_cell(std::filesystem::path(record.file).filename().string()));
   }
   return rows.empty() ? "" : ",doorsnede,scenario,scenarionaam,scenariokans,SF,beta,stixnaam\n" + rows;
 }

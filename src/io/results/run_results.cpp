@@ -1,11 +1,11 @@
 // A folder is believed only as far as it agrees with itself. The ledger must reach the step of the summary, and the
-// history have a row at each interval. Both must have the checksums in the newest checkpoint.
+// history have a row at each interval. Case and tables must be as the summary has them.
 
 #include "io/results/run_results.hpp"
 
+#include "math/checksum.hpp"
 #include "math/errors.hpp"
 #include "io/case/units.hpp"
-#include "io/files/checkpoint.hpp"
 #include "io/files/files.hpp"
 #include "io/files/run_folder.hpp"
 #include "io/files/table_csv.hpp"
@@ -103,24 +103,23 @@ void require_whole_history(const RunResults& run)
   }
 }
 
-/// The tables are those that the run wrote, up to its newest checkpoint, which has their checksums.
-void require_unaltered_tables(const std::string& folder)
+[[noreturn]] void refuse_altered(const std::string& path, std::string_view fault)
 {
-  const std::optional<WrittenTables> written = newest_tables(folder);
-  if (!written) return;
-  for (const std::string_view name : {ledger_file, history_file}) {
-    const std::string path = path_in(folder, name);
-    if (written->lines.find(name) == std::string::npos) continue;
-    if (!fs::exists(path))
-      throw FileError(fmt::format(
-          "{}: it is missing, and the run wrote it\n  Copy the folder again, or solve the case again.", path));
+  throw FileError(fmt::format("{}: {}\n  Put a copy of it back, or solve the case again.", path, fault));
+}
+
+/// Case and tables are those that the run wrote, as its summary has them. Rows that came later are not known to it.
+void require_unaltered(const RunResults& run)
+{
+  if (run.summary.case_toml && *run.summary.case_toml != run.case_toml)
+    refuse_altered(path_in(run.folder, case_file), "this is not the case that was solved: it was altered");
+  for (const WrittenTable& table : run.summary.tables) {
+    const std::string path = path_in(run.folder, table.file);
+    if (!fs::exists(path)) refuse_altered(path, "it is missing, and the run wrote it");
     const std::string text = read_file(path);
-    const TablePart part = read_part_until(path, text.substr(0, text.find('\n')), written->time);
-    if (written->lines.find(table_line(name, part.checksum)) == std::string::npos)
-      throw FileError(
-          fmt::format("{}: this is not what the run wrote: rows up to t = {:.4g} s were altered\n"
-                      "  Copy the folder again, or solve the case again.",
-              path, written->time));
+    const auto n = static_cast<std::size_t>(table.n_bytes);
+    if (text.size() < n || (run.summary.finished && text.size() > n) || digits_of(text.substr(0, n)) != table.checksum)
+      refuse_altered(path, "this is not what the run wrote: it was altered, doubled or cut off");
   }
 }
 
@@ -136,6 +135,7 @@ RunResults read_run(const std::string& folder)
       .name = distinct_names({folder})[0],
       .case_toml = read_file(path_in(folder, case_file)),
       .summary = read_summary(path_in(folder, summary_file))};
+  require_unaltered(run);
   if (fs::exists(path_in(folder, ledger_file))) {
     run.ledger = read_number_table(path_in(folder, ledger_file));
     require_whole_ledger(run);
@@ -144,7 +144,6 @@ RunResults read_run(const std::string& folder)
     run.history = read_history(path_in(folder, history_file));
     require_whole_history(run);
   }
-  require_unaltered_tables(folder);
   return run;
 }
 

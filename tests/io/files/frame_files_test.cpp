@@ -27,6 +27,19 @@ TEST_F(FrameFiles, HaveNumberedNames)
     EXPECT_EQ(number_of_frame(point_frames, other), -1) << other;
 }
 
+TEST_F(FrameFiles, WhoseFolderIsRemovedWhileTheRunGoesOnEndIt)
+{
+  PointFrameWriter writer({folder, point_frames, run});
+  for (int k = 0; k < 2; ++k) writer.append(sample_frame(k));
+  writer.frames().require_all();
+  std::filesystem::remove(path_of_frame(folder, 1));
+  EXPECT_EQ(file_error_of([&] { writer.frames().require_all(); }),
+      path_of_frame(folder, 1) + ": it was removed while the run went on");
+  std::filesystem::remove_all(path_in(folder, frames_folder));
+  EXPECT_EQ(file_error_of([&] { writer.append(sample_frame(2)); }),
+      path_in(folder, frames_folder) + ": it was removed while the run went on");
+}
+
 TEST_F(FrameFiles, StateNumberTimeStepAndRun)
 {
   write_frames(folder, 3);

@@ -1,6 +1,7 @@
 #include "io/files/run_writer.hpp"
 #include "io/files/samples.hpp"
 #include "io/files/small_disk.hpp"
+#include "io/files/summary_json.hpp"
 #include "support/process.hpp"
 #include "support/scratch.hpp"
 
@@ -189,6 +190,22 @@ TEST_F(RunWriterTest, TheSummaryNamesTheCase)
 {
   RunWriter::start(settings_for(folder), false)->summary(Summary{}, true);
   EXPECT_THAT(read_file(folder + "/summary.json"), HasSubstr("\"case_name\": \"model_2\""));
+}
+
+TEST_F(RunWriterTest, TheSummaryHasWhatTheRunWroteOfEachTable)
+{
+  const auto writer = RunWriter::start(settings_for(folder), false);
+  write_outputs(*writer, 0, 1);
+  writer->summary(Summary{}, true);
+  const std::string ledger = read_file(folder + "/ledger.csv");
+  const SavedSummary saved = read_summary(folder + "/summary.json");
+  const auto table = std::ranges::find(saved.tables, "ledger.csv", &WrittenTable::file);
+  ASSERT_NE(table, saved.tables.end());
+  EXPECT_EQ(table->n_bytes, std::ssize(ledger));
+  EXPECT_EQ(table->checksum, digits_of(ledger));
+  write_file_atomically(folder + "/ledger.csv", ledger + ledger);
+  EXPECT_EQ(file_error_of([&] { writer->summary(Summary{}, true); }),
+      folder + "/ledger.csv: it was removed or changed while the run wrote it");
 }
 
 TEST_F(RunWriterTest, OnAFullDiskEveryWriteFailsAndNothingEarlierIsHarmed)

@@ -1,5 +1,4 @@
 #include "io/results/run_results.hpp"
-#include "io/files/checkpoint.hpp"
 #include "io/results/runs.hpp"
 #include "run/report/history.hpp"
 
@@ -60,30 +59,45 @@ TEST_F(RunResultsTest, AHistoryThatWasDoubledCutOrHasAGapIsRefused)
   EXPECT_THAT(error_with(rows.substr(0, rows.rfind("0.25,B"))), HasSubstr("point B: it ends at t = 0.24 s"));
 }
 
-TEST_F(RunResultsTest, WhoseTableWasAlteredBeforeItsNewestCheckpointIsRefused)
+TEST_F(RunResultsTest, WhoseFilesWereAlteredAreRefused)
 {
-  write_run(folder, [](Summary& s) { s.dt = 0.001; });
-  const std::string path = folder + "/history.csv", head = header_of(*history_table());
-  std::string table = head + '\n';
-  for (int k = 0; k <= 25; ++k) table += csv_lines(sample_history(0.01 * k));
-  write_file_atomically(path, table);
-  StateImage image = sample_image(5);
-  image.time = 0.25;
-  const std::string tables = table_line("history.csv", read_part_until(path, head, image.time).checksum);
-  CheckpointWriter(folder + '/' + checkpoint_file(5), {}, tables).append(image);
+  write_run(folder);
+  const auto path = [&](std::string_view name) { return path_in(folder, name); };
+  const std::string ledger = read_file(path(ledger_file)), half = ledger.substr(0, ledger.size() / 2);
+  const auto write_summary_of = [&](bool finished) {
+    const std::string text = finished ? ledger : half;
+    write_summary(path(summary_file), read_summary(path(summary_file)).values, finished,
+        {"model_2", read_file(path(case_file))},
+        {{std::string(ledger_file), std::ssize(text), digits_of(text)}, {"loads.csv", 0, digits_of("")}});
+  };
+  write_file_atomically(path("loads.csv"), "");
+  write_summary_of(true);
   EXPECT_EQ(file_error_of([&] { read_run(folder); }), "");
-  std::string altered = table;
-  altered.replace(altered.find("\n0.1,A,7,1.5"), 12, "\n0.1,A,7,1.6");
-  write_file_atomically(path, altered);
-  EXPECT_EQ(file_error_of([&] { read_run(folder); }),
-      path +
-          ": this is not what the run wrote: rows up to t = 0.25 s were altered\n  Copy the folder again, or solve the "
-          "case again.");
-  write_file_atomically(path, table + csv_lines(sample_history(0.26)));  // later rows: the run goes on
+  const auto error_with = [&](std::string_view name, const std::string& text) {
+    const std::string before = read_file(path(name));
+    write_file_atomically(path(name), text);
+    const std::string error = file_error_of([&] { read_run(folder); });
+    write_file_atomically(path(name), before);
+    return error;
+  };
+  const std::string cure = "\n  Put a copy of it back, or solve the case again.";
+  const auto altered = [&](std::string_view name) {
+    return path(name) + ": this is not what the run wrote: it was altered, doubled or cut off" + cure;
+  };
+  EXPECT_EQ(error_with(ledger_file, ledger + ledger), altered(ledger_file));
+  EXPECT_EQ(error_with("loads.csv", "time\n"), altered("loads.csv"));
+  EXPECT_EQ(error_with(case_file, read_file(path(case_file)) + "# a word\n"),
+      path(case_file) + ": this is not the case that was solved: it was altered" + cure);
+  std::string summary = read_file(path(summary_file));
+  summary.replace(summary.find("13.0"), 4, "14.0");
+  EXPECT_THAT(error_with(summary_file, summary), StartsWith(path(summary_file) + ": this is not what the run wrote"));
+  std::filesystem::remove(path("loads.csv"));
+  EXPECT_EQ(
+      file_error_of([&] { read_run(folder); }), path("loads.csv") + ": it is missing, and the run wrote it" + cure);
+  write_file_atomically(path("loads.csv"), "");
+  write_summary_of(false);  // the run goes on: later rows are not known
   EXPECT_EQ(file_error_of([&] { read_run(folder); }), "");
-  std::filesystem::remove(path);
-  EXPECT_EQ(file_error_of([&] { read_run(folder); }),
-      path + ": it is missing, and the run wrote it\n  Copy the folder again, or solve the case again.");
+  EXPECT_EQ(error_with(ledger_file, "x" + ledger), altered(ledger_file));
 }
 
 TEST_F(RunResultsTest, DoesWithoutTables)

@@ -28,7 +28,7 @@ std::string write_run(const std::string& folder, Change&& change)
   summary.scheme = "mpm_gp", summary.n_points = 5, summary.n_steps = 100, summary.front_x = 13.0, summary.run_out = 5.0,
   summary.facing = Facing::right;
   change(summary);
-  write_summary(path_in(folder, summary_file), summary, true, {"model_2", "title = \"column\"\n"});
+  write_summary(path_in(folder, summary_file), summary, true, {"model_2", read_file(path_in(folder, case_file))});
   return folder;
 }
 
