@@ -124,7 +124,7 @@ WarningsOfCases find_warnings_of_cases(const Study& study, const std::vector<Pro
     std::vector<Problem> coarse = study.coarse->base.warnings;
     std::ranges::move(warnings.of_model(study.coarse->base.values, study.coarse->mesh), std::back_inserter(coarse));
     for (const Problem& problem : coarse)
-      if (warnings.is_news(problem))
+      if (!problem.key.starts_with("--set") && warnings.is_news(problem))  // `coarse` follows `set`
         found.drawn.push_back({"estimator.coarse", "the coarse case: " + problem.what, problem.detail, ""});
   }
   for (const TriedCase& tried : cases_to_try(study)) warnings.look_at(tried, found.drawn);
