@@ -1,16 +1,19 @@
 // On a terminal each report replaces the line before. In a pipe lines stay, so they are few: one per tenth of the run,
-// or per half where it is one of several. A search for equilibrium has no known end, so there is no tenth of it: its
-// plain lines come at wall times that double.
+// or per half where it is one of several, and one a minute. A search for equilibrium has no known end, so there is no
+// tenth of it: its plain lines come at wall times that double, up to a minute.
 
 #include "cli/progress.hpp"
 
 #include "os/terminal.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fmt/chrono.h>
 
 namespace terp {
+
+constexpr double minute = 60.0;  // [s]
 
 std::string readable_duration(double seconds)
 {
@@ -57,8 +60,9 @@ void ProgressLine::progress(const Progress& p)
   if (terminal_) {
     show(stdout, "\r\033[K" + line);
     open_ = true;
-  } else if (10.0 * part >= next_tenth_) {
+  } else if (10.0 * part >= next_tenth_ || p.wall_s >= next_line_s_) {
     show(stdout, line + '\n');
+    next_line_s_ = p.wall_s + minute;
     next_tenth_ = static_cast<int>(10.0 * part) + (label_.empty() ? 1 : 5);
   }
 }
@@ -82,7 +86,7 @@ void ProgressLine::show_search(const Progress& p)
     open_ = true;
   } else if (p.wall_s >= next_search_s_) {
     show(stdout, line + '\n');
-    next_search_s_ = 2.0 * p.wall_s;
+    next_search_s_ = p.wall_s + std::min(p.wall_s, minute);
   }
 }
 
