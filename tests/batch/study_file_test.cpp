@@ -69,7 +69,7 @@ TEST(StudyFile, WithOneMistakeHasOneMessage)
           {"[[random]]", "[random]", "write [[random]], once for each"},
           {"volume = 1.0", "ends_run = true",
               "a realisation no longer ends with its events\n\n   13 | ends_run = true\n      |            ^^^^\n  "
-              "Remove the key. With until = \"verdict\" in the case a run ends as soon as the answer to [flood] is known"},
+              "Remove the key. With until = \"verdict\" in the case a run ends as soon as the answer to [flood] is "},
       });
 }
 
