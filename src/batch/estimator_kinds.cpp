@@ -69,9 +69,6 @@ void check_adaptive(const StudySettings& s, const Fail& fail)
     fail("stop.number", fmt::format("`{}` takes {} realisations or more", info.name, least),
         fmt::format("Fewer say nothing of their own spread.{}",
             s.estimator == Estimator::subset ? " Each level needs ten blocks (`block`)." : ""));
-  if (s.event.ends_run)
-    fail("events.ends_run", fmt::format("`{}` looks at how far a run is from the event at its end", info.name),
-        "Leave `ends_run` out, or choose monte_carlo or two_stage.");
   if (!s.fields.empty())
     fail(s.fields.front().path, fmt::format("`{}` draws no fields", info.name),
         "Its space is that of the random numbers. Choose monte_carlo or two_stage, or give [[random]] alone.");

@@ -79,7 +79,7 @@ Real still_moves(const Simulation& s, const Summary& summary, const EventRule& e
     if (!done[k].at_rest && done[k].fastest * done[k].end > event.displacement &&
         !is_decided_later(s.model.description, k))
       return 1.0;
-  if (!done.empty() && done.back().at_rest) return 0.0;
+  if (!done.empty() && (done.back().at_rest || done.back().known_for > 0.0)) return 0.0;
   const NodeMotion motion = map_motion(s.model, s.state);  // points move against each other at rest, too
   Real fastest = 0.0;                                      // [m/s]
   for (std::size_t k = 0; k < motion.mass.size(); ++k)
@@ -101,24 +101,24 @@ Real of_summary(const Summary& summary)
 
 const OutcomeInfo outcomes[] = {
     {{"slide_volume", "m^2", "volume that slid", "volume that moved farther than the displacement of the event"},
-        nullptr, moved_volume_of, true},
+        nullptr, moved_volume_of},
     {{"event_displacement", "m", "displacement of the event's volume", "as much soil as makes the event moved farther"},
-        nullptr, displacement_of_volume, true},
+        nullptr, displacement_of_volume},
     {{"residual_height", "m", "highest ground that remains", "at the end (docs/flood.md)"},
-        of_summary<&Summary::residual_height>, nullptr, true},
+        of_summary<&Summary::residual_height>},
     {{"freeboard", "m", "freeboard that remains", "of the highest ground over the water, at the end"},
-        of_flood<&FloodSummary::freeboard>, nullptr, true},
+        of_flood<&FloodSummary::freeboard>},
     {{"width_at_level", "m", "width at the water level", "of the ground, at the end"},
-        of_flood<&FloodSummary::width_at_level>, nullptr, true},
+        of_flood<&FloodSummary::width_at_level>},
     {{"slides", "-", "slides", "how often the crest retreated by much (docs/formats.md)"},
-        [](const Summary& s) { return static_cast<Real>(s.slides.size()); }, nullptr, true},
+        [](const Summary& s) { return static_cast<Real>(s.slides.size()); }},
     {{"first_slide_time", "s", "time of the first slide", "when the crest began to retreat"},
-        of_summary<&Summary::first_slide_time>, nullptr, true},
+        of_summary<&Summary::first_slide_time>},
     {{"flood_time", "s", "time of the flood", "first time the ground no longer held the water"},
         [](const Summary& s) { return s.flood ? s.flood->first_time_below.value_or(none) : none; }},
     {{"still_moves", "-", "still moves", "1 where soil moves so fast at the end that I or F may change"}, nullptr,
-        still_moves, true},
-    {{"max_eps_eq_p", "-", "largest eps_eq_p", "at the end"}, of_summary<&Summary::max_eps_eq_p>, nullptr, true},
+        still_moves},
+    {{"max_eps_eq_p", "-", "largest eps_eq_p", "at the end"}, of_summary<&Summary::max_eps_eq_p>},
     {{"end_time", "s", "time at the end", "of the run"}, nullptr,
         [](const Simulation& s, const Summary&, const EventRule&) { return s.state.time; }},
 };
@@ -171,34 +171,6 @@ Screening screen(const Study& study, const Case& c, Index number, const std::ato
   return is_audited(study, number) ? Screening::audited : Screening::skipped;
 }
 
-/// Of a run that ended with its events nothing is known of what comes after them.
-void forget_the_end(Realisation& r)
-{
-  for (std::size_t k = 0; k < std::size(outcomes); ++k)
-    if (outcomes[k].of_end) r.outcomes[k] = none;
-}
-
-bool both_happened(const Simulation& s, const EventRule& event)
-{
-  if (!s.model.stage.is_last()) return false;  // a later stage may dig away what slid
-  const auto is_dug_away = [&](const BodyCase& body) { return body.removed == s.model.stage.number + 1; };
-  if (std::ranges::any_of(s.model.description.bodies, is_dug_away)) return false;  // it counts no more at the end
-  const Summary summary = summarise(s.model, s.state);
-  return (!summary.flood || summary.flood->first_time_below) && moved_volume_of(s, summary, event) >= event.volume;
-}
-
-/// To the end of the case, or where I and F have happened; known: the latter.
-Outcome run_to_event(Simulation& s, const EventRule& event, const std::atomic<bool>& stop, bool& known)
-{
-  constexpr Real every = 0.1;  // [s]
-  for (;;) {
-    const Outcome outcome = s.run(stop, s.state.time + every);
-    if (outcome != Outcome::finished || (s.model.stage.is_last() && has_ended(s.model, s.state))) return outcome;
-    known = both_happened(s, event);
-    if (known) return outcome;
-  }
-}
-
 /// False: stopped before its end.
 bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, Realisation& result)
 {
@@ -211,16 +183,13 @@ bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, 
   Simulation simulation(file.values, mesh, 1, all_followers());
   result.judges_flood = simulation.model.flood_level.is_known();
   const EventRule& event = study.settings.event;
-  bool ends_early = false;
-  const Outcome outcome = event.ends_run ? run_to_event(simulation, event, stop, ends_early) : simulation.run(stop);
-  if (outcome != Outcome::finished) return false;
+  if (simulation.run(stop) != Outcome::finished) return false;
   if (const Real share = unexplained_share(simulation.state); share > unexplained_that_fails) {
     result.fault =
         fmt::format("its energy is wrong: nothing explains {:.2g} % of what came from outside", 100.0 * share);
     return true;
   }
   read_outcomes(simulation, event, result);
-  if (ends_early) forget_the_end(result);
   return true;
 }
 

@@ -19,7 +19,6 @@ struct OutcomeInfo {
   QuantityInfo info;
   Real (*of_summary)(const Summary& summary);  ///< NaN: not defined. Null: it needs the points of the run
   Real (*of_run)(const Simulation& simulation, const Summary& summary, const EventRule& event) = nullptr;
-  bool of_end = false;  ///< not known of a run that ends with its events (EventRule::ends_run)
 };
 /// In the order of the store and of the table. A new one is an entry in realise.cpp.
 std::span<const OutcomeInfo> study_outcomes();

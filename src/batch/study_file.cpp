@@ -179,9 +179,16 @@ void read_top(const Node& root, StudySettings& s, Findings& findings)
   section(
       "stop", {{"number", "-", {1.0, most}, false, &s.stop.number},
                   {"cov", "-", between(1e-3, 1.0), false, &s.stop.cov}, {"time", "s", positive, false, &s.stop.time}});
-  section("events", {{"volume", "m^2", positive, false, &s.event.volume},
-                        {"displacement", "m", positive, false, &s.event.displacement},
-                        {"ends_run", "", any_number, false, &s.event.ends_run}});
+  section("events",
+      {{"volume", "m^2", positive, false, &s.event.volume},
+          {"displacement", "m", positive, false, &s.event.displacement}},
+      {"ends_run"});
+  if (find_node(root, "events.ends_run") != nullptr)
+    findings.problems.push_back({"events.ends_run", "a realisation no longer ends with its events",
+        "Remove the key. With until = \"verdict\" in the case a run ends as soon as the answer to [flood] is known, "
+        "and "
+        "what remains of the ground is known, too.",
+        "time.until"});
 }
 
 /// Each key is drawn once, and correlations are between what is drawn, of one sort.

@@ -75,7 +75,6 @@ struct StopRule {
 struct EventRule {
   Real volume = 1.0;        ///< that moved, at least [m^2]
   Real displacement = 0.5;  ///< from where on soil counts as moved [m]
-  bool ends_run = false;    ///< a realisation ends as soon as I, and F where it is judged, have happened
 };
 
 struct StudySettings {

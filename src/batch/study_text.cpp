@@ -110,11 +110,6 @@ std::vector<std::string> remarks_on_realisations(const Study& study, const Study
                     "soil moves by more than {:g} m. Take a smaller slide in [events], or read P(F|I) as a share of "
                     "these slides alone.",
             n, n == 1 ? "" : "s", n == 1 ? "s" : "", study.settings.event.volume, study.settings.event.displacement));
-  if (e.n_ended_early > 0)
-    remarks.push_back(
-        fmt::format("{} realisations end with their events (`ends_run`): what remains of them at the end of the case "
-                    "is not known, and histograms leave them out.",
-            e.n_ended_early));
   const Case& base = study.base.values;
   if (base.at_strength != 1.0)
     remarks.push_back(

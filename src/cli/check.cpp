@@ -97,10 +97,15 @@ void print_output(const OutputCost& cost)
 }
 
 /// Some end is only the latest one.
-bool ends_at_rest(const Case& c)
+bool may_end_early(const Case& c)
 {
-  const auto rests = [](const StageCase& stage) { return stage.until == Until::at_rest; };
-  return c.time.until == Until::at_rest || std::ranges::any_of(c.stages, rests);
+  const auto may = [](const StageCase& stage) { return stage.until != Until::end; };
+  return c.time.until != Until::end || std::ranges::any_of(c.stages, may);
+}
+
+bool ends_with_verdict(const Case& c)
+{
+  return (c.stages.empty() ? c.time.until : c.stages.back().until) == Until::verdict;
 }
 
 /// all_s: expected time of all steps [s].
@@ -108,13 +113,13 @@ void print_stages(const Model& model, double all_s)
 {
   Real start = 0.0;
   for (const StageCase& stage : model.description.stages) {
-    const bool rests = stage.until == Until::at_rest;
+    const bool early = stage.until != Until::end;
     std::string changes;
     for (const std::string& name : stage.place) changes += (changes.empty() ? ": places " : ", places ") + name;
     for (const std::string& name : stage.remove) changes += (changes.empty() ? ": removes " : ", removes ") + name;
     for (const auto& [key, value] : stage.changes) changes += (changes.empty() ? ": " : ", ") + key + " = " + value;
-    say("  stage {:<8} t = {:g} to {}{:g} s, solved in {}{}{}\n", stage.name, start, rests ? "at most " : "",
-        start + stage.longest(), rests ? "at most " : "",
+    say("  stage {:<8} t = {:g} to {}{:g} s, solved in {}{}{}\n", stage.name, start, early ? "at most " : "",
+        start + stage.longest(), early ? "at most " : "",
         readable_duration(all_s * stage.longest() / model.description.time.end), printable(changes));
     start += stage.longest();
   }
@@ -312,8 +317,9 @@ void print_check(const CaseFile& file, Simulation& simulation, const RunOptions&
   if (softens_point_by_point(model))
     say("  softening      no length, no reference width: the result will depend on the cells (docs/convergence.md)\n");
   say("  time step      {:.4g} s\n", model.dt);
-  say("  steps          {}{} to t = {:g} s\n", ends_at_rest(file.values) ? "at most " : "", model.n_steps,
+  say("  steps          {}{} to t = {:g} s\n", may_end_early(file.values) ? "at most " : "", model.n_steps,
       file.values.time.end);
+  if (ends_with_verdict(file.values)) say("  ends           as soon as the answer to [flood] is known\n");
   print_loads(model, state);
   print_flood(model.flood_level);
   print_start(simulation);

@@ -1,15 +1,19 @@
-// In a pipe lines stay, so they are few: one per tenth of the run, or per half where it is one of several. A search for
-// equilibrium has no known end, so there is no tenth of it: its plain lines come at wall times that double.
+// In a pipe lines stay, so they are few: one per tenth of the run, or per half where it is one of several, and one a
+// minute. A search for equilibrium has no known end, so there is no tenth of it: its plain lines come at wall times
+// that double, up to a minute.
 
 #include "cli/progress.hpp"
 
 #include "os/terminal.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fmt/chrono.h>
 
 namespace terp {
+
+constexpr double minute = 60.0;  // [s]
 
 std::string readable_duration(double seconds)
 {
@@ -69,8 +73,9 @@ void ProgressLine::progress(const Progress& p)
                    p.step, p.n_steps, p.point_steps_per_s / 1e6, p.at_most ? "at most " : "",
                    readable_duration(p.eta_s));
   if (later_s_ > 0.0) line += fmt::format(", all {}", readable_duration(p.eta_s + later_s_));
-  if (!line_.renews() && 10.0 * part < next_tenth_) return;
+  if (!line_.renews() && 10.0 * part < next_tenth_ && p.wall_s < next_line_s_) return;
   line_.show(line);
+  next_line_s_ = p.wall_s + minute;
   next_tenth_ = static_cast<int>(10.0 * part) + (label_.empty() ? 1 : 5);
 }
 
@@ -89,7 +94,7 @@ void ProgressLine::show_search(const Progress& p)
 {
   if (!line_.renews() && p.wall_s < next_search_s_) return;
   line_.show(label_ + search_text(p));
-  next_search_s_ = 2.0 * p.wall_s;
+  next_search_s_ = p.wall_s + std::min(p.wall_s, minute);
 }
 
 }  // namespace terp

@@ -52,6 +52,7 @@ class ProgressLine : public Observer {
   std::string label_;
   double later_s_;
   double next_search_s_ = 5.0;  // wall time of the next line about the search for equilibrium, when lines are plain
+  double next_line_s_ = 60.0;   // the same about the run
   int next_tenth_;              // of the run, when lines are plain; half of a run of several
 };
 

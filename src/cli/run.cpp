@@ -69,7 +69,8 @@ void print_summary(const Summary& s, const Model& model, const std::string& fold
     const StageRecord& r = stage.record;
     say("  {:<16} {:.4g} to {:.4g} s, {} steps{}\n", stage.name.empty() ? "end" : "stage " + stage.name, r.start, r.end,
         r.steps,
-        r.at_rest                  ? ", at rest"
+        r.known_for > 0.0          ? ", " + why_known(r)
+        : r.at_rest                ? std::string(", at rest")
         : std::isfinite(r.fastest) ? fmt::format(", not at rest: fastest node {:.2g} m/s", r.fastest)
                                    : "");
   }

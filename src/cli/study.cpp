@@ -120,7 +120,6 @@ int check_study(const Study& study, int threads)
   if (s.stop.cov > 0.0) say("  stops          at a coefficient of variation of P of {:g}\n", s.stop.cov);
   if (s.stop.time > 0.0) say("  stops          after {}\n", readable_duration(s.stop.time));
   say("  I              {}\n", slide_words(s));
-  if (s.event.ends_run) say("  ends           a realisation with its events: I, and F where it is judged\n");
   say("  mesh           {}\n", study.shares_mesh ? "one for all realisations" : "made anew for each realisation");
   print_costs(study, threads);
   check_first_draws(study);
@@ -197,11 +196,6 @@ int keep(const Study& study, const std::string& folder, Index number, const Stud
   const int status = run_case(run);
   if (status != solved) return status;
   const bool is_known = there != rows.end() && there->second.solved();
-  if (is_known && study.settings.event.ends_run) {  // the run with its files goes on beyond its events
-    const Draw draw = draw_again(study, number, there->second.inputs);
-    if (auto once_more = realise(study, number, draw, stop_requested)) again = std::move(*once_more);
-    if (again.outcomes.empty()) return failed;
-  }
   if (const auto names =
           is_known ? differing_outcomes(there->second.outcomes, again.outcomes) : std::vector<std::string>();
       !names.empty())

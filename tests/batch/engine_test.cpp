@@ -143,34 +143,6 @@ TEST(Engine, ARunThatEndsWhileSoilFallsSaysSo)
   EXPECT_GT(n_later, 0) << "P(I) of the early end is too low";
 }
 
-TEST(Engine, ARunThatEndsWithItsEventsLeavesThemAsTheyAreAndTheEndUnknown)
-{
-  const auto with_end = [](const std::string& text) {
-    return changed(text, "displacement = 0.3", "displacement = 0.3\nends_run = true");
-  };
-  const std::string many = changed(column_study, "number = 12", "number = 36");
-  const StudyWithStores whole(many), ends(with_end(many));
-  const Realisations a = whole.run("whole"), b = ends.run("ends");
-  int n_ended = 0;
-  for (const auto& [number, r] : a) {
-    const Realisation& other = b.at(number);
-    EXPECT_EQ(r.slid, other.slid) << number;
-    EXPECT_EQ(r.fault, other.fault) << number;
-    if (!r.solved()) continue;
-    EXPECT_TRUE(r.slid || differing_outcomes(r.outcomes, other.outcomes).empty()) << number;
-    if (!std::isnan(outcome(other, "slide_volume"))) continue;
-    ++n_ended;
-    EXPECT_LT(outcome(other, "end_time"), outcome(r, "end_time")) << number;
-    EXPECT_TRUE(std::isnan(outcome(other, "residual_height")) && std::isnan(outcome(other, "still_moves")));
-  }
-  EXPECT_GT(n_ended, 1);
-  EXPECT_THAT(
-      study_text(ends.study, b), HasSubstr(fmt::format("{} realisations end with their events (`ends_run`)", n_ended)));
-  const std::string form = with_end(changed(column_study, "monte_carlo", "form"));
-  EXPECT_THAT(refusal<CaseError>([&] { read_study_text(form, "demo.toml"); }),
-      HasSubstr("`form` looks at how far a run is from the event at its end"));
-}
-
 /// What slid in a stage has slid, whatever is counted anew after it.
 TEST(Engine, ASlideOfAnyStageCounts)
 {

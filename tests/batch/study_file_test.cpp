@@ -68,9 +68,9 @@ TEST(StudyFile, WithOneMistakeHasOneMessage)
           {"number = 12", "number = 12\n[[sweep]]\nkey = \"material.clay.eta\"\nvalues = [1, 2]",
               "is of `kind = \"sweep\"`"},
           {"[[random]]", "[random]", "write [[random]], once for each"},
-          {"volume = 1.0", "ends_run = 1",
-              "`ends_run` must be true or false\n\n   13 | ends_run = 1\n      |            ^\n  Got the integer 1; "
-              "allowed: true or false.\n"},
+          {"volume = 1.0", "ends_run = true",
+              "a realisation no longer ends with its events\n\n   13 | ends_run = true\n      |            ^^^^\n  "
+              "Remove the key. With until = \"verdict\" in the case a run ends as soon as the answer to [flood] is "},
       });
 }
 

@@ -55,25 +55,6 @@ TEST_F(StudyCommand, ARealisationIsKeptWithTheSameResults)
   EXPECT_THAT(test::terp({"study", "run", study, "--keep", "6"}, folder).err, HasSubstr("numbered 0 to 5"));
 }
 
-TEST_F(StudyCommand, ARealisationThatEndedWithItsEventsIsKeptToTheEnd)
-{
-  const std::string text = changed(column_study, "displacement = 0.3", "displacement = 0.3\nends_run = true");
-  const std::string study = write_study(folder, text);
-  EXPECT_THAT(
-      test::terp({"study", "check", study}, folder).out, HasSubstr("  ends           a realisation with its events"));
-  succeeded(test::terp({"study", "run", study, "-q"}, folder));
-  const Realisations rows = read_store(open_study(study), folder + "/runs/demo").rows;
-  const auto ended = std::ranges::find_if(rows, [](const auto& row) {
-    return row.second.solved() && std::isnan(row.second.outcomes[outcome_number("slide_volume")]);
-  });
-  ASSERT_NE(ended, rows.end());
-  const std::string number = std::to_string(ended->first);
-  const Finished keep = test::terp({"study", "run", study, "--keep", number}, folder);
-  EXPECT_THAT(keep.out, HasSubstr("realisation " + number + " has the results of the store, to the bit\n"));
-  const auto json = nlohmann::json::parse(text_of(folder + "/runs/demo/kept/" + number + "/summary.json"));
-  EXPECT_GT(json["steps"].get<Real>() * json["dt"].get<Real>(), 0.79) << "to the end of the case";
-}
-
 TEST_F(StudyCommand, ARealisationWithOtherResultsThanInTheStoreIsToldAndNotKept)
 {
   const std::string study = write_study(folder, field_study), mark = folder + "/runs/demo/kept/4/of_study.txt";

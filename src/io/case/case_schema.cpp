@@ -221,7 +221,7 @@ void add_required(Json& root)
   Json& body = value_at(root, "body[]");
   body["if"] = any_of({"box", "polygon", "region"});
   body["then"] = {{"required", {"material"}}};
-  const Json ends = {{"required", {"time"}}, {"properties", {{"time", any_of({"end", "until"})}}}};
+  const Json ends = {{"required", {"time"}}, {"properties", {{"time", any_of({"end", "until", "at_most"})}}}};
   root["anyOf"] = {ends, {{"required", {"stage"}}}};
 }
 

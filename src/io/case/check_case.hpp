@@ -20,8 +20,9 @@ const MaterialType* complete_law(const MaterialCase& material);
 /// Turns the polygon of a mesh counter-clockwise; its edges keep their places and take their new numbers.
 void turn_counter_clockwise(MeshCase& mesh);
 
-/// The end of a run that ends at rest or has stages, from what they say.
-void set_end_of_run(Case& values);
+/// The end of a run that may end before or has stages, from what they say. Where a run, or its last stage, says neither
+/// when nor with what it ends, and there is a verdict, that ends it.
+void set_end_of_run(const Node& root, Case& values);
 
 /// How soil starts that the file says nothing of: at rest under gravity, where there is water or a river.
 void set_start(const Node& root, Case& values, Findings& findings);

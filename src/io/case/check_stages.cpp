@@ -26,24 +26,25 @@ struct EndKeys {
 void check_end(const Node& root, const EndKeys& end, Findings& findings)
 {
   const auto has = [&](const char* key) { return find_node(root, end.path + '.' + key) != nullptr; };
-  const bool rests = end.until == Until::at_rest;
-  const std::string topic = end.path.starts_with("stage") ? "stage" : "time";
-  if (rests && has(end.end_key))
-    findings.problems.push_back({fmt::format("{}.{}", end.path, end.end_key),
-        fmt::format("`{}` does not go with until = \"at_rest\"", end.end_key), "Give the longest time as `at_most`.",
-        topic, true, {end.path + ".until"}});
+  const bool early = end.until != Until::end;
   const Node* until = find_node(root, end.path + ".until");
-  const bool ends = until == nullptr || until->text == "end";  // no other word, which is reported elsewhere
+  const std::string topic = end.path.starts_with("stage") ? "stage" : "time";
+  if (early && has(end.end_key))
+    findings.problems.push_back({fmt::format("{}.{}", end.path, end.end_key),
+        fmt::format("`{}` does not go with until = \"{}\"", end.end_key, until->text),
+        "Give the longest time as `at_most`.", topic, true, {end.path + ".until"}});
+  const bool ends = !early && (until == nullptr || until->text == "end");  // no other word, which is reported elsewhere
   if (ends && has("at_most"))
-    findings.problems.push_back({end.path + ".at_most", "`at_most` needs until = \"at_rest\"",
+    findings.problems.push_back({end.path + ".at_most", "`at_most` needs until = \"at_rest\" or \"verdict\"",
         fmt::format("Without it the time is `{}`.", end.end_key), topic, true, {end.path + ".until"}});
-  const bool reported_by_reader = topic == "time" && !rests && !has("until");
-  if (const char* missing = rests ? "at_most" : end.end_key;
-      !has(missing) && (rests || !has("at_most")) && !reported_by_reader)
+  const bool reported_by_reader = topic == "time" && !early && !has("until");
+  if (const char* missing = early ? "at_most" : end.end_key;
+      !has(missing) && (early || !has("at_most")) && !reported_by_reader)
     findings.problems.push_back(
         {end.path, fmt::format("the key `{}` is missing from {}", missing, topic == "stage" ? "[[stage]]" : "[time]"),
-            rests ? "It is the time at which the run ends or goes on if the soil does not come to rest."
-                  : "Give it in s, or until = \"at_rest\" with `at_most`.",
+            end.until == Until::verdict ? "It is the time at which the run ends if its verdict is not known before."
+            : early ? "It is the time at which the run ends or goes on if the soil does not come to rest."
+                    : "Give it in s, or until = \"at_rest\" with `at_most`.",
             topic, true});
 }
 
@@ -166,6 +167,9 @@ void check_stage(const Node& root, const Case& values, std::size_t k, Findings& 
   const StageCase& stage = values.stages[k];
   const std::string path = fmt::format("stage[{}]", k);
   check_end(root, {path, "duration", stage.until}, findings);
+  if (stage.until == Until::verdict && k + 1 < values.stages.size())
+    findings.problems.push_back({path + ".until", "the verdict ends the last stage alone",
+        "It is one of all stages. Give until = \"at_rest\".", "stage.until"});
   const auto same_name = [&](const StageCase& other) { return other.name == stage.name; };
   if (find_node(root, path + ".name") != nullptr && !is_name(stage.name))
     findings.problems.push_back({path + ".name", "a stage has a name of letters, digits, - and _",
@@ -200,13 +204,20 @@ std::pair<Real, std::string> driven(const Case& values)
 
 void check_rest(const Node& root, const Case& values, Findings& findings)
 {
-  const auto rests = [](const StageCase& stage) { return stage.until == Until::at_rest; };
-  const bool any = values.time.until == Until::at_rest || std::ranges::any_of(values.stages, rests);
-  for (const char* key : {"time.rest_by", "time.rest_speed", "time.rest_time"})
-    if (!any && find_node(root, key) != nullptr)
-      findings.warnings.push_back({key, fmt::format("`{}` has no effect", key + 5),
+  const auto any_until = [&](Until until) {
+    const auto ends_so = [&](const StageCase& stage) { return stage.until == until; };
+    return values.time.until == until || std::ranges::any_of(values.stages, ends_so);
+  };
+  const bool any = any_until(Until::at_rest), verdict = any_until(Until::verdict);
+  for (const std::string key : {"time.rest_by", "time.rest_speed", "time.rest_time"})
+    if (!any && !(verdict && key != "time.rest_by") && find_node(root, key) != nullptr)
+      findings.warnings.push_back({key, fmt::format("`{}` has no effect", key.substr(5)),
           "Nothing ends at rest: it counts with until = \"at_rest\".", key, true});
-  if (values.stages.empty() && any) check_what_goes_on(values, findings.warnings);
+  if (verdict && !values.flood.given)
+    findings.problems.push_back(
+        {values.stages.empty() ? "time.until" : fmt::format("stage[{}].until", values.stages.size() - 1),
+            "without [flood] there is no verdict", "Add [flood], or give until = \"at_rest\".", "flood"});
+  if (values.stages.empty() && (any || verdict)) check_what_goes_on(values, findings.warnings);
   const bool damped = values.forces.local_damping > 0.0 || values.forces.viscous_damping > 0.0;
   if (any && !damped && values.time.rest_by == RestBy::fastest)
     findings.warnings.push_back(
@@ -239,13 +250,21 @@ void check_what_goes_on(const Case& values, std::vector<Problem>& warnings)
         {"time"}});
 }
 
-void set_end_of_run(Case& values)
+void set_end_of_run(const Node& root, Case& values)
 {
+  const auto says = [&](const std::string& path, const char* end_key) {
+    return find_node(root, path + ".until") != nullptr || find_node(root, path + '.' + end_key) != nullptr;
+  };
+  if (values.flood.given && values.stages.empty() && find_node(root, "time") != nullptr && !says("time", "end"))
+    values.time.until = Until::verdict;
+  if (values.flood.given && !values.stages.empty() &&
+      !says(fmt::format("stage[{}]", values.stages.size() - 1), "duration"))
+    values.stages.back().until = Until::verdict;
   if (!values.stages.empty()) {
     Real sum = 0.0;
     for (const StageCase& stage : values.stages) sum += stage.longest();
     values.time.end = std::stod(fmt::format("{:.12g}", sum));  // 0.1 s and 0.2 s are 0.3 s, to the bit
-  } else if (values.time.until == Until::at_rest) {
+  } else if (values.time.until != Until::end) {
     values.time.end = values.time.at_most;
   }
 }

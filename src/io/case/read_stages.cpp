@@ -175,7 +175,7 @@ void read_stages(const Document& document, Case& values, std::vector<Problem>& w
       check_libraries_of_stage(values, now, findings.problems);
       doubt_undrained_rise(values, k, k == 0 ? values : *values.stages[k - 1].changed, now, findings.warnings);
       check_first_calls(k == 0 ? values : *values.stages[k - 1].changed, now, k, findings.problems);
-      if (stage.until == Until::at_rest) check_what_goes_on(now, findings.warnings);
+      if (stage.until != Until::end) check_what_goes_on(now, findings.warnings);
     }
     if (!findings.problems.empty()) throw CaseError(render_errors(findings.problems, changed));
     const bool sets = !stage.changes.empty();
@@ -185,7 +185,7 @@ void read_stages(const Document& document, Case& values, std::vector<Problem>& w
           "All its keys have these values already. Leave it out, or give the values of this stage.", "stage.set"});
     keys_before = std::move(keys_now);
     for (const Problem& w : findings.warnings)
-      if (!known(w) && !is_of_use(w) && !(stage.until == Until::at_rest && w.key.starts_with("forces.damping")))
+      if (!known(w) && !is_of_use(w) && !(stage.until != Until::end && w.key.starts_with("forces.damping")))
         warnings.push_back(w);
     turn_counter_clockwise(now.mesh);
     enter_bodies(values.stages, k + 1, now.bodies);

@@ -98,10 +98,11 @@ bool has_parts(const Node& material)
 }
 
 /// Whether a key must stand in this section; some depend on the other keys beside it.
-bool is_required(const Section& section, const KeyInfo& key)
+bool is_required(const Section& section, const KeyInfo& key, const Node& root)
 {
   if (section.pattern == "mesh") return is_needed(mesh_kind_of(section.table), last_part(key.path));
-  if (key.path == "time.end") return find_item(section.table, "until") == nullptr;
+  if (key.path == "time.end")
+    return find_item(section.table, "until") == nullptr && find_item(root, "flood") == nullptr;
   if (key.path == "body[].material") return find_item(section.table, "points") == nullptr;
   return key.required;
 }
@@ -340,7 +341,7 @@ void CaseReader::report_missing(const Section& section, const std::vector<std::s
   const bool has_stages = find_item(root_, "stage") != nullptr;  // they say when the run ends
   const auto check_key = [&](const KeyInfo& key) {
     const std::string name = last_part(key.path);
-    if (parent_path(key.path) != section.pattern || !is_required(section, key) || !is_missing(name)) return;
+    if (parent_path(key.path) != section.pattern || !is_required(section, key, root_) || !is_missing(name)) return;
     if (key.path == "time.end" && has_stages) return;
     if (!key.instead.empty() && find_item(section.table, key.instead) != nullptr) return;
     const std::string others = key.path == "mesh.size" ? "\nKeys that belong together:\n" + mesh_kinds_text("  ") : "";
@@ -370,8 +371,8 @@ void read_values(const Node& root, Case& values, Findings& findings)
   CaseReader(root, values, findings).read_section({root, "", "", 0});
   complete_situations(values.water);
   load_libraries(root, values, findings.problems);
-  set_end_of_run(values);
   values.flood.given = find_item(root, "flood") != nullptr;
+  set_end_of_run(root, values);
   set_start(root, values, findings);
 }
 

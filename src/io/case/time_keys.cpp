@@ -12,8 +12,8 @@
 namespace terp {
 namespace {
 
-std::vector<std::string> until_words() { return {"end", "at_rest"}; }  // in the order of Until
-std::vector<std::string> rest_words() { return {"fastest", "mean"}; }  // in the order of RestBy
+std::vector<std::string> until_words() { return {"end", "at_rest", "verdict"}; }  // in the order of Until
+std::vector<std::string> rest_words() { return {"fastest", "mean"}; }             // in the order of RestBy
 
 using Changes = std::vector<std::pair<std::string, std::string>>;
 
@@ -44,18 +44,20 @@ std::vector<KeyInfo> time_keys()
           .unit = "s",
           .range = positive,
           .usual = {1e-3, 1e4},
-          .required_for = "a run without stages that does not end at rest",
+          .required_for = "until = \"end\"",
           .meaning = "time at which the run ends; it starts at 0"},
       {.path = "time.until",
           .field = [](Case& c, std::size_t) { return word_field(c.time.until); },
           .words = until_words,
-          .meaning = "at_rest: the run ends as soon as the soil is at rest (docs/stages.md)"},
+          .meaning =
+              "at_rest: the run ends as soon as the soil is at rest; verdict: as soon as it is known what remains of "
+              "the ground; left out: verdict with [flood] and without `end`, otherwise end (docs/stages.md)"},
       {.path = "time.at_most",
           .field = [](Case& c, std::size_t) { return &c.time.at_most; },
           .unit = "s",
           .range = positive,
           .usual = {1e-3, 1e4},
-          .required_for = "until = \"at_rest\"",
+          .required_for = "until = \"at_rest\" or \"verdict\"",
           .meaning = "time at which a run ends that has not come to rest before"},
       {.path = "time.rest_by",
           .field = [](Case& c, std::size_t) { return word_field(c.time.rest_by); },
@@ -74,7 +76,8 @@ std::vector<KeyInfo> time_keys()
           .field = [](Case& c, std::size_t) { return &c.time.rest_time; },
           .unit = "s",
           .range = positive,
-          .meaning = "for this long without a break, after the last ramp and the last change of loads"},
+          .meaning = "for this long without a break, after the last ramp and the last change of loads; with until = "
+                     "\"verdict\" at least this long, as a rule longer: 4 H / c_s of the soil"},
       {.path = "time.courant",
           .field = [](Case& c, std::size_t) { return &c.time.courant; },
           .range = {0.0, 1.0, true, false},
@@ -94,17 +97,20 @@ std::vector<KeyInfo> stage_keys()
           .field = [](Case& c, std::size_t i) { return &c.stages[i].duration; },
           .unit = "s",
           .range = positive,
-          .required_for = "a stage that does not end at rest",
+          .required_for = "until = \"end\"",
           .meaning = "time that the stage takes"},
       {.path = "stage[].until",
           .field = [](Case& c, std::size_t i) { return word_field(c.stages[i].until); },
           .words = until_words,
-          .meaning = "at_rest: the stage ends as soon as the soil is at rest; see time.rest_speed"},
+          .meaning =
+              "at_rest: the stage ends as soon as the soil is at rest; see time.rest_speed; verdict, of the last "
+              "stage: as soon as it is known what remains of the ground; left out: verdict in the last stage with "
+              "[flood] and without `duration`, otherwise end (docs/stages.md)"},
       {.path = "stage[].at_most",
           .field = [](Case& c, std::size_t i) { return &c.stages[i].at_most; },
           .unit = "s",
           .range = positive,
-          .required_for = "until = \"at_rest\"",
+          .required_for = "until = \"at_rest\" or \"verdict\"",
           .meaning = "time that a stage takes whose soil does not come to rest before; the run says so, and goes on "
                      "with the next stage"},
       {.path = "stage[].ramp",

@@ -50,6 +50,7 @@ void each(StageSummary& stage, F&& f)
 {
   f("name", stage.name), f("start", stage.record.start), f("end", stage.record.end), f("steps", stage.record.steps);
   f("at_rest", stage.record.at_rest), f("fastest_node", stage.record.fastest);
+  f("known_for", stage.record.known_for);
 }
 template <class F>
 void each(StrengthWater& strength, F&& f)

@@ -355,8 +355,9 @@ std::string vrtool_csv(const std::vector<ReachSection>& sections)
     const SectionRecord& record = section.record;
     if (!record.factor) continue;
     const Real beta = std::min((*record.factor / model_factor - offset) / slope, largest_index);
-    rows += fmt::format("{},{},1,{},1.0,{:.4g},{:.4g},{}\n", n++, plain_csv_cell(record.name), plain_csv_cell(record.title),
-        *record.factor, beta, plain_csv_cell(std::filesystem::path(record.file).filename().string()));
+    rows +=
+        fmt::format("{},{},1,{},1.0,{:.4g},{:.4g},{}\n", n++, plain_csv_cell(record.name), plain_csv_cell(record.title),
+            *record.factor, beta, plain_csv_cell(std::filesystem::path(record.file).filename().string()));
   }
   return rows.empty() ? "" : ",doorsnede,scenario,scenarionaam,scenariokans,SF,beta,stixnaam\n" + rows;
 }

@@ -12,15 +12,16 @@ namespace terp {
 
 struct Case;
 
-enum class Until { end, at_rest };
+/// Verdict: when it is known whether the ground holds the water, and what of it remains.
+enum class Until { end, at_rest, verdict };
 
 /// Which soil must be slow where something ends at rest: the fastest node, or soil in its mean motion over `rest_time`.
 enum class RestBy { fastest, mean };
 
 struct TimeCase {
-  Real end = 0.0;            ///< [s]; of a run that ends at rest, or with stages: the latest time that it may come to
+  Real end = 0.0;            ///< [s]; of a run that may end before, or with stages: the latest time that it may come to
   Until until = Until::end;  ///< of a run without stages
-  Real at_most = 0.0;        ///< of a run that ends at rest: the same as `end` [s]
+  Real at_most = 0.0;        ///< of a run that may end before: the same as `end` [s]
   RestBy rest_by = RestBy::fastest;
   Real rest_speed = 1e-3;  ///< speed below which all nodes, or points in their mean, must stay [m/s]
   Real rest_time = 0.5;    ///< for this long [s]
@@ -32,7 +33,7 @@ struct StageCase {
   std::string name;
   Real duration = 0.0;  ///< [s]
   Until until = Until::end;
-  Real at_most = 0.0;                                        ///< of one that ends at rest [s]
+  Real at_most = 0.0;                                        ///< of one that may end before [s]
   Real ramp = 0.0;                                           ///< over which gravity, loads and water change [s]
   std::string water;                                         ///< situation that the water goes to; empty: it stays
   std::vector<std::string> place, remove;                    ///< names of bodies
@@ -42,7 +43,7 @@ struct StageCase {
   std::shared_ptr<const Case> changed = nullptr;  ///< the case with the changes of this stage and all before it
 
   /// [s]
-  Real longest() const { return until == Until::at_rest ? at_most : duration; }
+  Real longest() const { return until == Until::end ? duration : at_most; }
 };
 
 }  // namespace terp

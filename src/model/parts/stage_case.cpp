@@ -113,13 +113,14 @@ void set_stage(const Case& whole, std::size_t number, Model& model)
     until = c.until;
     check_lengths(whole, model.dt);
   }
-  if (until == Until::at_rest) {
-    const bool by_mean = whole.time.rest_by == RestBy::mean;
+  if (until != Until::end) {
+    const bool with_verdict = until == Until::verdict, by_mean = with_verdict || whole.time.rest_by == RestBy::mean;
     const std::int64_t looks = by_mean ? RestMarks::n : 1;
     const Real n = std::ceil(whole.time.rest_time / (looks * model.dt) * (1.0 - 1e-12));
     stage.rest = {.speed = whole.time.rest_speed,
         .steps = looks * std::max<std::int64_t>(1, static_cast<std::int64_t>(n)),
         .by_mean = by_mean,
+        .with_verdict = with_verdict,
         .last_change = last_change(model.description, stage.water)};
     stage.rest.distance = stage.rest.speed * stage.rest.steps * model.dt;
     stage.rest.volume = mean_cell(*model.mesh);

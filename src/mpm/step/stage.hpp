@@ -24,12 +24,14 @@ struct Ramp {
 /// When soil is at rest: all nodes that hold soil have been slow for a time, or hardly any soil went far in that time;
 /// and nothing is about to change.
 struct RestRule {
-  Real speed = 0.0;        ///< [m/s]
-  std::int64_t steps = 0;  ///< in which all nodes are slower than that; 0: rest ends nothing
-  bool by_mean = false;    ///< it is the mean motion in these steps that counts
-  Real distance = 0.0;     ///< which soil may go in these steps, by_mean [m]
-  Real volume = 0.0;       ///< of soil that may go farther: a cell [m^2]
-  Real last_change = 0.0;  ///< time of the last change of loads or water that the case orders [s]; infinite: no end
+  Real speed = 0.0;           ///< [m/s]
+  std::int64_t steps = 0;     ///< in which all nodes are slower than that; 0: rest ends nothing
+  bool by_mean = false;       ///< it is the mean motion in these steps that counts
+  bool with_verdict = false;  ///< the steps are at least those in which the soil swings once (RestMarks::swing),
+                              ///< by_mean; and the answer of a follower ends the stage, too
+  Real distance = 0.0;        ///< which soil may go in these steps, by_mean [m]
+  Real volume = 0.0;          ///< of soil that may go farther: a cell [m^2]
+  Real last_change = 0.0;     ///< time of the last change of loads or water that the case orders [s]; infinite: no end
 };
 
 /// Where points were when soil was looked at for its mean motion, four times in the time of RestRule: as often it is
@@ -37,6 +39,8 @@ struct RestRule {
 struct RestMarks {
   static constexpr std::int64_t n = 4;
   std::int64_t steps = 0;    ///< since the first of them
+  std::int64_t swing = 0;    ///< of a stage that ends with the verdict: its RestRule::steps; 0: not yet known
+  bool rests = false;        ///< in that stage: hardly any ground went far, at the last look
   std::vector<Real> places;  ///< shape [n, n_ids, 2] [m]; empty: none so far
 };
 
@@ -61,7 +65,8 @@ struct StageRecord {
   Real start = 0.0, end = 0.0;  ///< [s]
   std::int64_t steps = 0;
   bool at_rest = false;  ///< ended so
-  Real fastest = 0.0;    ///< speed of the fastest node in its last step [m/s]; NaN: not looked at
+  Real fastest = 0.0;    ///< speed of the fastest node in its last step [m/s]; NaN: not looked at, or without weight
+  Real known_for = 0.0;  ///< the verdict ended it, known for this long [s]; 0: it did not
 };
 
 }  // namespace terp

@@ -39,6 +39,9 @@ class Follower {
   virtual void points_were_set(const Model&, const State&) {}
   /// A stage counts displacement and strain from now on; the state still has those of before.
   virtual void count_displacement_anew(const Model&, const State&) {}
+  /// In a stage that ends with the verdict, as often as its soil is looked at for rest (RestMarks): whether what this
+  /// follower asks is known, and nothing more comes. is_first: what was seen at looks before counts no more.
+  virtual bool is_answered(const Model&, const State&, bool /*is_first*/) { return false; }
   /// At each frame.
   virtual void frame(const Model&, const State&) {}
   /// What the summary says of it.

@@ -32,7 +32,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-bool ends_at_rest(const StageCase& stage) { return stage.until == Until::at_rest; }
+bool may_end_early(const StageCase& stage) { return stage.until != Until::end; }
 
 constexpr double progress_every = 0.25;  // of wall time [s]
 
@@ -92,7 +92,7 @@ struct Loop {
     const Real end_time = end == model.n_steps ? model.description.time.end : model.time_of(end);
     const auto& stages = model.description.stages;
     const auto present = stages.begin() + static_cast<std::ptrdiff_t>(std::min(model.stage.number, stages.size()));
-    const bool at_most = std::any_of(present, stages.end(), ends_at_rest) || model.stage.rest.steps > 0;
+    const bool at_most = std::any_of(present, stages.end(), may_end_early) || model.stage.rest.steps > 0;
     reporter.report({.time = state.time,
         .end_time = end_time,
         .step = state.step,

@@ -11,6 +11,8 @@
 #include "model/parts/change_soil.hpp"
 #include "mpm/step/stored_energy.hpp"
 #include "mpm/step/workspace.hpp"
+#include "model/ground/ground_section.hpp"
+#include "run/rest/shear_wave.hpp"
 #include "model/loads/loads.hpp"
 #include "run/loop/placed_bodies.hpp"
 #include "model/soils/point_parameters.hpp"
@@ -23,22 +25,46 @@
 namespace terp {
 namespace {
 
-/// After each step in which nothing changes any more: enters where the soil is, at times, and compares with where it
-/// was `rest.steps` before.
-bool rests_by_mean(const RestRule& rest, State& state)
+/// Enters where the soil is, the look-th time, and compares with where it was `rest.steps` before.
+bool rests_by_mean(const RestRule& rest, std::int64_t look, Ground ground, State& state)
 {
   RestMarks& marks = state.rest_marks;
-  const std::int64_t every = rest.steps / RestMarks::n, step = marks.steps++;
-  if (step % every != 0) return false;
   const std::size_t n = state.x_initial.size();
   marks.places.resize(static_cast<std::size_t>(RestMarks::n) * n);
-  const std::span<Real> mark(marks.places.data() + static_cast<std::size_t>(step / every % RestMarks::n) * n, n);
-  const bool rests = step >= rest.steps && find_moved(state.points, mark, rest.distance).volume < rest.volume;
+  const std::span<Real> mark(marks.places.data() + static_cast<std::size_t>(look % RestMarks::n) * n, n);
+  const bool rests = look >= RestMarks::n && find_moved(state.points, mark, rest.distance, ground).volume < rest.volume;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     for (std::size_t d = 0; d < 2; ++d) mark[2 * id + d] = block.row(Rows::x + static_cast<int>(d))[lane];
   });
   return rests;
+}
+
+/// The rule of the stage. Where the verdict ends it, its time is that in which the soil of its first step swings once.
+RestRule rule_of(const Model& model, State& state)
+{
+  RestRule rest = model.stage.rest;
+  if (!rest.with_verdict) return rest;
+  std::int64_t& swing = state.rest_marks.swing;
+  if (swing == 0) {
+    const Real looks = std::ceil(4.0 * time_to_cross(model, state) / (RestMarks::n * model.dt) * (1.0 - 1e-12));
+    swing = std::max(rest.steps, RestMarks::n * static_cast<std::int64_t>(looks));
+  }
+  rest.steps = swing;
+  rest.distance = rest.speed * static_cast<Real>(swing) * model.dt;
+  return rest;
+}
+
+/// After each step in which nothing changes any more: whether hardly any soil went far, or the verdict is known.
+bool rests_or_is_known(const RestRule& rest, const Model& model, State& state)
+{
+  const std::int64_t every = rest.steps / RestMarks::n, step = state.rest_marks.steps++, look = step / every;
+  if (step % every != 0) return false;
+  if (!rest.with_verdict) return rests_by_mean(rest, look, {}, state);
+  bool known = rests_by_mean(rest, look, ground_of(model), state);
+  state.rest_marks.rests = known;
+  for (const ActiveFollower& active : state.followers) known |= active.follower->is_answered(model, state, look == 0);
+  return known;
 }
 
 /// Displacement and strain are counted from now on.
@@ -110,27 +136,30 @@ bool is_decided_later(const Case& c, std::size_t number)
 
 void watch_rest(const Model& model, const Workspace& work, State& state)
 {
-  const RestRule& rest = model.stage.rest;
+  const RestRule rest = rule_of(model, state);
   if (rest.steps == 0) return;
   const Real changes_until = std::max(rest.last_change, model.ramp.start + model.ramp.duration);
   const bool may_rest = state.time > changes_until;
   if (rest.by_mean)
-    state.quiet_steps = may_rest && rests_by_mean(rest, state) ? rest.steps : 0;
+    state.quiet_steps = may_rest && rests_or_is_known(rest, model, state) ? rest.steps : 0;
   else
     state.quiet_steps = may_rest && fastest_node(work) < rest.speed ? state.quiet_steps + 1 : 0;
 }
 
 bool ends_now(const Model& model, const Workspace& work, State& state)
 {
-  const RestRule& rest = model.stage.rest;
-  const bool at_rest = rest.steps > 0 && state.quiet_steps == rest.steps;
-  if (!at_rest && state.step != last_step_of_stage(model, state)) return false;
+  const RestRule rest = rule_of(model, state);
+  const bool early = rest.steps > 0 && state.quiet_steps == rest.steps;
+  if (!early && state.step != last_step_of_stage(model, state)) return false;
   if (model.stage.name.empty() && rest.steps == 0) return true;
+  const bool known = early && rest.with_verdict, rests = early && (!known || state.rest_marks.rests);
+  const bool speed_counts = rest.steps > 0 && (!known || rests);  // the verdict does not wait for soil of a flood
   state.stages_done.push_back({.start = model.time_of(state.stage_start),
       .end = state.time,
       .steps = state.step - state.stage_start,
-      .at_rest = at_rest,
-      .fastest = rest.steps > 0 ? fastest_node(work) : std::numeric_limits<Real>::quiet_NaN()});
+      .at_rest = rests,
+      .fastest = speed_counts ? fastest_node(work) : std::numeric_limits<Real>::quiet_NaN(),
+      .known_for = known ? static_cast<Real>(rest.steps) * model.dt : 0.0});
   return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "run/measure/crest.hpp"
 #include "run/measure/followers.hpp"
+#include "run/measure/settled_ground.hpp"
 #include "model/water/free_water.hpp"
 #include "model/ground/ground_section.hpp"
 #include "run/loop/stages.hpp"
@@ -144,6 +145,8 @@ class Flood : public Follower {
   std::optional<RiverBeforeTrigger> before_;        ///< follows from the model: looked for once
   Real time_damaged_ = never, time_below_ = never;  ///< the first ones; but for slides [s]
   Real fastest_node_ = never;                       ///< in the last row [m/s]
+  Real moved_from_ = never;                         ///< displacement from which on ground counts as moved [m]
+  SettledGround settled_;                           ///< at the last looks of a stage that ends with the verdict
   FastSoil moving_;  ///< at the end of the first stage but the last in which soil still moved
 
   void start(const Model& model, const State& state) override
@@ -151,7 +154,10 @@ class Flood : public Follower {
     const StandingGround ground = standing_ground(model, state.points);
     range_ = columns_of_barrier(ground, model.flood_level.river);
     first_height_ = find_barrier(ground, range_).height;
-    const Real height = relief(first_section(model, state.points, ground_of(model)));
+    const Section section = first_section(model, state.points, ground_of(model));
+    const Real height = relief(section);
+    moved_from_ = moved_distance(section);
+    settled_.forget();
     settles_ = standing_tolerance(height);
     slides_ = slid_share * height * height;
     river_ = river_side(model.flood_level, ground);
@@ -190,6 +196,22 @@ class Flood : public Follower {
     end_stage(context.model, context.state);
   }
 
+  void count_displacement_anew(const Model& model, const State& state) override
+  {
+    moved_from_ = moved_distance(first_section(model, state.points, ground_of(model)));
+  }
+
+  /// The ground floods since this stage or run began, and what is left of it has settled. Else it is to come to rest.
+  bool is_answered(const Model& model, const State& state, bool is_first) override
+  {
+    if (is_first) settled_.forget();
+    if (!model.flood_level.is_known() || !(time_below_ > model.time_of(state.stage_start))) return false;
+    const Barrier barrier = look(model, state, model.flood_level.value);
+    const GroundLeft left{barrier.height, barrier.width,
+        find_moved(state.points, state.x_initial, moved_from_, ground_of(model)).volume + volume_that_left(state)};
+    return settled_.enter(left, resolution_of(left, columns_of_section(*model.mesh).width));
+  }
+
   /// What soil that moves at the end of a stage would have done there, a later stage does not show.
   void end_stage(const Model& model, const State& state)
   {
@@ -207,7 +229,7 @@ class Flood : public Follower {
   {
     const StageRecord* last = state.stages_done.empty() ? nullptr : &state.stages_done.back();
     const bool was_to_rest = last != nullptr && std::isfinite(last->fastest);
-    return !(last != nullptr && last->at_rest) && std::isfinite(fastest_node_) &&
+    return !(last != nullptr && (last->at_rest || last->known_for > 0.0)) && std::isfinite(fastest_node_) &&
            (was_to_rest || fastest_node_ * time_to_look_ahead(model, state) > settles_);
   }
 
@@ -274,6 +296,8 @@ class Flood : public Follower {
     arrays.copy("river", std::vector<std::int64_t>{!river_ ? 0 : static_cast<std::int64_t>(outwards(*river_))});
     arrays.copy("times", std::vector<Real>{time_damaged_, time_below_});
     arrays.copy("speed", std::vector<Real>{fastest_node_});
+    arrays.copy("moved_from", std::vector<Real>{moved_from_});
+    if (const std::vector<Real> looks = settled_.values(); !looks.empty()) arrays.copy("looks", looks);
     if (moving_.stage < 0) return;
     arrays.copy("moving", std::vector<Real>{moving_.speed, moving_.x, moving_.y});
     arrays.copy("moving_in", std::vector<std::int64_t>{moving_.stage, moving_.material});
@@ -288,6 +312,8 @@ class Flood : public Follower {
     river_ = river == 0 ? std::nullopt : std::optional(river > 0 ? Facing::right : Facing::left);
     time_damaged_ = times[0], time_below_ = times[1];
     fastest_node_ = arrays.reals("speed", 1)[0];
+    moved_from_ = arrays.reals("moved_from", 1)[0];
+    settled_.set_values(arrays.has("looks") ? arrays.reals("looks") : std::vector<Real>{});
     moving_ = {};
     if (!arrays.has("moving")) return;
     const std::vector<Real>& at = arrays.reals("moving", 3);

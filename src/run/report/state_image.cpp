@@ -237,11 +237,15 @@ std::vector<ArraySource> arrays_of(const State& state)
   if (has_stage) {
     arrays.copy("stage", std::vector<std::int64_t>{state.stage, state.stage_start, state.quiet_steps});
     arrays.copy("stages_done", values_of(state.stages_done));
+    if (!state.stages_done.empty() && state.stages_done.back().known_for > 0.0)
+      arrays.copy("known_for", std::vector<Real>{state.stages_done.back().known_for});
   }
   if (!state.rest_marks.places.empty()) {
     arrays.refer("rest_marks", state.rest_marks.places);
     arrays.copy("rest_steps", std::vector<std::int64_t>{state.rest_marks.steps});
   }
+  if (state.rest_marks.swing != 0)
+    arrays.copy("swing", std::vector<std::int64_t>{state.rest_marks.swing, state.rest_marks.rests ? 1 : 0});
   if (state.mass_placed != 0.0 || state.mass_removed != 0.0)
     arrays.copy("mass_of_bodies", std::vector<Real>{state.mass_placed, state.mass_removed});
   if (w.slip != 0.0) arrays.copy("slip_work", std::vector<Real>{w.slip});
@@ -343,13 +347,19 @@ State restore(const Model& model, const StateImage& image)
     const auto& stage = arrays.wholes("stage", 3);
     state.stage = stage[0], state.stage_start = stage[1], state.quiet_steps = stage[2];
     state.stages_done = records_of(arrays.reals("stages_done"));
+    if (arrays.has("known_for") && !state.stages_done.empty())  // the verdict ends the last one alone
+      state.stages_done.back().known_for = arrays.reals("known_for", 1)[0];
     const auto n = std::max<std::int64_t>(1, std::ssize(model.description.stages));
     if (state.stage < 0 || state.stage >= n || state.stage_start < 0 || state.stage_start > state.step)
       throw FileError("the checkpoint does not fit this case: it is of a stage that the case does not have");
   }
   if (arrays.has("rest_marks"))
-    state.rest_marks = {std::max<std::int64_t>(0, arrays.wholes("rest_steps", 1)[0]),
-        arrays.reals("rest_marks", static_cast<std::size_t>(RestMarks::n) * state.x_initial.size())};
+    state.rest_marks = {.steps = std::max<std::int64_t>(0, arrays.wholes("rest_steps", 1)[0]),
+        .places = arrays.reals("rest_marks", static_cast<std::size_t>(RestMarks::n) * state.x_initial.size())};
+  if (arrays.has("swing")) {
+    const auto& swing = arrays.wholes("swing", 2);
+    state.rest_marks.swing = std::max<std::int64_t>(0, swing[0]), state.rest_marks.rests = swing[1] != 0;
+  }
   if (arrays.has("mass_of_bodies")) {
     const auto& mass = arrays.reals("mass_of_bodies", 2);
     state.mass_placed = mass[0], state.mass_removed = mass[1];

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace terp {
 namespace {
 
@@ -82,6 +84,13 @@ const SummaryQuantity quantities[] = {
 };
 
 }  // namespace
+
+std::string why_known(const StageRecord& record)
+{
+  if (!(record.known_for > 0.0)) return "";
+  return fmt::format("the answer is known: {} for {:.2g} s",
+      record.at_rest ? "hardly any ground moved" : "what remains of the ground has not changed", record.known_for);
+}
 
 std::string stage_at(const std::vector<StageSummary>& stages, std::optional<Real> time)
 {

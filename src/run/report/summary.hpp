@@ -38,6 +38,9 @@ struct StageSummary {
   StageRecord record{.end = none, .fastest = none};  ///< without an end: it runs
 };
 
+/// "the answer is known: ...", of a stage that the verdict ended; empty: it did not.
+std::string why_known(const StageRecord& record);
+
 /// Name of the stage in which a time lies, its end included; empty: it lies in none of them.
 std::string stage_at(const std::vector<StageSummary>& stages, std::optional<Real> time);
 

@@ -47,6 +47,23 @@ TEST(ReadStages, FillsTheStages)
   EXPECT_EQ(c.stages[1].changes[0], (std::pair<std::string, std::string>("load.traffic.pressure", "\"13 kPa\"")));
 }
 
+TEST(ReadStages, TheVerdictEndsWhatSaysNoEndWhereThereIsOne)
+{
+  const auto until = [](const std::string& time, const std::string& more) {
+    const Case c = read_case_text(replaced(small_case, "end = 4.0", time) + more, "a.toml").values;
+    return std::pair(c.stages.empty() ? c.time.until : c.stages.back().until, c.time.end);
+  };
+  const std::string flood = "[flood]\nwater_level = 1.0\n", first = "[[stage]]\nname = \"a\"\nduration = 2.0\n",
+                    last = first + "[[stage]]\nname = \"b\"\n";
+  EXPECT_EQ(until("at_most = 9.0", flood), std::pair(Until::verdict, 9.0));
+  EXPECT_EQ(until("end = 9.0", flood), std::pair(Until::end, 9.0));
+  EXPECT_EQ(until("until = \"at_rest\"\nat_most = 9.0", flood), std::pair(Until::at_rest, 9.0));
+  EXPECT_EQ(until("courant = 0.9", flood + last + "at_most = 9.0\n"), std::pair(Until::verdict, 11.0));
+  EXPECT_EQ(until("courant = 0.9", flood + last + "duration = 9.0\n"), std::pair(Until::end, 11.0));
+  EXPECT_EQ(until("courant = 0.9", flood + first), std::pair(Until::end, 2.0));
+  EXPECT_EQ(until("courant = 0.9", last + "until = \"at_rest\"\nat_most = 9.0\n").first, Until::at_rest);
+}
+
 TEST(ReadStages, WhatAStageSetsStaysForThoseAfterIt)
 {
   const Case c = read();

@@ -22,6 +22,7 @@ interface StageOfSummary {
   end: number | null; // null: it runs
   at_rest?: boolean;
   fastest_node?: number | null;
+  known_for?: number; // s; 0: the verdict did not end it
 }
 
 interface ReachedSide {
@@ -123,11 +124,12 @@ export function zoneText(meta: RunMeta, slide: Slide): string {
 }
 
 function tellStages(meta: RunMeta): string[] {
-  const stages = listOf<StageOfSummary>(meta, "stages").filter(({ name }) => name !== "");
+  const stages = listOf<StageOfSummary>(meta, "stages").filter(({ name, known_for: known }) => name !== "" || known);
   if (stages.length === 0) return [];
-  const texts = stages.map(({ name, start, end, at_rest: rest, fastest_node: fastest }) => {
-    const values = { name, start: seconds(start), end: seconds(end) };
+  const texts = stages.map(({ name, start, end, at_rest: rest, fastest_node: fastest, known_for: known }) => {
+    const values = { name: name || say("stage_of_all"), start: seconds(start), end: seconds(end) };
     if (end === null) return say("stage_runs", values);
+    if (known) return say(rest ? "stage_known_rest" : "stage_known", { ...values, known: seconds(known) });
     if (rest) return say("stage_rest", values);
     return typeof fastest === "number" ? say("stage_moving", { ...values, speed: withUnit(fastest, "m/s", 2) })
       : say("stage_plain", values);
@@ -206,7 +208,8 @@ function tellMotion(run: Run): string[] {
     texts.push(say("story_height", { height: metres(events.residual_height) }));
   const last = slides[slides.length - 1];
   const stages = listOf<StageOfSummary>(meta, "stages");
-  const atRest = stages[stages.length - 1]?.at_rest === true;
+  const end = stages[stages.length - 1];
+  const atRest = end?.at_rest === true || (end?.known_for ?? 0) > 0;
   const kinetic = kineticOf(run);
   const told = last !== undefined && typeof last.stops !== "number";
   if (!told && !atRest && kinetic.last > STILL_MOVING * kinetic.largest)

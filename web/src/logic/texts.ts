@@ -247,6 +247,12 @@ export const TEXTS = {
     "De berekening is tot {time} gekomen. Wat er gebeurde staat hier wanneer zij eindigt of wordt gestopt."],
   story_stages: ["Stages: {stages}.", "Fasen: {stages}."],
   stage_rest: ["{name} from {start} to {end}, at rest", "{name} van {start} tot {end}, in rust"],
+  stage_of_all: ["the run", "de berekening"],
+  stage_known: ["{name} from {start} to {end}: the answer is known, what remains of the ground has not changed for "
+    + "{known}",
+  "{name} van {start} tot {end}: het antwoord is bekend, wat van de grond over is, is {known} niet veranderd"],
+  stage_known_rest: ["{name} from {start} to {end}: the answer is known, hardly any ground moved for {known}",
+    "{name} van {start} tot {end}: het antwoord is bekend, {known} lang heeft er nauwelijks grond bewogen"],
   stage_moving: ["{name} from {start} to {end}, not at rest (the fastest node: {speed})",
     "{name} van {start} tot {end}, niet in rust (de snelste knoop: {speed})"],
   stage_plain: ["{name} from {start} to {end}", "{name} van {start} tot {end}"],

@@ -124,6 +124,9 @@ describe("the story", () => {
     };
     const texts = plain(tellStory(sampleRun({ intact_fraction: 0.248 }, summary)));
     expect(texts).toContain("Stages: daily from 0.00 s to 4.25 s, at rest; flood from 4.25 s to 44.00 s, not at rest (the fastest node: 0.013 m/s).");
+    const known = (more: object) => plain(tellStory(sampleRun({}, { stages: [{ name: "", start: 0, end: 9, fastest_node: null, known_for: 1.75, ...more }] }))).join(" ");
+    expect(known({})).toContain("Stages: the run from 0.00 s to 9.00 s: the answer is known, what remains of the ground has not changed for 1.75 s.");
+    expect(known({ at_rest: true })).toContain("Stages: the run from 0.00 s to 9.00 s: the answer is known, hardly any ground moved for 1.75 s.");
     expect(texts).toContain("Strength of clay; peat: the undrained strength S_u follows from the vertical effective stress in the water of the situation “flood”, and from the yield stress of the water at the start.");
     expect(texts).toContain("Strength of sand: cohesion follows from the vertical effective stress in the water at the start.");
     expect(texts).toContain("41.7 % of the soil has lost more than half of what softening takes from its strength.");
