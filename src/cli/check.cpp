@@ -65,8 +65,11 @@ void print_bodies(const Model& model)
 void print_sides(const Model& model)
 {
   for (const NamedSide& side : model.mesh->sides)
-    say("  side {:<10}{}, {:.4g} m\n", printable(side.name), describe(condition_of(model.description, side.name)),
-        shape_of_side(*model.mesh, side).length);
+    if (side.edges.empty())
+      say("  side {:<10}bounds nothing: its curve lies inside the mesh\n", printable(side.name));
+    else
+      say("  side {:<10}{}, {:.4g} m\n", printable(side.name), describe(condition_of(model.description, side.name)),
+          shape_of_side(*model.mesh, side).length);
 }
 
 void check_picture(const std::string& path)

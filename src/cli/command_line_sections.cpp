@@ -35,11 +35,13 @@ void add_stage_options(CLI::App* command, ImportCommand& options, const char* wh
 void declare_import(CLI::App& app, ImportCommand& command)
 {
   CLI::App* import = add_command(app, "import", "Understand",
-      "what a D-Stability file or a drawing (DXF) holds\nScenarios, stages, calculations with their stored results, "
+      "what a D-Stability file, drawing or profile holds\nScenarios, stages, calculations with "
+      "their stored results, "
       "soils, and what\nis left out; regions of a drawing. With -o a case folder\n(docs/dstability.md, docs/dxf.md).",
       "  terp import section.stix --slices slices.csv\n  terp import section.stix --scenario 1 --stage 2 -o "
-      "section\n  terp import section.stix --trigger strength -o section\n  terp import section.dxf -o section\n");
-  add_option(import, "FILE", command.path, "D-Stability file (.stix) or drawing (.dxf)");
+      "section\n  terp import section.stix --trigger strength -o section\n  terp import section.dxf -o section\n  "
+      "terp import profile.csv --depth 8 -o section\n");
+  add_option(import, "FILE", command.path, "D-Stability file (.stix), drawing (.dxf) or ground\nprofile (.csv)");
   CLI::Option* json = import->add_flag("--json", command.json, "the list for a program")->option_text(" ");
   add_option(import, "--slices FILE", command.slices,
       "write what Terp computes at the feet of all stored\nslices beside what is stored")
@@ -50,6 +52,11 @@ void declare_import(CLI::App& app, ImportCommand& command)
   import->add_flag("--held", command.is_held,
       "strengths are doubled until the soil is at rest: for a\nsection that cannot stand (docs/dstability.md)");
   add_option(import, "--unit U", command.unit, "of a drawing: m, dm, cm, mm, ft, in\n(default: that of its header)");
+  add_option(import, "--layers A,B", command.layers,
+      "of a drawing: those alone; of a table of several\nprofiles: the one of that name");
+  add_option(
+      import, "--depth D", command.depth, "of a profile: the base lies D m below the lowest\nground (default 10)")
+      ->check(CLI::PositiveNumber);
   import->add_flag("--soil-defaults-table", command.print_defaults, "print the table that holds without it");
 }
 

@@ -9,8 +9,8 @@
 namespace terp {
 namespace {
 
-enum class Of { both, stix, drawing };      // kind of file
-enum class In { both, list, case_folder };  // what is made of it
+enum class Of { all, stix, drawn, profile };  // kinds of file; drawn: drawings and profiles
+enum class In { both, list, case_folder };    // what is made of it
 
 struct ImportOption {
   const char* name;
@@ -25,15 +25,16 @@ std::vector<ImportOption> import_options(const ImportCommand& c)
   const auto number = [](auto value) { return value == 0 ? "" : fmt::format("{}", value); };
   const auto level = [](const auto& value) { return value ? fmt::format("{}", *value) : ""; };
   return {{"--slices", c.slices, Of::stix, In::list}, {"--json", flag(c.json), Of::stix, In::list},
-      {"--force", flag(c.force), Of::both, In::case_folder},
+      {"--force", flag(c.force), Of::all, In::case_folder},
       {"--scenario", number(c.scenario), Of::stix, In::case_folder},
       {"--stage", number(c.stage), Of::stix, In::case_folder}, {"--strength", c.strength, Of::stix, In::case_folder},
-      {"--cell", number(c.cell), Of::both, In::case_folder},
-      {"--between", fmt::format("{}", fmt::join(c.between, ",")), Of::both, In::case_folder},
-      {"--base", level(c.base), Of::both, In::case_folder}, {"--unit", c.unit, Of::drawing, In::both},
+      {"--cell", number(c.cell), Of::all, In::case_folder},
+      {"--between", fmt::format("{}", fmt::join(c.between, ",")), Of::all, In::case_folder},
+      {"--base", level(c.base), Of::all, In::case_folder}, {"--unit", c.unit, Of::drawn, In::both},
+      {"--layers", c.layers, Of::drawn, In::both}, {"--depth", number(c.depth), Of::profile, In::both},
       {"--river", level(c.river), Of::stix, In::case_folder}, {"--held", flag(c.is_held), Of::stix, In::case_folder},
       {"--no-film", flag(c.no_film), Of::stix, In::case_folder},
-      {"--soil-defaults", c.soil_defaults, Of::both, In::case_folder},
+      {"--soil-defaults", c.soil_defaults, Of::all, In::case_folder},
       {"--trigger", c.trigger, Of::stix, In::case_folder}};
 }
 
@@ -52,15 +53,22 @@ std::vector<std::string> given_options(const ImportCommand& command)
   return given;
 }
 
-void refuse_unused_options(const ImportCommand& command, bool is_drawing)
+void refuse_unused_options(const ImportCommand& command, SectionFile kind)
 {
-  const Of file = is_drawing ? Of::drawing : Of::stix;
   const In result = command.output.empty() ? In::list : In::case_folder;
+  const char* const kinds[] = {"D-Stability file", "drawing", "ground profile"};
+  const auto acts = [&](Of file) {
+    if (file == Of::drawn) return kind != SectionFile::dstability;
+    return file == Of::all || kind == (file == Of::stix ? SectionFile::dstability : SectionFile::profile);
+  };
   for (const ImportOption& option : import_options(command)) {
     if (option.value.empty()) continue;
-    if (option.file != Of::both && option.file != file)
-      refuse_option(option, fmt::format("is of {}", option.file == Of::stix ? "D-Stability files" : "drawings"),
-          fmt::format("{} is a {}. Leave the option out.", command.path, is_drawing ? "drawing" : "D-Stability file"));
+    if (!acts(option.file))
+      refuse_option(option,
+          fmt::format("is of {}", option.file == Of::stix    ? "D-Stability files"
+                                  : option.file == Of::drawn ? "drawings"
+                                                             : "ground profiles"),
+          fmt::format("{} is a {}. Leave the option out.", command.path, kinds[static_cast<int>(kind)]));
     if (option.result == In::case_folder && result == In::list)
       refuse_option(option, "has no effect without -o", "Give a folder for the case, -o FOLDER, or leave it out.");
     if (option.result == In::list && result == In::case_folder)

@@ -4,6 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "import/drawing/dxf_regions.hpp"
+#include "import/drawing/ground_profile.hpp"
 #include "import/dstability/drawing_folder.hpp"
 #include "import/dstability/read_stix.hpp"
 #include "cli/import_options.hpp"
@@ -15,20 +16,29 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
+#include <sstream>
 
 namespace terp {
 namespace {
 
 constexpr Real drawing_snap = 0.01;  // [m]: drawings have their coordinates in cm
 
-bool is_drawing(const std::string& path)
+Real unit_of(const ImportCommand& command)
 {
-  std::string end = std::filesystem::path(path).extension().string();
-  std::ranges::transform(end, end.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return end == ".dxf";
+  const Real unit = command.unit.empty() ? 0.0 : dxf_unit(command.unit);
+  if (!command.unit.empty() && unit == 0.0)
+    refuse_import(fmt::format("there is no unit `{}` of drawings", command.unit), "Units: m, dm, cm, mm, ft, in.");
+  return unit;
+}
+
+/// Of a list apart by commas.
+std::vector<std::string> words_of(const std::string& list)
+{
+  std::vector<std::string> words;
+  std::istringstream parts(list);
+  for (std::string word; std::getline(parts, word, ',');) words.push_back(word);
+  return words;
 }
 
 /// A folder that is there may hold another case, changed by hand.
@@ -49,16 +59,8 @@ void write_folder(const ImportCommand& command, const CaseFolder& folder)
       command.output, case_path);
 }
 
-int import_drawing(const ImportCommand& command)
+int import_regions(const ImportCommand& command, const DxfRegions& regions, const std::vector<std::string>& notes)
 {
-  const Real unit = command.unit.empty() ? 0.0 : dxf_unit(command.unit);
-  if (!command.unit.empty() && unit == 0.0)
-    refuse_import(fmt::format("there is no unit `{}` of drawings", command.unit), "Units: m, dm, cm, mm, ft, in.");
-  const DxfDrawing drawing = read_dxf(command.path, unit);
-  const DxfRegions regions = regions_of(drawing, drawing_snap);
-  std::vector<std::string> notes = drawing.notes;
-  notes.insert(notes.end(), drawing.doubts.begin(), drawing.doubts.end());
-  for (const std::string& doubt : drawing.doubts) say(stderr, "warning: {}\n", printable(doubt));
   if (command.output.empty()) {
     say("{}", printable(drawing_listing(regions, notes)));
     return solved;
@@ -67,6 +69,19 @@ int import_drawing(const ImportCommand& command)
   write_folder(command, drawing_folder_of(regions, notes,
                             {command.path, command.cell, between_of(command), command.base, soil_kinds(command)}));
   return solved;
+}
+
+int import_drawing(const ImportCommand& command)
+{
+  const DxfDrawing drawing = read_dxf(command.path, unit_of(command), words_of(command.layers));
+  const DxfRegions regions = regions_of(drawing, drawing_snap);
+  std::vector<std::string> notes = drawing.notes;
+  for (const auto* doubts : {&drawing.doubts, &regions.doubts})
+    for (const std::string& doubt : *doubts) {
+      notes.push_back(doubt);
+      say(stderr, "warning: {}\n", printable(doubt));
+    }
+  return import_regions(command, regions, notes);
 }
 
 }  // namespace
@@ -78,9 +93,15 @@ try {
     return solved;
   }
   if (command.path.empty())
-    refuse_import("`terp import` needs a file", "Give a .stix or a .dxf: terp import section.stix");
-  refuse_unused_options(command, is_drawing(command.path));
-  if (is_drawing(command.path)) return import_drawing(command);
+    refuse_import("`terp import` needs a file", "Give a .stix, a .dxf or a .csv: terp import section.stix");
+  const SectionFile kind = kind_of_section(command.path);
+  refuse_unused_options(command, kind);
+  if (kind == SectionFile::drawing) return import_drawing(command);
+  if (kind == SectionFile::profile)
+    return import_regions(command,
+        read_profile(
+            command.path, read_file(command.path), {command.layers, unit_of(command), command.depth, command.base}),
+        {});
   if (command.output.empty()) return import_stix(command);
   refuse_to_replace(command);
   const StixProject project = read_stix(command.path);

@@ -4,6 +4,7 @@
 #include "math/errors.hpp"
 #include "cli/commands.hpp"
 #include "import/dstability/case_folder.hpp"
+#include "import/dstability/foreign_file.hpp"
 
 #include <optional>
 
@@ -18,7 +19,7 @@ std::vector<SoilKind> soil_kinds(const ImportCommand& command);
 std::optional<Vec<2>> between_of(const ImportCommand& command);
 
 /// Throws CaseError if an option is of the other kind of file, or of the other of list and case folder.
-void refuse_unused_options(const ImportCommand& command, bool is_drawing);
+void refuse_unused_options(const ImportCommand& command, SectionFile kind);
 /// With their values: "--cell 0.5".
 std::vector<std::string> given_options(const ImportCommand& command);
 /// Which of the options given do not act on a section whose case is run as it is, and why. Empty: none was given.

@@ -6,13 +6,17 @@
 #include "math/utf8.hpp"
 #include "math/number_from.hpp"
 #include "import/drawing/dxf_letters.hpp"
+#include "import/drawing/dxf_shapes.hpp"
 #include "os/read_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -23,7 +27,11 @@ constexpr std::size_t most_problems = 10;
 constexpr int comment = 999;
 constexpr Real missing = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real narrowest = 1.0, widest = 5e3;  // [m] of a section without doubt
-constexpr Real most_metres = 1e7;              // a coordinate beyond the Earth's grids is a fault of the file
+constexpr Real flat = 0.005;                   // [m]: distance of chords from a bent line
+constexpr int most_depth = 16;                 // of blocks in blocks
+constexpr Real most_copies = 1e4;              // of a block by one INSERT
+constexpr std::size_t most_inserted = 1'000'000;
+constexpr Real most_metres = 1e7;  // a coordinate beyond the Earth's grids is a fault of the file
 
 struct Unit {
   int number;  ///< of $INSUNITS
@@ -41,7 +49,10 @@ struct Pair {
 
 class DxfReader {
  public:
-  DxfReader(const std::string& path, std::string_view text, Real unit) : path_(path), rest_(text), unit_(unit) {}
+  DxfReader(const std::string& path, std::string_view text, Real unit, const std::vector<std::string>& layers)
+      : path_(path), rest_(text), unit_(unit), layers_(layers)
+  {
+  }
 
   DxfDrawing read()
   {
@@ -108,9 +119,13 @@ class DxfReader {
     bool more = next();
     if (name == "HEADER") {
       more = read_header(more);
+    } else if (name == "TABLES") {
+      more = read_tables(more);
+    } else if (name == "BLOCKS") {
+      more = read_blocks(more);
     } else if (name == "ENTITIES") {
       has_entities_ = true;
-      while (more && !begins("ENDSEC")) more = read_entity();
+      more = read_entities(more);
     }
     while (more && !begins("ENDSEC")) more = next();
     if (!more) refuse("ends in the middle of a section", fmt::format("The section {} has no ENDSEC.", name));
@@ -139,69 +154,138 @@ class DxfReader {
     return *value;
   }
 
-  struct Entity {
-    std::string kind;
-    std::string handle = {}, layer = "0";
-    std::vector<Vec<2>> places = {};
-    Vec<2> end{missing, missing};
-    std::vector<Real> z = {};  ///< all that are given
-    int flags = 0;
-    std::size_t bulges = 0;
-    bool on_paper = false, turned = false, hidden = false;
+  using Entity = DxfEntity;
+
+  struct Block {
+    Vec<2> base{0.0, 0.0};
+    std::vector<Entity> entities = {};
   };
 
-  /// One entity with its groups; stops at the next code 0.
+  /// A place of a bent or straight line, a spline or an insert.
+  void take_shape(Entity& e)
+  {
+    switch (pair_.code) {
+      case 2: e.block = pair_.value; break;
+      case 10: e.places.push_back({number(), missing}), e.bulges.push_back(0.0); break;
+      case 20:
+        if (!e.places.empty()) e.places.back()[1] = number();
+        break;
+      case 11:
+        e.end[0] = number();
+        if (e.kind == "SPLINE") e.spline.fit.push_back({number(), missing});
+        break;
+      case 21:
+        e.end[1] = number();
+        if (!e.spline.fit.empty()) e.spline.fit.back()[1] = number();
+        break;
+      case 30:
+      case 31: e.z.push_back(number()); break;
+      case 40: (e.kind == "SPLINE" ? e.spline.knots.emplace_back() : e.radius) = number(); break;
+      case 41:
+        if (e.kind == "SPLINE") e.spline.weights.push_back(number());
+        e.scale[0] = number();
+        break;
+      case 42:
+        e.scale[1] = number();
+        if (!e.bulges.empty() && e.kind != "SPLINE" && e.kind != "INSERT") e.bulges.back() = number();
+        break;
+      case 44: e.spacing[0] = number(); break;
+      case 45: e.spacing[1] = number(); break;
+      case 50: e.rotation = number(); break;
+      case 51: e.to_angle = number(); break;
+      case 70:
+        e.flags = static_cast<int>(number());
+        e.columns = std::max(1, e.flags);
+        break;
+      case 71:
+        e.rows = std::max(1, static_cast<int>(number()));
+        e.spline.degree = static_cast<std::size_t>(e.rows);
+        break;
+      case 230:
+        e.turned = std::abs(number() - 1.0) > 1e-9;
+        e.mirrored = std::abs(number() + 1.0) < 1e-9;
+        break;
+      default: break;
+    }
+  }
+
+  /// One entity with its groups; stops at the next code 0. Of a kind that bounds nothing only what all have.
   bool read_groups(Entity& entity)
   {
+    const bool has_shape = entity.is({"LINE", "LWPOLYLINE", "POLYLINE", "VERTEX", "ARC", "SPLINE", "INSERT", "BLOCK"});
     bool more = next();
     for (; more && pair_.code != 0; more = next()) switch (pair_.code) {
         case 5: entity.handle = pair_.value; break;
         case 8: entity.layer = pair_.value; break;
-        case 10: entity.places.push_back({number(), missing}); break;
-        case 20:
-          if (!entity.places.empty()) entity.places.back()[1] = number();
-          break;
-        case 11: entity.end[0] = number(); break;
-        case 21: entity.end[1] = number(); break;
-        case 30:
-        case 31: entity.z.push_back(number()); break;
-        case 42: entity.bulges += number() != 0.0 ? 1 : 0; break;
         case 60: entity.hidden = number() != 0.0; break;
         case 67: entity.on_paper = number() != 0.0; break;
-        case 70: entity.flags = static_cast<int>(number()); break;
-        case 230: entity.turned = std::abs(number() - 1.0) > 1e-9; break;
-        default: break;
+        default:
+          if (has_shape) take_shape(entity);
       }
     return more;
   }
 
-  bool read_entity()
+  /// With the vertices of a POLYLINE.
+  bool read_entity(Entity& entity)
   {
-    Entity entity{std::string(pair_.value)};
+    entity.kind = pair_.value;
     bool more = read_groups(entity);
-    const bool is_old_polyline = entity.kind == "POLYLINE";
-    if (is_old_polyline) {
-      entity.places.clear();  // of a POLYLINE itself: no place
-      entity.z.clear();
-      for (; more && begins("VERTEX");) {
-        Entity vertex{"VERTEX"};
-        more = read_groups(vertex);
-        entity.bulges += vertex.bulges;
-        if (vertex.flags & 16) continue;  // a control point of a curve; the curve's own places come as well
-        entity.z.insert(entity.z.end(), vertex.z.begin(), vertex.z.end());
-        entity.places.push_back(vertex.places.empty() ? Vec<2>{missing, missing} : vertex.places[0]);
-      }
-      if (more && begins("SEQEND")) {
-        Entity end{"SEQEND"};
-        more = read_groups(end);
-      }
+    if (entity.kind != "POLYLINE") return more;
+    entity.places.clear(), entity.bulges.clear(), entity.z.clear();  // of a POLYLINE itself: no place
+    while (more && begins("VERTEX")) {
+      Entity vertex{"VERTEX"};
+      more = read_groups(vertex);
+      if (vertex.flags & 16) continue;  // a control point of a curve; the curve's own places come as well
+      entity.z.insert(entity.z.end(), vertex.z.begin(), vertex.z.end());
+      entity.places.push_back(vertex.places.empty() ? Vec<2>{missing, missing} : vertex.places[0]);
+      entity.bulges.push_back(vertex.bulges.empty() ? 0.0 : vertex.bulges[0]);
     }
-    if (entity.on_paper)
-      ++n_on_paper_;
-    else if (entity.hidden)
-      ++n_hidden_;
-    else
-      take(entity, is_old_polyline);
+    if (more && begins("SEQEND")) {
+      Entity end{"SEQEND"};
+      more = read_groups(end);
+    }
+    return more;
+  }
+
+  bool read_entities(bool more)
+  {
+    while (more && !begins("ENDSEC")) {
+      Entity entity{""};
+      more = read_entity(entity);
+      take(entity, {}, "", 0);
+    }
+    return more;
+  }
+
+  bool read_blocks(bool more)
+  {
+    while (more && !begins("ENDSEC")) {
+      Entity head{std::string(pair_.value)};
+      more = read_groups(head);
+      if (head.kind != "BLOCK") continue;
+      Block& block = blocks_[head.block];
+      if (!head.places.empty() && !std::isnan(head.places[0][1])) block.base = head.places[0];
+      while (more && !begins("ENDBLK") && !begins("ENDSEC"))
+        more = read_entity(block.entities.emplace_back(Entity{""}));
+    }
+    return more;
+  }
+
+  /// Which layers are off, frozen or not plotted.
+  bool read_tables(bool more)
+  {
+    while (more && !begins("ENDSEC")) {
+      const bool is_layer = begins("LAYER");
+      std::string name, state;
+      for (more = next(); more && pair_.code != 0; more = next()) {
+        if (!is_layer) continue;
+        if (pair_.code == 2) name = pair_.value;
+        if (pair_.code == 62 && number() < 0.0) state = "off";
+        if (pair_.code == 70 && (static_cast<int>(number()) & 1)) state = "frozen";
+        if (pair_.code == 290 && number() == 0.0) state = "not plotted";
+      }
+      if (!state.empty()) layer_states_[name] = state;
+    }
     return more;
   }
 
@@ -213,16 +297,33 @@ class DxfReader {
         what, fmt::format("It is on layer {}. {}", entity.layer, detail), ""});
   }
 
-  void take(Entity& entity, bool is_old_polyline)
+  bool is_chosen(const std::string& layer) const { return std::ranges::find(layers_, layer) != layers_.end(); }
+
+  /// Left out by the drawing, by --layers, or as what bounds nothing; counted with its reason.
+  bool is_left_out(const Entity& entity, const std::string& raw_layer, const std::string& layer)
   {
+    if (entity.on_paper) return ++n_on_paper_, true;
+    if (entity.hidden) return ++n_hidden_, true;
+    all_layers_.insert(layer);
+    const auto state = layer_states_.find(raw_layer);
+    if (layers_.empty() && state != layer_states_.end())
+      return left_layers_.insert(fmt::format("{} ({})", layer, state->second)), true;
+    if (!layers_.empty() && !is_chosen(layer)) return left_layers_.insert(layer), true;
+    if (entity.is({"LINE", "LWPOLYLINE", "POLYLINE", "ARC", "SPLINE", "INSERT"})) return false;
+    if (!entity.is({"SEQEND", "ATTRIB", "VERTEX"})) ++others_[{layer, entity.kind}];
+    return true;
+  }
+
+  /// outer_layer: that of the INSERT, which holds for layer 0 of its block.
+  void take(const Entity& given, const DxfPlacement& placement, const std::string& outer_layer, int depth)
+  {
+    Entity entity = given;
+    if (depth > 0 && entity.layer == "0") entity.layer = outer_layer;
+    const std::string layer = dxf_letters(entity.layer, code_page_);
+    if (is_left_out(entity, entity.layer, layer)) return;
+    if (entity.kind == "INSERT") return take_block(entity, placement, depth);
     const bool is_line = entity.kind == "LINE";
-    if (!is_line && !is_old_polyline && entity.kind != "LWPOLYLINE")
-      return problem(entity, "is not read",
-          "Terp reads LINE, LWPOLYLINE and POLYLINE with straight sides. Turn it into one of these, or delete it.");
-    if (entity.bulges > 0)
-      return problem(entity, "has arcs",
-          fmt::format("{} of its sides are bent (code 42). Turn them into straight ones.", entity.bulges));
-    if (is_old_polyline && (entity.flags & (16 | 64)))
+    if (entity.kind == "POLYLINE" && (entity.flags & (16 | 64)))
       return problem(entity, "is a mesh", "Terp reads polylines only. Delete it, or draw its outline.");
     if (entity.turned)
       return problem(entity, "does not lie in the plane of the drawing",
@@ -231,18 +332,44 @@ class DxfReader {
       return problem(entity, "does not lie in one plane",
           fmt::format("Its z goes from {:g} to {:g}. The elevation is y in a section: draw it in the plane of x and y.",
               std::ranges::min(entity.z), std::ranges::max(entity.z)));
-    if (is_line) entity.places.push_back(entity.end);
-    if (std::ranges::any_of(entity.places, [](const Vec<2>& x) { return std::isnan(x[0] + x[1]); }))
-      return problem(entity, "has a place without x or y",
-          "Codes 10 and 20 give x and y of a place, 11 and 21 of the end of a LINE. Save the drawing once more.");
-    if (entity.places.size() < 2)
-      return problem(entity, "has fewer than two places", fmt::format("Got {}. Delete it.", entity.places.size()));
-    bool closed = !is_line && (entity.flags & 1);
+    if (is_line) entity.places.push_back(entity.end), entity.bulges.push_back(0.0);
+    for (const auto* places : {&entity.places, &entity.spline.fit})
+      if (std::ranges::any_of(*places, [](const Vec<2>& x) { return std::isnan(x[0] + x[1]); }))
+        return problem(entity, "has a place without x or y",
+            "Codes 10 and 20 give x and y of a place, 11 and 21 of the end of a LINE. Save the drawing once more.");
+    bool closed = entity.is({"LWPOLYLINE", "POLYLINE"}) && (entity.flags & 1);
+    n_bent_ += is_bent(entity) ? 1 : 0;
+    entity.places = chords_of(entity, closed, flat / (metres_of_unit() * placement.largest()));
+    if (entity.places.size() < 2) {
+      ++others_[{layer, entity.kind}];
+      return;
+    }
     if (!is_line && !closed && entity.places.size() > 3 && entity.places.front() == entity.places.back()) closed = true;
     if (closed && entity.places.front() == entity.places.back()) entity.places.pop_back();
-    const std::string layer = dxf_letters(entity.layer, code_page_);
+    for (Vec<2>& x : entity.places) x = placement(x);
     has_lost_letters_ = has_lost_letters_ || layer.find("\xEF\xBF\xBD") != std::string::npos;
     drawing_.lines.push_back({layer, std::move(entity.places), closed, entity.handle});
+  }
+
+  void take_block(const Entity& insert, const DxfPlacement& outer, int depth)
+  {
+    const auto block = blocks_.find(insert.block);
+    if (block == blocks_.end() || insert.places.empty() || std::isnan(insert.places[0][1])) return;
+    if (depth == most_depth || static_cast<Real>(insert.columns) * insert.rows > most_copies ||
+        (insert.turned && !insert.mirrored))
+      return problem(insert, "is not read", "Its block is nested too deep, repeated too often or turned. Explode it.");
+    for (int i = 0; i < insert.columns; ++i)
+      for (int j = 0; j < insert.rows; ++j) {
+        const DxfPlacement grid = placement_of(insert.places[0], {0.0, 0.0}, {1.0, 1.0}, insert.rotation);
+        const Vec<2> at = grid({i * insert.spacing[0], j * insert.spacing[1]});
+        DxfPlacement placement = placement_of(at, block->second.base, insert.scale, insert.rotation);
+        if (insert.mirrored) placement = joined({-1.0, 0.0, 0.0, 1.0, {0.0, 0.0}}, placement);
+        for (const Entity& entity : block->second.entities) {
+          if (++n_inserted_ > most_inserted)
+            refuse("inserts its blocks too often", "Explode them, or leave out their layer.");
+          take(entity, joined(outer, placement), insert.layer, depth + 1);
+        }
+      }
   }
 
   void finish()
@@ -250,7 +377,17 @@ class DxfReader {
     if (n_problems_ > most_problems)
       problems_.push_back({path_, fmt::format("has {} more such entities", n_problems_ - most_problems), "", ""});
     if (!problems_.empty()) throw InputError(std::move(problems_));
-    if (drawing_.lines.empty()) refuse("has no lines", "Its section ENTITIES has no LINE, LWPOLYLINE or POLYLINE.");
+    check_chosen_layers();
+    if (drawing_.lines.empty())
+      refuse("has no lines",
+          fmt::format("No LINE, LWPOLYLINE, POLYLINE, ARC or SPLINE bounds a region.{}{} Draw outlines.",
+              others_.empty() ? "" : " It has " + others_text() + ".",
+              left_layers_.empty() ? "" : fmt::format(" Layers left out: {}.", fmt::join(left_layers_, ", "))));
+    if (!others_.empty()) drawing_.notes.push_back(fmt::format("Bounds no region: {}.", others_text()));
+    if (!left_layers_.empty())
+      drawing_.notes.push_back(fmt::format("Layers left out: {}.", fmt::join(left_layers_, ", ")));
+    if (n_bent_ > 0)
+      drawing_.notes.push_back(fmt::format("{} bent lines were made of chords within {:g} m.", n_bent_, flat));
     if (n_on_paper_ > 0)
       drawing_.notes.push_back(fmt::format("{} entities of layouts (paper space) were left out.", n_on_paper_));
     if (n_hidden_ > 0)
@@ -269,6 +406,32 @@ class DxfReader {
               fmt::format("{:g}, {:g} m on layer {}. Check the unit of the drawing.", x[0], x[1], line.layer));
       }
     doubt_width();
+  }
+
+  /// "2 TEXT on notes, 1 CIRCLE on marks".
+  std::string others_text() const
+  {
+    std::string text;
+    for (const auto& [what, n] : others_)
+      text += fmt::format("{}{} {} on {}", text.empty() ? "" : ", ", n, what.second, what.first);
+    return text;
+  }
+
+  void check_chosen_layers()
+  {
+    for (const std::string& layer : layers_)
+      if (!all_layers_.contains(layer))
+        refuse(fmt::format("has nothing on a layer `{}`", layer),
+            fmt::format("Layers of it: {}.", fmt::join(all_layers_, ", ")));
+  }
+
+  /// Of the header or the option; 1 where it is not known yet.
+  Real metres_of_unit() const
+  {
+    if (unit_ > 0.0) return unit_;
+    for (const Unit& known : units)
+      if (header_unit_ && known.number == *header_unit_) return known.metres;
+    return 1.0;
   }
 
   /// Many drawings are in metres, with a header that says millimetres, as that of an empty drawing does.
@@ -302,7 +465,12 @@ class DxfReader {
   const std::string& path_;
   std::string_view rest_;
   Real unit_;
-  std::size_t line_ = 0, n_problems_ = 0, n_on_paper_ = 0, n_hidden_ = 0;
+  const std::vector<std::string>& layers_;  ///< empty: all that the drawing shows
+  std::size_t line_ = 0, n_problems_ = 0, n_on_paper_ = 0, n_hidden_ = 0, n_bent_ = 0, n_inserted_ = 0;
+  std::map<std::string, Block, std::less<>> blocks_;
+  std::map<std::string, std::string> layer_states_;                    ///< of those that are not shown
+  std::map<std::pair<std::string, std::string>, std::size_t> others_;  ///< by layer and kind: what bounds nothing
+  std::set<std::string> left_layers_, all_layers_;
   std::string code_page_;  ///< of releases before 2007
   Pair pair_{};
   bool has_entities_ = false, has_lost_letters_ = false;
@@ -310,15 +478,6 @@ class DxfReader {
   std::vector<Problem> problems_;
   DxfDrawing drawing_;
 };
-
-/// Release 12 knows letters, digits, $, - and _ in names of layers.
-std::string layer_name(const std::string& name)
-{
-  std::string text;
-  for (const char c : name)
-    text += std::isalnum(static_cast<unsigned char>(c)) || c == '$' || c == '-' || c == '_' ? c : '_';
-  return text.empty() ? "0" : text.substr(0, 31);
-}
 
 }  // namespace
 
@@ -329,31 +488,15 @@ Real dxf_unit(std::string_view name)
   return 0.0;
 }
 
-DxfDrawing read_dxf_text(const std::string& path, std::string_view text, Real unit)
+DxfDrawing read_dxf_text(
+    const std::string& path, std::string_view text, Real unit, const std::vector<std::string>& layers)
 {
-  return DxfReader(path, text, unit).read();
+  return DxfReader(path, text, unit, layers).read();
 }
 
-DxfDrawing read_dxf(const std::string& path, Real unit) { return read_dxf_text(path, read_file(path), unit); }
-
-std::string dxf_text(const std::vector<DxfLine>& lines)
+DxfDrawing read_dxf(const std::string& path, Real unit, const std::vector<std::string>& layers)
 {
-  std::string text = "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n";
-  std::set<std::string> layers;
-  for (const DxfLine& line : lines) layers.insert(layer_name(line.layer));
-  text += fmt::format("0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n{}\n", layers.size());
-  int colour = 0;
-  for (const std::string& layer : layers)
-    text += fmt::format("0\nLAYER\n2\n{}\n70\n0\n62\n{}\n6\nCONTINUOUS\n", layer, 1 + colour++ % 7);
-  text += "0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
-  for (const DxfLine& line : lines) {
-    const std::string layer = layer_name(line.layer);
-    text += fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n10\n0.0\n20\n0.0\n30\n0.0\n70\n{}\n", layer, line.closed ? 1 : 0);
-    for (const Vec<2>& x : line.places)
-      text += fmt::format("0\nVERTEX\n8\n{}\n10\n{:.6f}\n20\n{:.6f}\n30\n0.0\n", layer, x[0], x[1]);
-    text += fmt::format("0\nSEQEND\n8\n{}\n", layer);
-  }
-  return text + "0\nENDSEC\n0\nEOF\n";
+  return read_dxf_text(path, read_file(path), unit, layers);
 }
 
 }  // namespace terp

@@ -1,5 +1,5 @@
-// Drawings as DXF text: straight lines and polylines with their layers, read and written. Facts: docs/dxf.md.
-// Not for: binary DXF, DWG, curves, blocks; what the lines enclose (dxf_regions.hpp).
+// Drawings as DXF text: lines, polylines, arcs, splines and blocks with their layers, read; polylines, written. Facts:
+// docs/dxf.md. Not for: binary DXF, DWG; what the lines enclose (dxf_regions.hpp).
 #pragma once
 
 #include "math/types.hpp"
@@ -26,12 +26,14 @@ struct DxfDrawing {
 /// Length of a unit of the drawing in m, by its name in Terp (m, dm, cm, mm, ft, in); 0: there is no such unit.
 Real dxf_unit(std::string_view name);
 
-/// unit: of the drawing [m]; 0: that of the header, $INSUNITS, or m. Throws InputError, one problem for each entity
+/// unit: of the drawing [m]; 0: that of the header, $INSUNITS, or m. layers: those to read; empty: all that the drawing
+/// shows. Blocks are read where they are inserted, bent lines as chords. Throws InputError, one problem for each entity
 /// that is not read, with its handle, up to ten; or for what is no DXF text.
-DxfDrawing read_dxf_text(const std::string& path, std::string_view text, Real unit = 0.0);
+DxfDrawing read_dxf_text(
+    const std::string& path, std::string_view text, Real unit = 0.0, const std::vector<std::string>& layers = {});
 
 /// The same of a file. Throws FileError if it cannot be read.
-DxfDrawing read_dxf(const std::string& path, Real unit = 0.0);
+DxfDrawing read_dxf(const std::string& path, Real unit = 0.0, const std::vector<std::string>& layers = {});
 
 /// Text of a drawing in m, in the oldest form that all programs read (release 12).
 std::string dxf_text(const std::vector<DxfLine>& lines);

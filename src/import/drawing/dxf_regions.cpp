@@ -3,6 +3,8 @@
 
 #include "import/drawing/dxf_regions.hpp"
 
+#include "import/drawing/tidy_lines.hpp"
+
 #include "math/errors.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +15,7 @@
 namespace terp {
 namespace {
 
-std::string name_of(const DxfDrawing& drawing, const PlanarGraph& graph, const FaceRing& ring, const Polygon& outline)
+std::string name_of(const TidyLines& drawing, const PlanarGraph& graph, const FaceRing& ring, const Polygon& outline)
 {
   const DxfLine* around = nullptr;
   const Vec<2> inside = place_in(outline);
@@ -26,17 +28,20 @@ std::string name_of(const DxfDrawing& drawing, const PlanarGraph& graph, const F
   for (const Index edge : ring.edges)
     for (const int owner : graph.edges[edge].owners) {
       const std::string& layer = drawing.lines[owner].layer;
-      if (!name.empty() && name != layer) return "";
-      name = layer;
+      if (!name.empty() && !layer.empty() && name != layer) return "";
+      if (!layer.empty()) name = layer;
     }
   return name;
 }
 
 }  // namespace
 
-DxfRegions regions_of(const DxfDrawing& drawing, Real snap)
+DxfRegions regions_of(const DxfDrawing& whole, Real snap)
 {
-  DxfRegions found;
+  const TidyLines drawing = tidy_lines(whole.lines, snap);
+  DxfRegions found{{}, drawing.notes, drawing.doubts};
+  if (drawing.lines.empty())
+    throw InputError({"", "no line of the drawing bounds soil", "Draw outlines of the soils.", ""});
   const auto is_open = [](const DxfLine& line) { return !line.closed; };
   if (std::ranges::none_of(drawing.lines, is_open)) {
     for (const DxfLine& line : drawing.lines) found.regions.push_back({line.layer, line.places});

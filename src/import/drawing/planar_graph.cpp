@@ -19,6 +19,16 @@ namespace terp {
 namespace {
 
 constexpr int most_rounds = 60;
+constexpr Index most_edges = 100'000, most_crossings = 100'000;
+
+[[noreturn]] void refuse_lines(const char* what)
+{
+  throw InputError({"", what,
+      fmt::format("Terp joins lines of at most {} sides that cross at most {} times. Leave out hatchings and meshes: "
+                  "--layers names the layers of the section.",
+          most_edges, most_crossings),
+      ""});
+}
 
 /// Places in square buckets as wide as the snap distance.
 class PlaceTable {
@@ -84,6 +94,9 @@ class Joiner {
  public:
   Joiner(const std::vector<DrawnLine>& lines, Real snap) : snap_(snap), table_(graph_.places, snap)
   {
+    std::size_t n_sides = 0;
+    for (const DrawnLine& line : lines) n_sides += line.places.size();
+    if (n_sides > most_edges) refuse_lines("the lines of the drawing are too many");
     for (const DrawnLine& line : lines) {
       std::vector<Index> at;
       for (const Vec<2>& x : line.places) at.push_back(known_place(x));
@@ -196,7 +209,7 @@ class Joiner {
                 graph_.places[all[other].second], x))
           continue;
         const Index at = crossing_place(all[k], all[other], x);
-        ++graph_.counts.crossings;
+        if (++graph_.counts.crossings > most_crossings) refuse_lines("the lines of the drawing cross too often");
         for (const Ends& ends : {all[k], all[other]})
           if (at != ends.first && at != ends.second) cuts_[ends].push_back(at);
       }
@@ -210,17 +223,25 @@ class Joiner {
     return table_.at(x);
   }
 
+  /// Each edge that goes may leave a loose one behind it.
   void drop_loose_ends()
   {
-    for (bool found = true; found;) {
-      std::vector<int> uses(graph_.places.size(), 0);
-      for (const GraphEdge& e : graph_.edges) ++uses[e.a], ++uses[e.b];
-      const auto is_loose = [&](const GraphEdge& e) { return uses[e.a] == 1 || uses[e.b] == 1; };
-      for (const GraphEdge& e : graph_.edges)
-        if (is_loose(e) && ++graph_.counts.loose_ends == 1)
-          graph_.counts.loose_at = graph_.places[uses[e.a] == 1 ? e.a : e.b];
-      found = std::erase_if(graph_.edges, is_loose) > 0;
-    }
+    std::vector<std::vector<std::size_t>> edges_at(graph_.places.size());
+    for (std::size_t k = 0; k < graph_.edges.size(); ++k)
+      for (const Index at : {graph_.edges[k].a, graph_.edges[k].b}) edges_at[at].push_back(k);
+    std::vector<bool> is_gone(graph_.edges.size(), false);
+    for (std::size_t at = 0; at < edges_at.size(); ++at)
+      for (std::size_t here = at; edges_at[here].size() == 1;) {
+        const std::size_t edge = edges_at[here].front();
+        const GraphEdge& e = graph_.edges[edge];
+        if (++graph_.counts.loose_ends == 1) graph_.counts.loose_at = graph_.places[here];
+        is_gone[edge] = true;
+        edges_at[here].clear();
+        here = static_cast<std::size_t>(e.a) == here ? e.b : e.a;
+        std::erase(edges_at[here], edge);
+      }
+    std::size_t k = 0;
+    std::erase_if(graph_.edges, [&](const GraphEdge&) { return is_gone[k++]; });
   }
 
   Real snap_;

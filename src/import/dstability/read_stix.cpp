@@ -4,6 +4,8 @@
 
 #include "import/dstability/read_stix.hpp"
 
+#include "import/dstability/foreign_file.hpp"
+
 #include "math/utf8.hpp"
 #include "import/dstability/section.hpp"
 #include "import/dstability/stix_parts.hpp"
@@ -394,8 +396,10 @@ StixProject read_stix_bytes(std::string bytes, const std::string& path, ZipLimit
 
 StixProject read_stix(const std::string& path)
 {
-  check_is_file(path);
-  return read_stix_bytes(read_file(path), path);
+  const std::string bytes = read_file(path);
+  if (kind_of_section(path, bytes) != SectionFile::dstability)
+    throw InputError({path, "is no file of D-Stability", "Read it by itself: terp import.", ""});
+  return read_stix_bytes(bytes, path);
 }
 
 }  // namespace terp

@@ -57,9 +57,10 @@ const std::vector<Index>& cells_of_region(const Mesh<2>& mesh, const std::string
     known += (known.empty() ? "" : ", ") + region.name;
   }
   throw InputError(Problem{body_key(body, "region"), "the mesh has no region `" + name + "`",
-      known.empty()
-          ? "No surface of this mesh has a name. In gmsh: `Physical Surface(\"" + name + "\") = {1};`, then save."
-          : "Regions of this mesh: " + known,
+      known.empty() ? "No surface of this mesh has a name. In gmsh: `Physical Surface(\"" + name +
+                          "\") = {1};`, then save. "
+                          "Files .bdf, .nas and .vtk carry no names of groups: save the mesh as .msh or .unv."
+                    : "Regions of this mesh: " + known,
       "body", false, {"mesh.file"}});
 }
 

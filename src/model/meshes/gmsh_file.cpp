@@ -268,34 +268,40 @@ struct LineTables {
   EdgeTable edges;
 };
 
-/// The side of a cell that a line of the file lies on; a fault and nothing if it is not on the boundary.
-const CellSide* side_of_line(
+/// The sides of cells that a line of the file lies on: one on the boundary, two inside; a fault and nothing if it is on
+/// none.
+const std::vector<CellSide>* sides_of_line(
     const LineTables& tables, const MshElement& line, const std::string& name, MeshFaults& faults)
 {
   const Index a = tables.place[tables.table.at(line.nodes[0])], b = tables.place[tables.table.at(line.nodes[1])];
   const auto edge = tables.edges.find(std::minmax(a, b));
-  if (edge != tables.edges.end() && edge->second.size() == 1) return &edge->second[0];
-  const char* what =
-      edge == tables.edges.end() ? "is not the side of a cell" : "lies inside the mesh, between two cells";
-  faults.add(fmt::format("line {} of side `{}` {}", line.number, name, what),
+  if (edge != tables.edges.end()) return &edge->second;
+  faults.add(fmt::format("line {} of side `{}` is not the side of a cell", line.number, name),
       places_of(tables.content, tables.table, line),
       "Physical groups of dimension 1 name parts of the boundary. Take other curves out of them.");
   return nullptr;
 }
 
+/// A name of which a line lies inside the mesh bounds nothing: its side has no edges.
 void add_sides(const LineTables& tables, Mesh<2>& mesh)
 {
   std::map<int, std::vector<CellSide>> sides_of_group;
   std::set<std::array<Index, 3>> known;  // group, cell, side: a line may be there twice
+  std::set<std::string> inside;
   MeshFaults faults("the mesh");
   for (const MshElement& line : tables.content.lines)
     for (const int group : tables.content.group_sets[line.groups]) {
-      const CellSide* side = side_of_line(tables, line, name_of_group(tables.content, 1, group), faults);
-      if (side != nullptr && known.insert({group, side->cell, side->side}).second)
-        sides_of_group[group].push_back(*side);
+      const std::string name = name_of_group(tables.content, 1, group);
+      const std::vector<CellSide>* sides = sides_of_line(tables, line, name, faults);
+      if (sides == nullptr) continue;
+      if (sides->size() > 1) inside.insert(name);
+      if (known.insert({group, sides->front().cell, sides->front().side}).second)
+        sides_of_group[group].push_back(sides->front());
     }
   faults.stop_if_any();
   mesh.sides = named_in_order<NamedSide>(tables.content, 1, sides_of_group);
+  for (NamedSide& side : mesh.sides)
+    if (inside.contains(side.name)) side.edges.clear();
 }
 
 Mesh<2> make_mesh(const MshContent& content)

@@ -243,7 +243,8 @@ class MshReader {
     if (first != "MeshFormat")
       scan_.fail(
           "this is not a gmsh mesh: section $MeshFormat is expected first. A .geo file is meshed by `gmsh -2 -format "
-          "msh41 FILE.geo`");
+          "msh41 FILE.geo`. Of other formats .unv is read with the names of its groups, .bdf, .nas and .vtk without; "
+          "save any other, as .inp, as .msh or .unv");
     const Real version = scan_.real("the version of the format");
     if (version != 4.1) scan_.fail(fmt::format("MSH version {:g} is not read. {}", version, save_again));
     const std::int64_t form = scan_.integer(Width::four, "0 (text) or 1 (binary)");

@@ -156,15 +156,25 @@ bool acted(const NodeCondition& c, int k, Vec<2> v_1, Vec<2> reaction)
 const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name)
 {
   std::string known;
+  bool is_inside = false;
   for (const auto& side : mesh.sides) {
-    if (side.name == name) return side;
+    if (side.name == name && !side.edges.empty()) return side;
+    is_inside = is_inside || side.name == name;
+    if (side.edges.empty()) continue;
     known += (known.empty() ? "" : ", ") + side.name;
   }
+  if (is_inside)
+    throw InputError(Problem{"boundary." + name, "the side `" + name + "` lies inside the mesh, between two cells",
+        "Its curve bounds nothing there: only parts of the boundary take a condition." +
+            (known.empty() ? "" : " Sides of this mesh: " + known),
+        "boundary", true, {"mesh.file"}});
   throw InputError(Problem{"boundary." + name, "the mesh has no side `" + name + "`",
-      known.empty() ? "No side of this mesh has a name. A mesh file names them by physical groups: in gmsh\n"
-                      "`Physical Curve(\"" +
-                          name + "\") = {1, 2};`. In [mesh] of a polygon: edges = { " + name + " = [0] }."
-                    : "Sides of this mesh: " + known,
+      known.empty()
+          ? "No side of this mesh has a name. A mesh file names them by physical groups: in gmsh\n"
+            "`Physical Curve(\"" +
+                name + "\") = {1, 2};`. In [mesh] of a polygon: edges = { " + name +
+                " = [0] }.\nFiles .bdf, .nas and .vtk carry no names of groups: save the mesh as .msh or .unv."
+          : "Sides of this mesh: " + known,
       "boundary", true, {"mesh.file", "mesh.edges"}});
 }
 

@@ -91,9 +91,11 @@ TEST(SetupPoints, ARegionOfAMeshWithoutNamesSaysHowToNameIt)
   c.bodies[0].polygon.clear();
   c.bodies[0].region = "sand";
   Model model = build_model(c, 1);
-  EXPECT_THAT(problems_of([&] { build_state(model); }),
-      ElementsAre(told(_, "the mesh has no region `sand`",
-          "No surface of this mesh has a name. In gmsh: `Physical Surface(\"sand\") = {1};`, then save.")));
+  EXPECT_THAT(
+      problems_of([&] { build_state(model); }), ElementsAre(told(_, "the mesh has no region `sand`",
+                                                    "No surface of this mesh has a name. In gmsh: `Physical "
+                                                    "Surface(\"sand\") = {1};`, then save. Files .bdf, .nas and "
+                                                    ".vtk carry no names of groups: save the mesh as .msh or .unv.")));
 }
 
 }  // namespace setup_points_test

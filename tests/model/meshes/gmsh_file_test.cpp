@@ -166,10 +166,6 @@ void (*const wrong_meshes[])(MshText&) = {
       file.elements.assign({"1 1 5 1 1 2", "2 15 0 1 1"});
     },
     [](MshText& file) { file.elements[0] = "7 3 0 1 4 5 2 1"; },
-    [](MshText& file) {
-      file.names = {"1 5 \"weak layer\""};
-      file.elements.push_back("9 1 5 1 2 5");
-    },
     [](MshText& file) { file.elements.push_back("9 1 5 1 1 5"); },
     [](MshText& file) { file.elements[1] = "8 3 0 1 2 3 66 5"; },
     [](MshText& file) { file.nodes.push_back("3 0.5 0.5 0"); },
@@ -190,6 +186,18 @@ TEST(ReadGmsh, RefusesWhatCannotBeAMeshForTerpInTheWordsOfTheGoldenText)
     all += refusal_of(file.text()) + "\n\n";
   }
   expect_golden("tests/model/meshes/no_mesh_for_terp.txt", all);
+}
+
+TEST(ReadGmsh, KeepsTheNameOfACurveInsideAsASideThatBoundsNothing)
+{
+  MshText file;
+  file.names = {"1 5 \"weak layer\"", "1 6 \"base\""};
+  file.elements.insert(
+      file.elements.end(), {"9 1 5 1 2 5", "10 1 5 1 1 2", "11 1 6 1 1 2"});  // the second lies outside
+  const Mesh<2> mesh = read_gmsh_text("m.msh", file.text());
+  ASSERT_THAT(names_of(mesh.sides), ElementsAre("weak layer", "base"));
+  EXPECT_TRUE(mesh.sides[0].edges.empty());
+  EXPECT_EQ(mesh.sides[1].edges.size(), 1u);
 }
 
 TEST(ReadGmsh, PassesOverLinesInNoGroup)

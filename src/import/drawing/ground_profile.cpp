@@ -1,0 +1,225 @@
+// Cells are apart by semicolons, tabs, commas or spaces, whichever stands in the table first in this order; with
+// semicolons and tabs a comma is that of a decimal. A column is known by its head, else the first two are distance and
+// level. A place may stand twice for a step, so only what lies before its neighbour turns a table round.
+
+#include "import/drawing/ground_profile.hpp"
+
+#include "math/errors.hpp"
+#include "math/plane.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::string_view without_spaces(std::string_view text)
+{
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
+  if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+  return text;
+}
+
+char separator_of(std::string_view text)
+{
+  for (const char c : {';', '\t', ','})
+    if (text.find(c) != std::string_view::npos) return c;
+  return ' ';
+}
+
+Cells cells_of(std::string_view line, char separator)
+{
+  Cells cells;
+  while (true) {
+    if (separator == ' ') line = without_spaces(line);
+    const std::size_t end =
+        std::min(line.find_first_of(separator == ' ' ? " \t" : std::string(1, separator)), line.size());
+    cells.emplace_back(without_spaces(line.substr(0, end)));
+    if (end == line.size()) return cells;
+    line.remove_prefix(end + 1);
+  }
+}
+
+/// NaN where it is none.
+Real number_of(std::string text, char separator)
+{
+  if (separator != ',') std::ranges::replace(text, ',', '.');
+  if (text.starts_with('+')) text.erase(0, 1);
+  Real value = std::nan("");
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? value : std::nan("");
+}
+
+/// Letters of the head of a column, without its unit.
+std::string word_of(std::string_view head)
+{
+  std::string word;
+  for (const char c : head.substr(0, head.find_first_of("[(")))
+    if (c != '_' && c != ' ') word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char* unit : {"mm", "cm"})
+    if (head.find('_') != std::string_view::npos && word.ends_with(unit)) word.resize(word.size() - 2);
+  if (head.ends_with("_m") && word.size() > 1) word.pop_back();
+  return word;
+}
+
+Real unit_of(std::string_view head)
+{
+  for (const auto& [name, metres] : {std::pair{"mm", 1e-3}, std::pair{"cm", 1e-2}})
+    for (const std::string& form : {fmt::format("_{}", name), fmt::format("[{}]", name), fmt::format("({})", name)})
+      if (head.find(form) != std::string_view::npos) return metres;
+  return 1.0;
+}
+
+const std::vector<std::string> distance_words{"l", "s", "d", "distance", "dist", "chainage", "station", "offset",
+    "afstand", "abstand", "distanz", "afst", "lengte", "length", "abscisse", "distancia", "distanza", "metrering"};
+const std::vector<std::string> level_words{"z", "level", "elevation", "elev", "height", "hoogte", "peil", "h", "nap",
+    "mnap", "hoehe", "h\xC3\xB6he", "kote", "niveau", "altitude", "cota", "quota", "zcoord", "maaiveld"};
+const std::vector<std::string> name_words{
+    "name", "naam", "profile", "profiel", "id", "section", "profil", "nom", "dwp"};
+
+struct Columns {
+  int distance = 0, level = 1, y = -1, name = -1;
+  Real unit_x = 1.0, unit_z = 1.0;
+};
+
+Columns columns_of(const Cells& heads)
+{
+  const auto find = [&](const std::vector<std::string>& words) {
+    for (const std::string& word : words)
+      for (std::size_t k = 0; k < heads.size(); ++k)
+        if (word_of(heads[k]) == word) return static_cast<int>(k);
+    return -1;
+  };
+  const int x = find({"x"}), y = find({"y"}), l = find(distance_words), z = find(level_words);
+  Columns c{l >= 0 ? l : std::max(0, x), z >= 0 ? z : y >= 0 ? y : 1, -1, find(name_words)};
+  if (l < 0 && x >= 0 && y >= 0 && z >= 0) c.y = y;
+  c.unit_x = unit_of(heads[c.distance]);
+  if (c.level < std::ssize(heads)) c.unit_z = unit_of(heads[c.level]);
+  return c;
+}
+
+class ProfileReader {
+ public:
+  ProfileReader(const std::string& path, std::string_view text, const ProfileOptions& options)
+      : path_(path), options_(options), separator_(separator_of(text))
+  {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      if (const auto line = without_spaces(text.substr(0, end)); !line.empty() && !line.starts_with('#'))
+        take(cells_of(line, separator_));
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+  }
+
+  DxfRegions regions()
+  {
+    if (profiles_.size() > 1)
+      refuse(fmt::format("holds {} profiles", profiles_.size()),
+          fmt::format("Name the one to read: --layers NAME. There are: {}.", fmt::join(profiles_, ", ")));
+    if (!options_.name.empty() && ground_.empty())
+      refuse(fmt::format("has no profile `{}`", options_.name), "--layers names a profile of a table of several.");
+    put_in_order();
+    if (ground_.size() < 2)
+      refuse("is no ground profile", "It needs two rows with a distance and a level, as l,z and 0,-1.0 below it.");
+    Real lowest = ground_[0][1], highest = lowest;
+    for (const Vec<2>& x : ground_) lowest = std::min(lowest, x[1]), highest = std::max(highest, x[1]);
+    const Real base = options_.base.value_or(lowest - (options_.depth > 0.0 ? options_.depth : usual_depth));
+    if (!(base < lowest))
+      refuse("has ground below the base",
+          fmt::format("The base is at {:g} m, the lowest ground at {:g} m.", base, lowest));
+    DxfRegions found;
+    Polygon outline = ground_;
+    std::ranges::reverse(outline);  // the ground runs from right to left, then along the base
+    outline.push_back({ground_.front()[0], base});
+    outline.push_back({ground_.back()[0], base});
+    found.regions.push_back({"ground", outline});
+    found.notes.push_back(
+        fmt::format("The base was drawn at {:g} m, {:g} m below the lowest ground: --depth takes another "
+                    "one.",
+            base, lowest - base));
+    if (n_without_ > 0) found.notes.push_back(fmt::format("{} rows without numbers were left out.", n_without_));
+    if (is_turned_) found.notes.push_back("The distances fall: the profile was read from its last row.");
+    return found;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what, const std::string& cure) const
+  {
+    throw InputError({path_, what, cure, ""});
+  }
+
+  Real number_at(const Cells& cells, int column) const
+  {
+    return column < std::ssize(cells) ? number_of(cells[column], separator_) : std::nan("");
+  }
+
+  void take(const Cells& cells)
+  {
+    if (!has_heads_) {
+      has_heads_ = true;
+      int n_numbers = 0;
+      for (const std::string& cell : cells) n_numbers += !std::isnan(number_of(cell, separator_));
+      if (n_numbers < 2) {
+        columns_ = columns_of(cells);
+        return;
+      }
+    }
+    const Real z = number_at(cells, columns_.level), at = number_at(cells, columns_.distance);
+    const std::string name = columns_.name >= 0 && columns_.name < std::ssize(cells) ? cells[columns_.name] : "";
+    if (!options_.name.empty() && name != options_.name) return;
+    if (!std::isfinite(at) || !std::isfinite(z)) {
+      ++n_without_;
+      return;
+    }
+    if (columns_.name >= 0 && std::ranges::find(profiles_, name) == profiles_.end()) profiles_.push_back(name);
+    Real x = at * (options_.unit > 0.0 ? options_.unit : columns_.unit_x);
+    if (columns_.y >= 0) {  // places on a map: the distance along the line
+      const Vec<2> place{x, number_at(cells, columns_.y) * columns_.unit_x};
+      x = ground_.empty() ? 0.0 : ground_.back()[0] + distance(before_, place);
+      before_ = place;
+    }
+    ground_.push_back({x, z * (options_.unit > 0.0 ? options_.unit : columns_.unit_z)});
+  }
+
+  void put_in_order()
+  {
+    ground_.erase(std::unique(ground_.begin(), ground_.end()), ground_.end());
+    const auto falls = [](const Vec<2>& a, const Vec<2>& b) { return b[0] < a[0]; };
+    if (ground_.size() > 1 && ground_.back()[0] < ground_.front()[0]) {
+      std::ranges::reverse(ground_);
+      is_turned_ = true;
+    }
+    const auto back = std::adjacent_find(ground_.begin(), ground_.end(), falls);
+    if (back != ground_.end())
+      refuse("goes back", fmt::format("After x = {:g} m comes {:g} m: give the rows from one end to the other.",
+                              (*back)[0], (*(back + 1))[0]));
+  }
+
+  const std::string& path_;
+  const ProfileOptions& options_;
+  char separator_;
+  Columns columns_;
+  bool has_heads_ = false, is_turned_ = false;
+  int n_without_ = 0;
+  Vec<2> before_{};
+  Cells profiles_;
+  Polygon ground_;
+};
+
+}  // namespace
+
+DxfRegions read_profile(const std::string& path, std::string_view text, const ProfileOptions& options)
+{
+  return ProfileReader(path, text, options).regions();
+}
+
+}  // namespace terp

@@ -1,0 +1,282 @@
+// Lines that touch make a group. The section is the group with most outlines; a group with an outline around all of it
+// is a frame.
+
+#include "import/drawing/tidy_lines.hpp"
+
+#include "math/plane.hpp"
+#include "model/bodies/polygon.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace terp {
+namespace {
+
+constexpr std::size_t most_sides = 20'000;  // of all lines, up to which groups are looked for
+constexpr int outline_weight = 1000;        // of an outline beside open lines, to find the section
+constexpr Real nearly_closed = 0.05;        // part of its length by which an outline may be open by mistake
+
+const char* const water_words[] = {"water", "phrea", "frea", "wasser", "nappe", "gws", "gwl", "piezo", "stijghoogte"};
+const char* const frame_words[] = {"frame", "kader", "rahmen", "cadre", "border", "sheet", "blad", "title", "legend"};
+
+template <std::size_t n>
+bool has_word(const std::string& layer, const char* const (&words)[n])
+{
+  std::string lower;
+  for (const char c : layer) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::ranges::any_of(words, [&](const char* word) { return lower.find(word) != std::string::npos; });
+}
+
+std::size_t sides_of(const DxfLine& line) { return line.places.size() - (line.closed ? 0 : 1); }
+
+Real gap_to(const DxfLine& line, Vec<2> x)
+{
+  Real least = distance(line.places[0], x);
+  for (std::size_t k = 0; k < sides_of(line); ++k) {
+    const Vec<2> a = line.places[k], b = line.places[(k + 1) % line.places.size()], side = between(a, b);
+    const Real square = dot(side, side);
+    const Real t = square > 0.0 ? std::clamp(dot(between(a, x), side) / square, 0.0, 1.0) : 0.0;
+    least = std::min(least, distance(between(a, b, t), x));
+  }
+  return least;
+}
+
+BoundingBox wider(BoundingBox box, Real by)
+{
+  for (int d = 0; d < 2; ++d) box.low[d] -= by, box.high[d] += by;
+  return box;
+}
+
+bool meet(const DxfLine& a, const DxfLine& b, Real snap)
+{
+  for (const Vec<2>& x : a.places)
+    if (gap_to(b, x) <= snap) return true;
+  for (const Vec<2>& x : b.places)
+    if (gap_to(a, x) <= snap) return true;
+  Vec<2> x;
+  for (std::size_t i = 0; i < sides_of(a); ++i)
+    for (std::size_t j = 0; j < sides_of(b); ++j)
+      if (lines_cross(
+              a.places[i], a.places[(i + 1) % a.places.size()], b.places[j], b.places[(j + 1) % b.places.size()], x))
+        return true;
+  return false;
+}
+
+class Tidier {
+ public:
+  Tidier(std::vector<DxfLine> lines, Real snap) : tidy_{std::move(lines)}, snap_(snap) {}
+
+  TidyLines tidy()
+  {
+    close_outlines();
+    leave_out_ground_of_export();
+    std::set<std::string> water;
+    drop([&](const DxfLine& line) {
+      const bool is_water = !line.closed && has_word(line.layer, water_words);
+      if (is_water) water.insert(line.layer);
+      return is_water;
+    });
+    if (!water.empty()) note("Open lines of water bound no soil: {}.", fmt::join(water, ", "));
+    std::size_t n_sides = 0;
+    for (const DxfLine& line : tidy_.lines) n_sides += line.places.size();
+    if (n_sides > most_sides) return std::move(tidy_);
+    leave_out_frames();
+    leave_out_walls();
+    close_ends();
+    doubt_gaps();
+    return std::move(tidy_);
+  }
+
+ private:
+  template <class... A>
+  void note(fmt::format_string<A...> text, A&&... arguments)
+  {
+    tidy_.notes.push_back(fmt::format(text, std::forward<A>(arguments)...));
+  }
+
+  template <class F>
+  void drop(F&& is_meant)
+  {
+    std::erase_if(tidy_.lines, is_meant);
+  }
+
+  void close_outlines()
+  {
+    int n_closed = 0;
+    Real widest = 0.0;
+    for (DxfLine& line : tidy_.lines) {
+      auto& x = line.places;
+      x.erase(std::unique(x.begin(), x.end()), x.end());
+      const Real gap = distance(x.front(), x.back());
+      if (line.closed || x.size() < 4 || gap > snap_) continue;
+      while (x.size() > 3 && distance(x.front(), x.back()) <= snap_) x.pop_back();
+      line.closed = true;
+      if (gap == 0.0) continue;
+      ++n_closed;
+      widest = std::max(widest, gap);
+    }
+    drop([](const DxfLine& line) { return line.places.size() < 2; });
+    if (n_closed > 0) note("{} outlines were closed, by at most {:.3g} mm.", n_closed, 1e3 * widest);
+  }
+
+  void leave_out_ground_of_export()
+  {
+    const std::size_t n = tidy_.lines.size();
+    if (std::ranges::none_of(tidy_.lines, &DxfLine::closed)) return;
+    drop([](const DxfLine& line) {
+      return !line.closed && (line.layer == "ground_start" || line.layer == "ground_end");
+    });
+    if (tidy_.lines.size() < n) note("The ground lines of an exported section bound no soil.");
+  }
+
+  /// The number of its group for each line.
+  std::vector<std::size_t> groups() const
+  {
+    const std::size_t n = tidy_.lines.size();
+    std::vector<std::size_t> group(n);
+    std::iota(group.begin(), group.end(), std::size_t{0});
+    std::vector<BoundingBox> boxes;
+    for (const DxfLine& line : tidy_.lines) boxes.push_back(wider(box_around(line.places), snap_));
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = a + 1; b < n; ++b)
+        if (group[a] != group[b] && overlap(boxes[a], boxes[b]) && meet(tidy_.lines[a], tidy_.lines[b], snap_))
+          std::ranges::replace(group, group[b], group[a]);
+    return group;
+  }
+
+  void leave_out_frames()
+  {
+    const std::vector<std::size_t> group = groups();
+    std::vector<int> weight(group.size(), 0);
+    for (std::size_t k = 0; k < group.size(); ++k) weight[group[k]] += tidy_.lines[k].closed ? outline_weight : 1;
+    const auto section = static_cast<std::size_t>(std::ranges::max_element(weight) - weight.begin());
+    std::vector<Vec<2>> places;
+    for (std::size_t k = 0; k < group.size(); ++k)
+      if (group[k] == section) places.insert(places.end(), tidy_.lines[k].places.begin(), tidy_.lines[k].places.end());
+    if (places.empty()) return;
+    std::set<std::size_t> frames;
+    std::set<std::string> names, apart;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const DxfLine& line = tidy_.lines[k];
+      if (group[k] == section || !line.closed) continue;
+      const bool is_around = std::ranges::all_of(places, [&](const Vec<2>& x) { return contains(line.places, x); });
+      const bool is_frame = line.places.size() == 4 && weight[section] >= 2;
+      if (is_around && (is_frame || has_word(line.layer, frame_words)))
+        frames.insert(group[k]), names.insert(line.layer);
+    }
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const DxfLine& line = tidy_.lines[k];
+      if (group[k] == section || !line.closed || frames.contains(group[k])) continue;
+      if (std::ranges::none_of(tidy_.lines, [&](const DxfLine& other) {
+            return &other != &line && other.closed && contains(other.places, line.places[0]) &&
+                   !has_word(other.layer, frame_words);
+          }))
+        apart.insert(line.layer);
+    }
+    std::set<std::string> loose;
+    std::vector<DxfLine> kept;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const bool touches_nothing =
+          group[k] != section && weight[section] >= outline_weight && weight[group[k]] < outline_weight;
+      if (touches_nothing) loose.insert(tidy_.lines[k].layer);
+      if (!touches_nothing && !frames.contains(group[k])) kept.push_back(std::move(tidy_.lines[k]));
+    }
+    tidy_.lines = std::move(kept);
+    if (!loose.empty()) note("Lines that touch no outline bound no soil: {}.", fmt::join(loose, ", "));
+    if (!frames.empty())
+      tidy_.doubts.push_back(
+          fmt::format("Outlines that hold all others and touch none were taken as a frame, not as soil: {}.",
+              fmt::join(names, ", ")));
+    if (!apart.empty() && weight[section] >= 2 * outline_weight)
+      tidy_.doubts.push_back(fmt::format(
+          "Outlines that touch no other were taken as soil: {}. --layers leaves a layer out.", fmt::join(apart, ", ")));
+  }
+
+  bool is_loose(const DxfLine& line, Vec<2> end) const
+  {
+    return std::ranges::none_of(
+        tidy_.lines, [&](const DxfLine& other) { return &other != &line && gap_to(other, end) <= snap_; });
+  }
+
+  /// With outlines on both sides of boundaries, a line that ends within one is a wall, a drain or an anchor.
+  void leave_out_walls()
+  {
+    if (std::ranges::count_if(tidy_.lines, &DxfLine::closed) < 2) return;
+    std::set<std::string> names;
+    std::vector<DxfLine> kept;
+    for (const DxfLine& line : tidy_.lines) {
+      const auto ends_within = [&](Vec<2> end) {
+        return is_loose(line, end) && std::ranges::any_of(tidy_.lines, [&](const DxfLine& other) {
+          return other.closed && contains(other.places, end);
+        });
+      };
+      if (!line.closed && (ends_within(line.places.front()) || ends_within(line.places.back())))
+        names.insert(line.layer);
+      else
+        kept.push_back(line);
+    }
+    tidy_.lines = std::move(kept);
+    if (!names.empty()) note("Lines that end within an outline bound no soil: {}.", fmt::join(names, ", "));
+  }
+
+  /// Boundaries from end to end of the section, as other programs write them.
+  void close_ends()
+  {
+    std::vector<Vec<2>> all;
+    for (const DxfLine& line : tidy_.lines) all.insert(all.end(), line.places.begin(), line.places.end());
+    if (all.empty()) return;
+    const BoundingBox box = box_around(all);
+    std::vector<DxfLine> verticals;
+    for (const Real side : {box.low[0], box.high[0]}) {
+      std::vector<Vec<2>> ends;
+      bool loose = false;
+      for (const DxfLine& line : tidy_.lines)
+        for (const Vec<2>& end : {line.places.front(), line.places.back()})
+          if (!line.closed && std::abs(end[0] - side) <= snap_) {
+            ends.push_back(end);
+            loose = loose || is_loose(line, end);
+          }
+      std::ranges::sort(ends, {}, [](const Vec<2>& x) { return x[1]; });
+      if (loose && ends.size() > 1 && ends.back()[1] - ends.front()[1] > snap_)
+        verticals.push_back({"", ends, false, ""});
+    }
+    if (verticals.empty()) return;
+    const auto lowest =
+        std::ranges::min_element(tidy_.lines, {}, [](const DxfLine& line) { return line.places[0][1]; });
+    note(
+        "Boundaries without ends were closed by verticals at x = {:.2f}{} m; the lowest line, on layer {}, is the "
+        "base.",
+        verticals.front().places[0][0],
+        verticals.size() > 1 ? fmt::format(" and {:.2f}", verticals.back().places[0][0]) : "", lowest->layer);
+    std::ranges::move(verticals, std::back_inserter(tidy_.lines));
+  }
+
+  void doubt_gaps()
+  {
+    for (const DxfLine& line : tidy_.lines) {
+      if (line.closed || line.places.size() < 4) continue;
+      Real all = 0.0;
+      for (std::size_t k = 0; k + 1 < line.places.size(); ++k) all += distance(line.places[k], line.places[k + 1]);
+      const Vec<2> end = line.places.back();
+      const Real gap = distance(line.places.front(), end);
+      if (gap > snap_ && gap < nearly_closed * all && is_loose(line, end))
+        tidy_.doubts.push_back(fmt::format("An outline on layer {} is open by {:.3f} m at {:.3f}, {:.3f} m: close it.",
+            line.layer, gap, end[0], end[1]));
+    }
+  }
+
+  TidyLines tidy_;
+  Real snap_;
+};
+
+}  // namespace
+
+TidyLines tidy_lines(std::vector<DxfLine> lines, Real snap) { return Tidier(std::move(lines), snap).tidy(); }
+
+}  // namespace terp

@@ -1,0 +1,19 @@
+// What stands in a drawing beside the section: outlines that are nearly closed, frames, water lines, walls, boundaries
+// without ends. Not for: which regions the lines enclose (dxf_regions.hpp).
+#pragma once
+
+#include "import/drawing/dxf_file.hpp"
+
+namespace terp {
+
+struct TidyLines {
+  std::vector<DxfLine> lines;
+  std::vector<std::string> notes = {};   ///< what was changed, as sentences
+  std::vector<std::string> doubts = {};  ///< what speaks against the drawing, the same
+};
+
+/// Closes outlines whose ends lie within `snap` [m], and boundaries that end at one x by a vertical. Leaves out open
+/// water lines, lines that end within an outline, frames around all, and the ground lines of an exported section.
+TidyLines tidy_lines(std::vector<DxfLine> lines, Real snap);
+
+}  // namespace terp

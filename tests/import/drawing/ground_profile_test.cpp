@@ -1,0 +1,52 @@
+#include "import/drawing/ground_profile.hpp"
+#include "math/errors.hpp"
+#include "support/test.hpp"
+
+namespace ground_profile_test {
+
+DxfRegions profile(const std::string& text, ProfileOptions options = {})
+{
+  options.base = options.base.value_or(-6.0);
+  return read_profile("p.csv", text, options);
+}
+
+Real area(const std::string& text, const ProfileOptions& options = {})
+{
+  return signed_area(profile(text, options).regions.at(0).polygon);
+}
+
+// 60 m from -6 m to -1 m, the dike above -1 m: 53 + 4.6 m^2 up to the ditch, less its corner.
+constexpr Real whole = 368.8;
+
+TEST(GroundProfile, IsOneSoilAboveItsBase)
+{
+  const std::string rows = "0,-1.0\n12,-1.0\n22,3.5\n26,3.5\n38,-0.5\n40,-1.2\n60,-1.0\n";
+  EXPECT_NEAR(area("l,z\n" + rows), whole, 1e-9);
+  EXPECT_NEAR(area(rows), whole, 1e-9);
+  EXPECT_NEAR(area("# surveyed\nz;afstand\n-1,0;0\n-1,0;12\n3,5;22\n3,5;26\n-0,5;38\n-1,2;40\n-1,0;60\n"), whole, 1e-9);
+  EXPECT_NEAR(area("x,z\n60,-1.0\n40,-1.2\n38,-0.5\n26,3.5\n22,3.5\n12,-1.0\n0,-1.0\n"), whole, 1e-9);
+  EXPECT_NEAR(area("distance [mm];level [mm]\n0;-1000\n12000;-1000\n22000;3500\n26000;3500\n38000;-500\n40000;-1200\n"
+                   "60000;-1000\n"),
+      whole, 1e-9);
+  const DxfRegions gaps = profile("l,z\n0,-1\n5,NaN\n10,-1\n10,0\n20,0\n");
+  EXPECT_NEAR(signed_area(gaps.regions[0].polygon), 110.0, 1e-9);
+  EXPECT_THAT(gaps.notes, Contains("1 rows without numbers were left out."));
+}
+
+TEST(GroundProfile, OfSeveralIsChosenByItsName)
+{
+  const std::string table = "name,l,z\nA,0,0\nA,10,0\nB,0,1\nB,20,1\n";
+  EXPECT_NEAR(area(table, {.name = "B"}), 140.0, 1e-9);
+  EXPECT_THAT(refusal<InputError>([&] { profile(table); }), HasSubstr("holds 2 profiles"));
+  EXPECT_THAT(refusal<InputError>([&] { profile(table, {.name = "C"}); }), HasSubstr("has no profile `C`"));
+}
+
+TEST(GroundProfile, ThatGoesBackOrIsNoneIsRefused)
+{
+  EXPECT_THAT(refusal<InputError>([] { profile("l,z\n0,0\n10,0\n5,1\n20,0\n"); }), HasSubstr("goes back"));
+  EXPECT_THAT(refusal<InputError>([] { profile("l,z\nno,numbers\n"); }), HasSubstr("is no ground profile"));
+  EXPECT_THAT(refusal<InputError>([] { profile("l,z\n0,-7\n10,0\n"); }), HasSubstr("has ground below the base"));
+  EXPECT_NEAR(read_profile("p.csv", "0,1\n10,1\n", {.depth = 4.0}).regions[0].polygon.back()[1], -3.0, 1e-12);
+}
+
+}  // namespace ground_profile_test
