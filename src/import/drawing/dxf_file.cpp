@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <map>
 #include <optional>
@@ -24,7 +23,6 @@ namespace terp {
 namespace {
 
 constexpr std::size_t most_problems = 10;
-constexpr int comment = 999;
 constexpr Real missing = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real narrowest = 1.0, widest = 5e3;  // [m] of a section without doubt
 constexpr Real flat = 0.005;                   // [m]: distance of chords from a bent line
@@ -85,7 +83,7 @@ class DxfReader {
   bool next()
   {
     while (next_of_any_kind())
-      if (pair_.code != comment) return true;
+      if (pair_.code != 999) return true;
     return false;
   }
 

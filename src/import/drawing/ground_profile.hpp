@@ -9,10 +9,10 @@
 namespace terp {
 
 struct ProfileOptions {
-  std::string name;          ///< of the profile in a table of several; empty: the only one
-  Real unit = 0.0;           ///< [m]; 0: that of the heads of the columns, or m
-  Real depth = 0.0;          ///< of the base below the lowest ground [m]; 0: `usual_depth`
-  std::optional<Real> base;  ///< level of the base instead [m]
+  std::string name = {};          ///< of the profile in a table of several; empty: the only one
+  Real unit = 0.0;                ///< [m]; 0: that of the heads of the columns, or m
+  Real depth = 0.0;               ///< of the base below the lowest ground [m]; 0: `usual_depth`
+  std::optional<Real> base = {};  ///< level of the base instead [m]
 };
 inline constexpr Real usual_depth = 10.0;  // [m]
 
