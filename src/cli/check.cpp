@@ -65,7 +65,7 @@ void print_bodies(const Model& model)
 void print_sides(const Model& model)
 {
   for (const NamedSide& side : model.mesh->sides)
-    if (side.edges.empty())
+    if (side.is_inside)
       say("  side {:<10}bounds nothing: its curve lies inside the mesh\n", printable(side.name));
     else
       say("  side {:<10}{}, {:.4g} m\n", printable(side.name), describe(condition_of(model.description, side.name)),

@@ -177,7 +177,7 @@ class SectionDrawing : SectionWater {
       const SideCondition condition = condition_of(model_.description, side.name);
       const SideKindInfo& kind = info_of(condition.kind);
       const SideShape shape = shape_of_side(*model_.mesh, side);
-      if (side.edges.empty()) continue;
+      if (side.is_inside) continue;
       std::string path, marks;
       for (const CellSide& at : side.edges) {
         const Side edge = edge_of(*model_.mesh, at);

@@ -282,7 +282,7 @@ const std::vector<CellSide>* sides_of_line(
   return nullptr;
 }
 
-/// A name of which a line lies inside the mesh bounds nothing: its side has no edges.
+/// A name of which a line lies inside the mesh bounds nothing.
 void add_sides(const LineTables& tables, Mesh<2>& mesh)
 {
   std::map<int, std::vector<CellSide>> sides_of_group;
@@ -301,7 +301,7 @@ void add_sides(const LineTables& tables, Mesh<2>& mesh)
   faults.stop_if_any();
   mesh.sides = named_in_order<NamedSide>(tables.content, 1, sides_of_group);
   for (NamedSide& side : mesh.sides)
-    if (inside.contains(side.name)) side.edges.clear();
+    if (inside.contains(side.name)) side = {.name = side.name, .is_inside = true};
 }
 
 Mesh<2> make_mesh(const MshContent& content)

@@ -158,9 +158,9 @@ const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name)
   std::string known;
   bool is_inside = false;
   for (const auto& side : mesh.sides) {
-    if (side.name == name && !side.edges.empty()) return side;
+    if (side.name == name && !side.is_inside) return side;
     is_inside = is_inside || side.name == name;
-    if (side.edges.empty()) continue;
+    if (side.is_inside) continue;
     known += (known.empty() ? "" : ", ") + side.name;
   }
   if (is_inside)

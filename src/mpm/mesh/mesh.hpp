@@ -22,7 +22,8 @@ struct CellSide {
 /// A part of the boundary that the case file can name.
 struct NamedSide {
   std::string name;
-  std::vector<CellSide> edges;
+  std::vector<CellSide> edges = {};
+  bool is_inside = false;  ///< it lies between two cells, so that it bounds nothing
 };
 
 /// Cells that the case file can name, e.g. a soil layer of a mesh file.
