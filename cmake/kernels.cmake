@@ -4,11 +4,9 @@
 # Compiled for each set, and there alone, of soil and of mpm. A new law or scheme belongs to them by itself.
 file(GLOB TERP_KERNELS_soil CONFIGURE_DEPENDS src/soil/laws/*.cpp)
 list(REMOVE_ITEM TERP_KERNELS_soil ${PROJECT_SOURCE_DIR}/src/soil/laws/material.cpp)
-file(GLOB TERP_KERNELS_mpm CONFIGURE_DEPENDS src/mpm/schemes/*.cpp)
-foreach(other scheme cut_cells soil_border)
-  list(REMOVE_ITEM TERP_KERNELS_mpm ${PROJECT_SOURCE_DIR}/src/mpm/schemes/${other}.cpp)
-endforeach()
-foreach(kernel os/machine mpm/step/kernel_table mpm/step/step mpm/step/totals)
+file(GLOB TERP_KERNELS_mpm CONFIGURE_DEPENDS src/mpm/schemes/*.cpp src/mpm/features/*_kernels.cpp)
+list(REMOVE_ITEM TERP_KERNELS_mpm ${PROJECT_SOURCE_DIR}/src/mpm/schemes/scheme.cpp)
+foreach(kernel os/machine mpm/step/core_kernels mpm/step/kernel_table mpm/step/score mpm/step/step mpm/step/totals)
   list(APPEND TERP_KERNELS_mpm ${PROJECT_SOURCE_DIR}/src/${kernel}.cpp)
 endforeach()
 set(TERP_KERNEL_SOURCES ${TERP_KERNELS_soil} ${TERP_KERNELS_mpm})
@@ -21,7 +19,7 @@ set(TERP_KERNEL_CHOICES src/os/instructions.cpp src/soil/laws/material.cpp src/m
 # Compiled for each set, and once more for what calls them before the first step (seeding) and for their tests.
 set(TERP_SHARED_soil)
 set(TERP_SHARED_mpm src/mpm/mesh/locate.cpp src/mpm/points/move.cpp src/mpm/kernels/gauss_average.cpp
-                    src/mpm/kernels/overlap.cpp src/mpm/schemes/cut_cells.cpp src/mpm/schemes/soil_border.cpp)
+                    src/mpm/kernels/overlap.cpp src/mpm/features/cut_cells.cpp src/mpm/features/soil_border.cpp)
 
 # Read once for all files of a copy, with TERP_UNITY.
 set(TERP_HEADERS_soil src/soil/laws/law.hpp)

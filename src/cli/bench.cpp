@@ -8,6 +8,7 @@
 #include "os/instructions.hpp"
 #include "mpm/step/kernels.hpp"
 #include "mpm/step/passes.hpp"
+#include "mpm/step/score.hpp"
 #include "mpm/step/workspace.hpp"
 #include "run/loop/simulation.hpp"
 #include "os/say.hpp"
@@ -152,6 +153,31 @@ void print_json(
   say("]}}\n");
 }
 
+/// In the order of Over.
+constexpr std::string_view over_words[] = {"once", "group", "layer", "block", "strip", "nodes", "wait"};
+
+/// What a step of the case does: walk by walk, each place with who has a kernel there. Kernels within a law stand last.
+void print_score(const Model& model, const Score& score)
+{
+  say("{}, {}, {} kernels in {} walks\n", printable(model.description.title), model.description.scheme, score.n_kernels,
+      score.n_walks);
+  const auto print = [](std::span<const Kernel* const> kernels) {
+    for (std::size_t k = 0, next; k < kernels.size(); k = next) {
+      const PlaceInfo& place = score_places()[static_cast<std::size_t>(kernels[k]->place)];
+      std::string who;
+      for (next = k; next < kernels.size() && kernels[next]->place == kernels[k]->place; ++next)
+        who += (who.empty() ? "" : "; ") + std::string(kernels[next]->name);
+      say("    {:<7} {:<16} {} [{}]\n", over_words[static_cast<std::size_t>(place.over)], place.name, place.text, who);
+    }
+  };
+  for (const ScoreWalk& walk : std::span(score.walks).first(score.n_walks)) {
+    say("  {}\n", walk.pass == n_passes ? "once" : pass_names[walk.pass]);
+    for (const ScoreSegment& segment : score.of(walk)) print(score.of(segment));
+  }
+  if (score.n_strips > 0) say("  within the law of a block\n");
+  print(score.strips());
+}
+
 }  // namespace
 
 int bench_case(const RunOptions& options)
@@ -160,6 +186,10 @@ int bench_case(const RunOptions& options)
                                              : read_case(options.path, options.changes);
   try {
     Simulation s(file.values, threads_of(options));
+    if (options.score) {
+      print_score(s.model, kernels().score(s.model, s.work));
+      return solved;
+    }
     warn_of_missing_threads(options, s.model.threads);
     const Machine machine;
     const Measurement m = measure(s, options.steps, options.warm_steps);

@@ -236,6 +236,7 @@ void declare_guides(CLI::App& app, CommandLine& line)
   add_number(bench, "--steps N", line.options.steps, 1, 1000000, "steps in each of five trials");
   add_number(bench, "--warm N", line.options.warm_steps, 0, 1000000, "steps before them");
   bench->add_flag("--json", line.options.json, "numbers for a program");
+  bench->add_flag("--score", line.options.score, "what a step of the case does, and nothing else");
   for (CLI::App* command : {check, bench}) {
     add_set(command, line.options);
     add_threads(command, line.options.threads);

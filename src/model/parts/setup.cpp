@@ -17,7 +17,7 @@
 #include "math/errors.hpp"
 #include "mpm/kernels/time_step.hpp"
 #include "model/meshes/mesh_error.hpp"
-#include "mpm/schemes/patch_rows.hpp"
+#include "mpm/features/patch_rows.hpp"
 #include "model/ground/flood_level.hpp"
 #include "model/parts/initial.hpp"
 #include "mpm/step/kernels.hpp"
@@ -342,7 +342,7 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
   if (slips_in_cut_cells(model, used))
     model.with.slip = std::make_shared<const SlipModel>(SlipModel{add_slip_row(model.rows)});
   check_room_for_state(model, used);
-  if (model.scheme->functions(model.method.shares).integrate != nullptr)
+  if (model.scheme->uses_patches(model.method.shares))
     model.with.overlap = std::make_shared<const OverlapModel>(OverlapModel{add_extent_row(model.rows)});
   if (model.with.loads) {
     LoadsModel loads = *model.with.loads;

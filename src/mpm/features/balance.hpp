@@ -1,5 +1,5 @@
 // The slope of the pressure within the cells, in a step. Not for: what is done with it (balance_passes.hpp,
-// mpm/schemes/pressure_balance.hpp).
+// mpm/features/pressure_balance.hpp).
 #pragma once
 
 #include "mpm/kernels/cell_balance.hpp"

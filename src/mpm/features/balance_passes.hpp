@@ -1,4 +1,4 @@
-// The acceleration of the cells for the slope of their pressure (mpm/schemes/pressure_balance.hpp), within the step:
+// The acceleration of the cells for the slope of their pressure (mpm/features/pressure_balance.hpp), within the step:
 //
 //   m_i a_i = R_i - sum_K k_K,i (a_K - g),   a_K = sum_j m_j^K a_j / sum_j m_j^K
 //
@@ -8,6 +8,9 @@
 #pragma once
 
 #include "mpm/features/balance.hpp"
+#include "mpm/features/footings.hpp"
+#include "mpm/features/search.hpp"
+#include "mpm/features/sides.hpp"
 #include "mpm/step/node_passes.hpp"
 #include "mpm/step/walks.hpp"
 
@@ -15,6 +18,22 @@ namespace terp {
 
 /// Largest acceleration of a cell that its pressure follows, in parts of gravity.
 inline constexpr Real most_followed = 1.2;
+
+/// Force of the slope of the pressure within the cells around a node, but for what `outer` has (pressure_balance.hpp).
+inline Vec<2> sum_balance(const StepModel& model, const StepState& state, const Workspace& work, Index node)
+{
+  Vec<2> sum{0.0, 0.0};
+  for (Index k = model.mesh->first_cell_of_node[node]; k < model.mesh->first_cell_of_node[node + 1]; ++k) {
+    const auto [cell, corner] = model.mesh->cells_of_node[k];
+    const Index slot = state.points.slot_of_cell()[cell];
+    if (slot < 0) continue;
+    const CellBalance& of_cell = work.with.balance->cells[slot];
+    const Vec<2> force =
+        of_cell.force(corner, {of_cell.acceleration[0] - work.gravity[0], of_cell.acceleration[1] - work.gravity[1]});
+    for (int d = 0; d < 2; ++d) sum[d] -= force[d];
+  }
+  return sum;
+}
 
 /// What the sweeps need of a node.
 inline void start_balance(const StepModel& model, const StepState& state, Index i, Workspace& work)
@@ -77,8 +96,11 @@ inline void set_cell_acceleration(const StepModel& model, const StepState& state
 
 /// The acceleration of each cell in this step, for the slope of its pressure: Jacobi sweeps, of which each takes a
 /// tenth of the error (decision 0068).
-inline void balance_pressure(const StepModel& model, const StepState& state, Workspace& work)
+inline void balance_pressure(StepNow& now)
 {
+  const StepModel& model = now.model;
+  const StepState& state = now.state;
+  Workspace& work = now.work;
   constexpr int n_sweeps = 3;
   for_each_node(work, [&](Index i, NodeSums&) { start_balance(model, state, i, work); });
   for (int sweep = 0; sweep < n_sweeps; ++sweep) {

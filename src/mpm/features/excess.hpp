@@ -1,4 +1,4 @@
-// Excess pore pressure in a step. Not for: what schemes do with it (mpm/schemes/excess_pressure.hpp).
+// Excess pore pressure in a step. Not for: what schemes do with it (mpm/features/excess_pressure.hpp).
 #pragma once
 
 #include "math/types.hpp"

@@ -1,5 +1,5 @@
 // What the step calls of a feature without knowing which it is. A new feature is a file here and a line of
-// features.def. Not for: its kernels, which the passes call by name.
+// features.def. Not for: its kernels (mpm/step/score.hpp).
 #pragma once
 
 #include <cstddef>

@@ -7,10 +7,7 @@
 #include "mpm/features/water.hpp"
 #include "mpm/kernels/map_held_weight.hpp"
 #include "mpm/kernels/map_load.hpp"
-#include "mpm/schemes/cell_group.hpp"
-#include "mpm/step/step_model.hpp"
-#include "mpm/step/step_state.hpp"
-#include "mpm/step/workspace.hpp"
+#include "mpm/step/node_passes.hpp"
 
 namespace terp {
 
@@ -62,5 +59,14 @@ inline void map_loads(
       map_body_force(model.with.loads->body_force, block, state.x_initial, state.time + 0.5 * model.dt, force);
   });
 }
+
+inline void map_loads_of_group(GroupNow& now)
+{
+  StepNow& step = now.step;
+  for (int c = 0; step.work.outer[outer_load].acts && c < now.group.n(); ++c)
+    map_loads(step.model, step.state, now.group, c, step.work);
+}
+
+inline void add_loads(Nodes& nodes) { add_outer_forces(nodes, nodes.step.work.outer[outer_load]); }
 
 }  // namespace terp

@@ -3,7 +3,7 @@
 #include "math/errors.hpp"
 #include "mpm/features/excess.hpp"
 #include "mpm/features/feature.hpp"
-#include "mpm/schemes/patch_rows.hpp"
+#include "mpm/features/patch_rows.hpp"
 #include "mpm/step/step_model.hpp"
 #include "mpm/step/step_state.hpp"
 #include "mpm/step/workspace.hpp"

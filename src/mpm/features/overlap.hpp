@@ -1,8 +1,8 @@
 // Shares that overlap, in a step. Not for: the shares (mpm/kernels/overlap.hpp), nor the sums over patches
-// (mpm/schemes/patch_group.hpp).
+// (mpm/features/patch_group.hpp).
 #pragma once
 
-#include "mpm/schemes/patch_values.hpp"
+#include "mpm/features/patch_values.hpp"
 
 namespace terp {
 

@@ -10,6 +10,9 @@ namespace terp {
 
 struct Workspace;
 
+/// Least part of the mass of a full cell at a node that counts for rest: below it a single grain moves the node.
+inline constexpr Real part_that_rests = 0.05;
+
 struct RestScratch {
   Real fastest_node = std::numeric_limits<Real>::quiet_NaN();  ///< largest speed of a node that counts for rest [m/s]
 };

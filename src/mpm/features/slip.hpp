@@ -1,7 +1,7 @@
-// Soils that slip in the cells that they share, in a step. Not for: how they slip (mpm/schemes/cut_cells.hpp).
+// Soils that slip in the cells that they share, in a step. Not for: how they slip (mpm/features/cut_cells.hpp).
 #pragma once
 
-#include "mpm/schemes/block_slip.hpp"
+#include "mpm/features/block_slip.hpp"
 
 #include <vector>
 

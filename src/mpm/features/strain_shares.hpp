@@ -1,4 +1,4 @@
-// strain_shares = "transposed" in a step. Not for: what schemes do with it (mpm/schemes/share_ratio.hpp).
+// strain_shares = "transposed" in a step. Not for: what schemes do with it (mpm/features/share_ratio.hpp).
 #pragma once
 
 #include "mpm/mesh/element.hpp"

@@ -1,4 +1,4 @@
-// volume_change = "soil" in a step. Not for: what schemes do with it (mpm/schemes/volume_gradient.hpp).
+// volume_change = "soil" in a step. Not for: what schemes do with it (mpm/features/volume_gradient.hpp).
 #pragma once
 
 #include "mpm/kernels/internal_force.hpp"

@@ -23,10 +23,6 @@ inline Pack where_blocks_are(const BlockLayer& layer, Pack lanes)
   return select(Pack::load(has) > Pack(0.0), lanes, Pack(0.0));
 }
 
-struct PatchValues;
-struct CellBalance;
-struct BlockSlip;
-
 /// Up to eight neighbouring occupied cells.
 template <class Element>
 struct CellGroup {
@@ -41,17 +37,8 @@ struct CellGroup {
       {};                  ///< shape [n_materials, n_bodies, n_groups, n_gauss_rows]; of schemes whose law runs there
   Index n_gauss_rows = 0;  ///< the most that any law adds to the points
   Index number = 0, n_groups = 1;
-  Index next_cell = -1;                                ///< first cell of the next group, -1: none
-  bool prefetch_points = false;                        ///< the points are more than the caches hold
-  PatchValues* patches = nullptr;                      ///< of shares that overlap (patch_group.hpp)
-  std::span<CornerVectors<Element>> water_force = {};  ///< on the corners [N per m], shape [n]; empty: no water
-  std::span<Real> excess = {};  ///< u_e [Pa], by block number; empty: no soil has excess pressure
-  std::span<VolumeGradient<Element>> volume_gradients = {};  ///< shape [n_groups]; empty: that of the centre
-  std::span<CellBalance> balance = {};                       ///< shape [n]; empty: the pressure of a cell is constant
-  std::span<CornerVectors<Element>> balance_force = {};      ///< on the corners [N per m], shape [n]; empty: none
-  std::span<PerGauss<Element>> ratios = {};  ///< by block number (share_ratio.hpp); empty: strain_shares = plain
-  std::span<BlockSlip> slips =
-      {};  ///< by block number; empty: the soils of a cell have one strain (mpm/schemes/cut_cells.hpp)
+  Index next_cell = -1;          ///< first cell of the next group, -1: none
+  bool prefetch_points = false;  ///< the points are more than the caches hold
 
   int n() const { return static_cast<int>(cells.size()); }
   CellView<Element> cell(int c) const { return {cells[c], mesh.geometry(cells[c]), points, corners[c]}; }
@@ -175,12 +162,10 @@ inline void add_internal_force(const CellGroup<Element>& group, const GeometryLa
 /// [pack_width].
 template <class Element>
 inline GaussStrain<Element, Pack> strain_of_group(
-    const CellGroup<Element>& group, const GroupVectors<Element>& du, bool b_bar)
+    const GeometryLanes<Element>& geometry, const GroupVectors<Element>& du, bool b_bar)
 {
   CornerVectors<Element, Pack> lanes;
   for (int d = 0; d < Element::dim; ++d) lanes[d] = to_lanes([&](int c) { return du[c][d].data(); });
-  GeometryLanes<Element> geometry = geometry_of(group);
-  if (!group.volume_gradients.empty()) geometry.centre_gradient = group.volume_gradients[group.number];
   return strain_at_gauss_points(geometry, lanes, b_bar);
 }
 

@@ -20,15 +20,15 @@ struct SchemeContext {
   const MethodOptions& method;
   const std::vector<SoilMaterial>& materials;
   Real dt = 0.0;                       ///< length of the step [s]
-  int inverse_extent = -1;             ///< row of the points, with shares that overlap
-  int slip_row = -1;                   ///< row of the points: plastic work of the last step (SlipModel)
-  const PorePressure* pore = nullptr;  ///< on the nodes; nullptr: no water
-  bool all_drains = false;             ///< no soil is undrained: in the search for equilibrium
-  Real excess_kept = 1.0;              ///< part of its excess pressure that drained soil keeps in this step
+  int inverse_extent = -1;             ///< row of the points, where cells count in patches
+  int work_row = -1;                   ///< row of the points: plastic work of the last step; -1: nobody asks
+  const PorePressure* pore = nullptr;  ///< on the nodes; nullptr: none
+  bool all_drains = false;             ///< no soil is undrained
+  Real drained_keeps = 1.0;            ///< part of what it was pressed with that drained soil keeps in this step
   const Mesh<2>* mesh = nullptr;       ///< of laws that look around
   Vec<2> gravity{0.0, 0.0};            ///< [m/s^2]
-  HeldShares held = {};                ///< of the weight of bodies that come or go
-  int held_row = -1;                   ///< of the points; -1: no body comes or goes
+  HeldShares held = {};                ///< of the weight that is held
+  int held_row = -1;                   ///< of the points; -1: none is held
   Real time = 0.0;                     ///< at the start of the step [s]
   std::int64_t step = 0;
 };
@@ -42,7 +42,7 @@ struct CellView {
   CornerSums<Element>& corners;
 };
 
-/// The water at the corners of a cell, for soil of one material.
+/// The pore pressure at the corners of a cell, for soil of one material.
 template <class Element>
 CornerPore<Element> pore_at_corners(
     const PorePressure& pore, const std::array<Index, Element::n_corners>& corners, bool stores_effective)
@@ -55,8 +55,8 @@ CornerPore<Element> pore_at_corners(
   return at;
 }
 
-/// Of which grad p pulls at points: as far as the water reaches, where the stress is effective; as the nodes have it,
-/// where the stored stress holds p too.
+/// Of which grad p pulls at points: without its limits, where the stress is effective; as the nodes have it, where the
+/// stored stress holds p too.
 template <class Element>
 PerCorner<Element> pull_at_corners(
     const PorePressure& pore, const std::array<Index, Element::n_corners>& corners, bool stores_effective)
@@ -70,7 +70,7 @@ PerCorner<Element> pull_at_corners(
 /// What the stress pass adds up for the ledger [J per m].
 struct StressSums {
   Real plastic_work = 0.0;  ///< of the laws
-  Real slip_work = 0.0;     ///< lost where soils slip along their border
+  Real slip_work = 0.0;     ///< lost on borders between soils
   Pack taken{0.0};          ///< by the points: their stress at the start of the step on their strain, by lanes
   Pack reset{0.0};          ///< gained by stored energy as the pressure of that start is set (reading R10), by lanes
 
@@ -186,7 +186,7 @@ inline void update_strip(
     arrays.around = &around;
   }
   material.law->update(arrays);
-  if (context.slip_row >= 0) std::copy_n(strip.plastic_work, n, block.row(context.slip_row) + first);
+  if (context.work_row >= 0) std::copy_n(strip.plastic_work, n, block.row(context.work_row) + first);
 }
 
 /// First-order Jaumann rotation: sigma += w sigma - sigma w, w = d_spin of the step (reading R17).
@@ -260,6 +260,19 @@ inline SymTensor<Pack, Element::dim> strain_at_points(
   for (int k = 0; k < n_sym<Element::dim>; ++k) d_eps[k] = Element::at_sub_cell(strain.d_eps[k], upper);
   return d_eps;
 }
+
+/// What the points of a block have above what is around them, as a mean.
+struct MeanAbove {
+  Pack above = Pack(0.0), volume = Pack(0.0);  ///< sums over points, times Omega_p
+
+  void add(const PointBlock<2>& block, Index p, Pack own, Pack around)
+  {
+    const Pack omega = Pack::load(block.row(PointRows<2>::volume) + p);
+    above = fma(omega, own - around, above);
+    volume += omega;
+  }
+  Pack operator()() const { return Pack(sum(above) / sum(volume)); }
+};
 
 /// The halves of their cell that the points p ... p + 7 are in.
 template <class Element>

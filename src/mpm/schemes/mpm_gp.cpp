@@ -1,242 +1,141 @@
 // MPM-GP, paper Sec. 2.2: the material points own the history; Gauss points only carry force and strain.
+#include "mpm/features/patch_rows.hpp"
 #include "mpm/points/rows_of_packs.hpp"
-#include "mpm/schemes/gauss_gather.hpp"
-#include "mpm/schemes/patch_rows.hpp"
 #include "mpm/schemes/scheme.hpp"
+#include "mpm/step/gauss_passes.hpp"
 
 namespace terp {
 namespace {
 
-template <class Element>
-struct MpmGp {
-  static constexpr int dim = Element::dim;
+void sum_sub_cells(LayerNow& now)
+{
+  sum_layer(now.at.group, now.layer, now.gauss);
+  enter_volume(now);
+}
 
-  /// Gauss stress and internal force, Eqs. (1) to (4). The state stays at the points; of the Gauss values the pressure
-  /// is kept.
-  static void gather(const SchemeContext& context, const CellGroup<Element>& group)
-  {
-    integrate(context, group, [&](const BlockLayer& layer, auto& gauss) { sum_layer(group, layer, gauss); });
-  }
+/// Of the Gauss values the pressure of Eq. (2) is all that the second half of the step needs.
+void keep_pressure(LayerNow& now)
+{
+  for (int c = 0; c < now.at.group.n(); ++c)
+    if (now.layer.block[c] >= 0) now.at.group.pressure[now.layer.block[c]] = now.gauss.pressure[c];
+}
 
-  /// New stress and state in each material point from the strain of its own Gauss point (instead of Steps 3 and 4).
-  static void update_stress(
-      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
-  {
-    GroupVectors<Element> room;
-    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.slip_work);
-    const GaussStrain<Element, Pack> lanes = strain_of_group(group, moved, context.method.b_bar);  // Step 2
-    const auto strain = strain_by_cell(lanes);
-    sums.slip_work += lost_by_slipping(group);
-    GaussStrain<Element> slipped;
-    for (int c = 0; c < group.n(); ++c) {
-      prefetch_next(group, c);
-      for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
-        const GaussStrain<Element>& own = handed_back(group, b, with_slip(group, b, strain[c], slipped), slipped);
-        update_excess(context, group, b, own, sums);
-        update_points(context, block, own, group.pressure[b], sums);
-        sums.slip_work += lost_while_slipping(group, b);
-      });
-    }
-  }
+/// Law and strain of a strip whose points have the stress to start from.
+void update_strip_of(BlockNow& now, Index first, Index n, StripArrays<2>& strip)
+{
+  update_strip(now.context(), now.block, first, n, strip);
+  now.sums().plastic_work += sum_plastic_work(now.block, first, n, strip);
+  for (Index p = 0; p < n; p += pack_width) add_strain(now.block, first + p, strip, p);
+}
 
-  /// With shares that overlap: the same in four passes.
-  static void sum_patches(const SchemeContext& context, const CellGroup<Element>& group)
-  {
-    sum_over_patches(context, group, [](const auto&) { return std::span<const int>(); });
-  }
+/// Sets the pressure of eight points, which the step begins with, and turns their stress by the spin of strip.
+void start_stress(BlockNow& now, Index p, Pack half_compliance, Pack pressure, const StripArrays<2>& strip, Index at)
+{
+  SymTensor<Pack, 2> sigma = stress_of(now.block, p);
+  const Pack before = trace(sigma) * Pack(1.0 / 3.0), omega = Pack::load(now.block.row(Rows::volume) + p);
+  now.sums().set_pressure(half_compliance, omega, before, pressure);
+  add_isotropic(sigma, pressure - before);
+  now.sums().take(sigma, strain_of(strip, at), omega);
+  if (now.context().method.objective_rate == ObjectiveRate::jaumann)
+    rotate_stress(sigma, Pack::load(strip.d_spin + at));
+  store_rows(sigma.c, now.block, Rows::sigma, p);
+}
 
-  static void integrate_patches(const SchemeContext& context, const CellGroup<Element>& group)
-  {
-    integrate(context, group,
-        [&](const BlockLayer& layer, auto& gauss) { collect_layer<Element>(group, layer, gauss, nullptr, 0); });
-  }
+bool needs_spin(const BlockNow& now)
+{
+  return now.at.step.context.method.objective_rate == ObjectiveRate::jaumann || now.material.type->looks_around;
+}
 
-  static void leave_strain(
-      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
-  {
-    GroupVectors<Element> room;
-    const GroupVectors<Element>& moved = without_kinks(group, du, room, sums.slip_work);
-    const auto strain = strain_of_group(group, moved, context.method.b_bar);  // Step 2
-    sums.slip_work += lost_by_slipping(group);
-    for_each_layer(group, [&](const BlockLayer& layer) {
-      LeftRows<Element> rows;
-      GaussStrain<Element, Pack> slipped;
-      const GaussStrain<Element, Pack>& own = with_slips(group, layer, strain, slipped);
-      for (int k = 0; k < n_sym<dim>; ++k) rows.set(StrainRows::strain + k, own.d_eps[k]);
-      rows.set(StrainRows::spin, own.d_spin);
-      rows.weigh(group, layer, StrainRows::ratio, StrainRows::ratio + 1);
-      rows.set(StrainRows::pressure, layer, group.pressure);
-      if (!group.excess.empty()) rows.set(StrainRows::end, layer, group.excess);
-      rows.leave(group, layer);
-    });
-  }
-
-  static void update_from_patches(
-      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>&, StressSums& sums)
-  {
-    for (int c = 0; c < group.n(); ++c) {
-      prefetch_next(group, c);
-      prefetch_extents(context, group, c);
-      const PatchSize size = patch_size(context, group, group.cells[c]);
-      for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
-        prefetch_for_update(context, block);
-        const PatchView patch = view_patch(group, b);
-        MeanAbove pressure, excess;
-        const int excess_row = context.materials[block.material].excess_row;
-        if (block.n_padded() > strip_length)  // several strips: their mean comes first
-          for (Index p = 0; p < block.n_padded(); p += pack_width)
-            with_shares(block, p, size, [&](const auto& shares) {
-              pressure.add(block, p, mean_stress(block, p), patch.at_points<1>(shares, StrainRows::pressure)[0]);
-              if (excess_row >= 0)
-                excess.add(
-                    block, p, Pack::load(block.row(excess_row) + p), patch.at_points<1>(shares, StrainRows::end)[0]);
-            });
-        for (Index first = 0; first < block.n_padded(); first += strip_length)
-          update_strip_from_patch(context, block, first, size, patch, {pressure, excess}, sums);
-        sums.slip_work += lost_while_slipping(group, b);
-      });
-    }
-  }
-
- private:
-  /// What the points of a block have above what is around them, as a mean.
-  struct MeanAbove {
-    Pack above = Pack(0.0), volume = Pack(0.0);  ///< sums over points, times Omega_p
-
-    void add(const PointBlock<dim>& block, Index p, Pack own, Pack around)
-    {
-      const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + p);
-      above = fma(omega, own - around, above);
-      volume += omega;
-    }
-    Pack operator()() const { return Pack(sum(above) / sum(volume)); }
-  };
-  struct BlockMeans {
-    MeanAbove pressure, excess;
-  };
-
-  /// sum: as in gather_at_gauss_points. The Gauss values of a group of one layer need no place in memory.
-  template <class Sum>
-  static void integrate(const SchemeContext& context, const CellGroup<Element>& group, Sum&& sum)
-  {
-    GaussValues<Element, Pack> only;
-    const bool one_layer = has_one_layer(group);
-    gather_at_gauss_points(
-        context, group,
-        [&](const BlockLayer& layer) -> GaussValues<Element, Pack>& {
-          return one_layer ? only : group.gauss_of(layer);
-        },
-        sum,
-        [&](const BlockLayer& layer, const auto& gauss) {
-          for (int c = 0; c < group.n(); ++c)
-            if (layer.block[c] >= 0) group.pressure[layer.block[c]] = gauss.pressure[c];
-        });
-  }
-
-  /// above: of the whole block where it has more than one strip, else nothing yet.
-  static void update_strip_from_patch(const SchemeContext& context, const PointBlock<dim>& block, Index first,
-      const PatchSize& size, const PatchView& patch, BlockMeans above, StressSums& sums)
-  {
+/// New stress and state in each material point from the strain of its own Gauss point (instead of Steps 3 and 4).
+void update_block(BlockNow& now)
+{
+  const PointBlock<2>& block = now.block;
+  const HalfCompliance compliance(now.material);
+  const Pack pressure = now.at.group.pressure[now.number];
+  const bool spins = needs_spin(now);
+  for (Index first = 0; first < block.n_padded(); first += strip_length) {
     const Index n = std::min(strip_length, block.n_padded() - first);
-    StripArrays<dim> strip;
-    alignas(64) Real pressure[strip_length], excess[strip_length];
-    const SoilMaterial& material = context.materials[block.material];
-    const bool rotates = context.method.objective_rate == ObjectiveRate::jaumann, is_whole = n == block.n_padded();
-    const bool needs_spin = rotates || looks_around(context, block.material), has_excess = material.excess_row >= 0;
-    const bool weighed = context.method.strain_shares == StrainShares::transposed;
+    StripArrays<2> strip;
+    for (Index p = 0; p < n; p += pack_width) {
+      const auto upper = upper_halves<Quad4>(block, first + p);
+      store_strain(strain_at_points(*now.strain, upper), strip, p);
+      if (spins) Quad4::at_sub_cell(now.strain->d_spin, upper).store(strip.d_spin + p);
+      start_stress(now, first + p, compliance.at(block, first + p), pressure, strip, p);
+    }
+    update_strip_of(now, first, n, strip);
+  }
+}
+
+void sum_points(GroupNow& now)
+{
+  sum_over_patches(
+      now.step.context, now.group, patches_of(now.step.work), [](const auto&) { return std::span<const int>(); });
+}
+
+void collect_patches(LayerNow& now)
+{
+  collect_layer<Quad4>(now.at.group, patches_of(now.at.step.work), now.layer, now.gauss, nullptr, 0);
+  enter_volume(now);
+}
+
+void leave_strain(LayerNow& now)
+{
+  for (int k = 0; k < n_sym<2>; ++k) now.left.set(StrainRows::strain + k, now.strain->d_eps[k]);
+  now.left.set(StrainRows::spin, now.strain->d_spin);
+  now.left.end_with(StrainRows::ratio, StrainRows::ratio + 1, false);
+  now.left.set(StrainRows::pressure, now.layer, now.at.group.pressure);
+}
+
+/// The same from what is around the points. A block keeps its mean pressure.
+void update_from_patch(BlockNow& now)
+{
+  const PointBlock<2>& block = now.block;
+  const PatchView& patch = *now.patch;
+  const HalfCompliance compliance(now.material);
+  const bool spins = needs_spin(now), is_whole = block.n_padded() <= strip_length;
+  MeanAbove above;
+  if (!is_whole)  // several strips: their mean comes first
+    for (Index p = 0; p < block.n_padded(); p += pack_width)
+      with_shares(block, p, now.size, [&](const auto& shares) {
+        above.add(block, p, mean_stress(block, p), patch.at_points<1>(shares, StrainRows::pressure)[0]);
+      });
+  for (Index first = 0; first < block.n_padded(); first += strip_length) {
+    const Index n = std::min(strip_length, block.n_padded() - first);
+    StripArrays<2> strip;
+    alignas(64) Real pressure[strip_length];
     for (Index p = 0; p < n; p += pack_width)
-      with_shares(block, first + p, size, [&](const auto& shares) {
+      with_shares(block, first + p, now.size, [&](const auto& shares) {
         constexpr int n_values = StrainRows::pressure + 1 - StrainRows::strain;
         const auto values = patch.at_points<n_values>(shares, StrainRows::strain);
-        const Pack inverse = inverse_ratio(values[StrainRows::ratio - StrainRows::strain], weighed),
+        const Pack inverse = inverse_ratio(now.context(), values[StrainRows::ratio - StrainRows::strain]),
                    around_it = values[StrainRows::pressure - StrainRows::strain];
-        SymTensor<Pack, dim> d_eps;
-        for (int k = 0; k < n_sym<dim>; ++k) d_eps[k] = inverse * values[k];
+        SymTensor<Pack, 2> d_eps;
+        for (int k = 0; k < n_sym<2>; ++k) d_eps[k] = inverse * values[k];
         store_strain(d_eps, strip, p);
         around_it.store(pressure + p);
-        if (needs_spin) (inverse * patch.at_points<1>(shares, StrainRows::spin)[0]).store(strip.d_spin + p);
-        if (is_whole) above.pressure.add(block, first + p, mean_stress(block, first + p), around_it);
-        if (!has_excess) return;
-        const Pack around = patch.at_points<1>(shares, StrainRows::end)[0];
-        around.store(excess + p);
-        if (is_whole)
-          above.excess.add(block, first + p, Pack::load(block.row(material.excess_row) + first + p), around);
+        if (spins) (inverse * patch.at_points<1>(shares, StrainRows::spin)[0]).store(strip.d_spin + p);
+        if (is_whole) above.add(block, first + p, mean_stress(block, first + p), around_it);
       });
-    const Pack shift = above.pressure();
-    const HalfCompliance compliance(material);
-    for (Index p = 0; p < n; p += pack_width) {
-      SymTensor<Pack, dim> sigma = stress_of(block, first + p);
-      const Pack before = trace(sigma) * Pack(1.0 / 3.0), after = Pack::load(pressure + p) + shift;
-      const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + first + p);
-      sums.set_pressure(compliance.at(block, first + p), omega, before, after);
-      add_isotropic(sigma, after - before);
-      sums.take(sigma, strain_of(strip, p), omega);
-      if (rotates) rotate_stress(sigma, Pack::load(strip.d_spin + p));
-      store_rows(sigma.c, block, PointRows<dim>::sigma, first + p);
-    }
-    if (has_excess) update_excess_of_strip(context, block, first, n, {excess, above.excess()}, strip, sums);
-    update_strip(context, block, first, n, strip);
-    sums.plastic_work += sum_plastic_work(block, first, n, strip);
-    for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
+    const Pack shift = above();
+    for (Index p = 0; p < n; p += pack_width)
+      start_stress(now, first + p, compliance.at(block, first + p), Pack::load(pressure + p) + shift, strip, p);
+    run_strip(now, first, n, strip);
+    update_strip_of(now, first, n, strip);
   }
+}
 
-  /// u_e at the points of a strip, and by how much that of the points is above it.
-  struct ExcessAround {
-    const Real* at_points;
-    Pack shift;
-  };
-  static void update_excess_of_strip(const SchemeContext& context, const PointBlock<dim>& block, Index first, Index n,
-      const ExcessAround& around, const StripArrays<dim>& strip, StressSums& sums)
-  {
-    const SoilMaterial& material = context.materials[block.material];
-    const ExcessStep step(context, material);
-    for (Index p = 0; p < n; p += pack_width) {
-      Real* at = block.row(material.excess_row) + first + p;
-      const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + first + p);
-      const Pack set_to = Pack::load(around.at_points + p) + around.shift;
-      step(Pack::load(at), set_to, trace(strain_of(strip, p)), omega, sums).store(at);
-    }
-  }
-
-  static void update_points(const SchemeContext& context, const PointBlock<dim>& block,
-      const GaussStrain<Element>& strain, Real cell_pressure, StressSums& sums)
-  {
-    for (Index first = 0; first < block.n_padded(); first += strip_length) {
-      const Index n = std::min(strip_length, block.n_padded() - first);
-      StripArrays<dim> strip;
-      const HalfCompliance compliance(context.materials[block.material]);
-      for (Index p = 0; p < n; p += pack_width)
-        prepare_points(
-            context.method, block, first + p, strain, {cell_pressure, compliance.at(block, first + p)}, strip, p, sums);
-      if (looks_around(context, block.material))
-        for (Index p = 0; p < n; p += pack_width)
-          Element::at_sub_cell(strain.d_spin, upper_halves<Element>(block, first + p)).store(strip.d_spin + p);
-      update_strip(context, block, first, n, strip);
-      sums.plastic_work += sum_plastic_work(block, first, n, strip);
-      for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
-    }
-  }
-
-  struct PressureReset {
-    Pack set_to, half_compliance;
-  };
-  /// Start stress (reading R10, objective rate) and strain increment of eight points.
-  static void prepare_points(const MethodOptions& method, const PointBlock<dim>& block, Index p,
-      const GaussStrain<Element>& strain, const PressureReset& reset, StripArrays<dim>& strip, Index at,
-      StressSums& sums)
-  {
-    const auto upper = upper_halves<Element>(block, p);
-    const SymTensor<Pack, dim> d_eps = strain_at_points(strain, upper);
-    store_strain(d_eps, strip, at);
-    SymTensor<Pack, dim> sigma = stress_of(block, p);
-    const Pack before = trace(sigma) * Pack(1.0 / 3.0), omega = Pack::load(block.row(PointRows<dim>::volume) + p);
-    sums.set_pressure(reset.half_compliance, omega, before, reset.set_to);
-    add_isotropic(sigma, reset.set_to - before);
-    sums.take(sigma, d_eps, omega);
-    if (method.objective_rate == ObjectiveRate::jaumann)
-      rotate_stress(sigma, Element::at_sub_cell(strain.d_spin, upper));
-    store_rows(sigma.c, block, PointRows<dim>::sigma, p);
-  }
+using P = ScorePlace;
+constexpr Kernel own_shares[] = {
+    {P::sum, "sub-cells", &sum_sub_cells},
+    {P::keep, "pressure", &keep_pressure},
+    {P::law, "points", &update_block},
+};
+constexpr Kernel patches[] = {
+    {P::patch_sums, "points", &sum_points},
+    {P::sum, "patches", &collect_patches},
+    {P::keep, "pressure", &keep_pressure},
+    {P::gauss_law, "strain", &leave_strain},
+    {P::law, "points", &update_from_patch},
 };
 
 // Rows: sigma, strain, Omega and one state variable, read and written. Flops: sub-cell sums 36; an elastic law 30; for
@@ -246,8 +145,9 @@ constexpr PassCost stress_cost{.flops = 6 + 20 + 30 + 16 + 9, .rows = 2 * (4 + 4
 
 }  // namespace
 
-TERP_SCHEME_DEFINITION(mpm_gp, MpmGp, .title = "MPM-GP",
+TERP_SCHEME_DEFINITION(mpm_gp, .title = "MPM-GP",
     .summary = "material points own the history, Gauss points carry force and strain", .gather_cost = gather_cost,
-    .stress_cost = stress_cost, TERP_OVERLAP_FUNCTIONS(MpmGp))
+    .stress_cost = stress_cost, .own_shares = own_shares, .patches = patches, .home_of_own_shares = cells_first,
+    .home_of_patches = patched_cells)
 
 }  // namespace terp

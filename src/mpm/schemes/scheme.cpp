@@ -31,11 +31,11 @@ const Scheme* find_scheme(std::string_view name)
 
 bool looks_at(const Scheme& scheme, std::string_view option)
 {
-  std::string_view rest = scheme.unused_options;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(' '), rest.size());
-    if (rest.substr(0, end) == option) return false;
-    rest.remove_prefix(std::min(end + 1, rest.size()));
+  std::string_view left = scheme.unused_options;
+  while (!left.empty()) {
+    const std::size_t end = std::min(left.find(' '), left.size());
+    if (left.substr(0, end) == option) return false;
+    left.remove_prefix(std::min(end + 1, left.size()));
   }
   return true;
 }

@@ -1,17 +1,8 @@
-// What the step does in an occupied cell or a group of them: views, corner values, and the motion of points.
+// What every step does in a group of cells: kernels of the core (core_kernels.cpp), and the view of a group.
 #pragma once
 
-#include "mpm/features/balance.hpp"
-#include "mpm/features/excess.hpp"
-#include "mpm/features/overlap.hpp"
-#include "mpm/features/slip.hpp"
-#include "mpm/features/strain_shares.hpp"
-#include "mpm/features/volume_change.hpp"
 #include "mpm/points/rows_of_packs.hpp"
-#include "mpm/schemes/cell_group.hpp"
-#include "mpm/step/step_model.hpp"
-#include "mpm/step/step_state.hpp"
-#include "mpm/step/workspace.hpp"
+#include "mpm/step/now.hpp"
 
 namespace terp {
 
@@ -27,23 +18,8 @@ inline CellGroup<Quad4> view_group(const StepModel& model, StepState& state, Wor
   const Index n = end - first, n_groups = Threads::n_chunks(static_cast<Index>(occupied.size()), pack_width);
   const bool in_cache = state.points.n_points() * state.points.n_rows() * std::int64_t{sizeof(Real)} < prefetch_from;
   const Index next_cell = static_cast<std::size_t>(end) < occupied.size() ? occupied[end] : -1;
-  const auto here = [&](auto& all) {
-    const std::span of_all(all);
-    return of_all.empty() ? of_all : of_all.subspan(first, n);
-  };
-  CellGroup<Quad4> group{occupied.subspan(first, n), *model.mesh, state.points, corners.subspan(first, n),
-      work.pressure, work.gauss, work.gauss_rows, work.n_gauss_rows, first / pack_width, n_groups, next_cell,
-      !in_cache};
-  group.water_force = here(work.outer[outer_water].corners);
-  group.balance_force = here(work.outer[outer_balance].corners);
-  ScratchSlots& with = work.with;
-  if (with.overlap) group.patches = &with.overlap->patches;
-  if (with.excess) group.excess = with.excess->pressure;
-  if (with.volume_change) group.volume_gradients = with.volume_change->gradients;
-  if (with.balance) group.balance = here(with.balance->cells);
-  if (with.strain_shares) group.ratios = with.strain_shares->ratios;
-  if (with.slip) group.slips = with.slip->blocks;
-  return group;
+  return {occupied.subspan(first, n), *model.mesh, state.points, corners.subspan(first, n), work.pressure, work.gauss,
+      work.gauss_rows, work.n_gauss_rows, first / pack_width, n_groups, next_cell, !in_cache};
 }
 
 /// Values of the cell's corners; part: &NodeValues::v or &NodeValues::dv; times `factor`.
@@ -58,33 +34,27 @@ inline CornerVectors<Quad4> corner_values(
   return values;
 }
 
-/// v_i dt of the corners of each cell of a group [m]; zero beyond the last.
-inline GroupVectors<Quad4> displacements(
-    const StepModel& model, std::span<const NodeValues> node, const CellGroup<Quad4>& group)
+/// v_i dt of the corners of each cell of a group.
+inline void move_corners(GroupNow& now)
 {
-  GroupVectors<Quad4> du{};
-  for (int c = 0; c < group.n(); ++c)
-    du[c] = corner_values(*model.mesh, node, group.cells[c], &NodeValues::v, model.dt);
-  return du;
+  const CellGroup<Quad4>& group = now.group;
+  for (int c = 0; c < pack_width; ++c)
+    now.du[c] = c < group.n() ? corner_values(*now.step.model.mesh, now.step.work.node, group.cells[c], &NodeValues::v,
+                                    now.step.model.dt)
+                              : CornerVectors<Quad4>{};
+  now.strained = &now.du;
 }
 
-inline void enter(const StressSums& of, CellSums& sums)
+/// m_i and (m v)_i of the points of the cells; clears the forces.
+inline void map_masses(GroupNow& now)
 {
-  sums.plastic += of.plastic_work;
-  sums.slip += of.slip_work;
-  sums.taken += sum(of.taken);
-  sums.reset += sum(of.reset);
-}
-
-/// m_i and (m v)_i of the points of cell c; clears the forces.
-inline void map_mass_and_momentum(const CellGroup<Quad4>& group, int c)
-{
-  prefetch_next(group, c, Rows::xi, Rows::strain);
-  const CellView<Quad4> view = group.cell(c);
-  view.corners = {};
-  if (!group.water_force.empty()) group.water_force[c] = {};
-  for_each_block(
-      view.points, view.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, view.corners); });
+  const CellGroup<Quad4>& group = now.group;
+  for (int c = 0; c < group.n(); ++c) {
+    prefetch_next(group, c, Rows::xi, Rows::strain);
+    CornerSums<Quad4>& corners = group.corners[c] = {};
+    for_each_block(group.points, group.cells[c],
+        [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, corners); });
+  }
 }
 
 /// v_p of a cell from the accelerated nodes, and the momentum of the points with it. Returns the kinetic energy that
@@ -141,6 +111,12 @@ inline void advance_points(
   for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index b) {
     advance_points(view.geometry, centre, du, block, b, points_leaving);
   });
+}
+
+inline void advance_group(GroupNow& now)
+{
+  for (int c = 0; c < now.group.n(); ++c)
+    advance_points(now.group.cell(c), now.group.mesh.centres[now.group.cells[c]], now.du[c], now.points_leaving);
 }
 
 }  // namespace terp

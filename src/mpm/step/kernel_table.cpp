@@ -13,7 +13,7 @@ namespace terp {
 namespace {
 
 constexpr Kernels table{TERP_TEXT(TERP_KERNEL_COPY), &step_compiled, &find_forces_compiled, &strain_compiled,
-    &add_up_compiled, &measure_triad, &measure_multiply_add};
+    &score_compiled, &add_up_compiled, &measure_triad, &measure_multiply_add};
 
 }  // namespace
 }  // namespace terp

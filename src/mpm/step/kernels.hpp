@@ -2,6 +2,7 @@
 // Not for: laws and schemes, whose lists have copies of their own (soil/laws/material.hpp, mpm/schemes/scheme.hpp).
 #pragma once
 
+#include "mpm/step/score.hpp"
 #include "mpm/step/step_model.hpp"
 #include "mpm/step/totals.hpp"
 
@@ -23,6 +24,7 @@ void strain_compiled(const StepModel& model, StepState& state, Workspace& work);
 struct Kernels {
   std::string_view instructions;  ///< name of the set
   StepFunction step, find_forces, strain;
+  decltype(&score_compiled) score;             ///< score.hpp
   decltype(&add_up_compiled) add_up;           ///< totals.hpp
   double (*measure_triad)(std::size_t bytes);  ///< os/machine.hpp
   double (*measure_multiply_add)();

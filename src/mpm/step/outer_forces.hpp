@@ -1,6 +1,6 @@
 // Forces beside gravity and Eq. (4) that enter at the corners of cells: loads, water, the slope of the pressure within
-// the cells (mpm/schemes/pressure_balance.hpp). Each kind has a work of its own in
-// the ledger. A new kind is a word here, what fills its corners in each step (step.cpp), and its work in `balance`
+// the cells (mpm/features/pressure_balance.hpp). Each kind has a work of its own in
+// the ledger. A new kind is a word here, what fills its corners in each step (features), and its work in `balance`
 // (ledger.cpp).
 #pragma once
 

@@ -1,5 +1,5 @@
 // The passes of the step: their names, and what each must do at least, for `terp bench` (benchmarks/README.md).
-// Not for: what they do (step.cpp). A new pass is a line of passes.def and its line in the score.
+// Not for: what they do (score.def). A new pass is a line of passes.def and its line in the score.
 #pragma once
 
 #include "mpm/schemes/scheme.hpp"

@@ -3,8 +3,10 @@
 
 #include "mpm/features/slots.hpp"
 #include "mpm/kernels/cell_sums.hpp"
+#include "mpm/kernels/damping.hpp"
 #include "mpm/points/point_blocks.hpp"
 #include "mpm/step/outer_forces.hpp"
+#include "mpm/step/score.hpp"
 #include "os/memory.hpp"
 #include "os/threads.hpp"
 
@@ -82,9 +84,12 @@ struct Workspace {
   std::vector<Real> point_leaving;               ///< values of the point being moved
   std::array<OuterForces, n_outer_kinds> outer;  ///< forces from outside
   ScratchSlots with;                             ///< the features
+  Scores scores;                                 ///< chosen by the first step
   std::vector<double> seconds;                   ///< spent in each pass (passes.hpp)
   StepWatcher* watcher = nullptr;                ///< not owned; nullptr: none
   Vec<2> gravity{0.0, 0.0};                      ///< in this step [m/s^2]
+  Damping damping;                               ///< the same
+  bool cells_changed = false;                    ///< in the last step cells filled or emptied
   bool finite = true;                            ///< no nodal value was NaN or infinite in the last step
   Real unbalanced_ratio = 0.0;                   ///< sum |m a|, but for damping, over sum |m g| in the last step
   Real kinetic_nodal = 0.0;                      ///< 1/2 sum m_i |v_i|^2 at the start of the last step [J per m]

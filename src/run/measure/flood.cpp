@@ -9,6 +9,7 @@
 #include "run/loop/stages.hpp"
 #include "run/report/ledger_context.hpp"
 #include "run/report/mesh_frame.hpp"
+#include "mpm/features/rest.hpp"
 #include "mpm/step/node_passes.hpp"
 #include "mpm/step/state_arrays.hpp"
 #include "run/report/summary.hpp"

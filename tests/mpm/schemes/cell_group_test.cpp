@@ -1,4 +1,4 @@
-#include "mpm/schemes/gauss_gather.hpp"
+#include "mpm/schemes/cell_group.hpp"
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"
 
@@ -23,22 +23,23 @@ struct Row {
   }
 };
 
-void gather(Row& row, const SchemeContext& context, Index first = 0, Index n = 1)
+/// Eqs. (1) to (4), as in a step.
+void gather(Row& row, const MethodOptions& method, Index first = 0, Index n = 1)
 {
   const CellGroup<Quad4> group = row.group(first, n);
-  gather_at_gauss_points(
-      context, group, [&](const BlockLayer& layer) -> GaussValues<Quad4, Pack>& { return group.gauss_of(layer); },
-      [&](const BlockLayer& layer, GaussValues<Quad4, Pack>& gauss) { sum_layer(group, layer, gauss); },
-      [](const auto&, auto&) {});
-}
-
-std::vector<SoilMaterial> two_names_of_one_soil()
-{
-  const MaterialType* type = find_material("tresca_softening");
-  const std::vector<Real> values = type->complete(std::vector<Real>{2.0e6, 0.4, 8.0e3, 2.0e3, 50.0});
-  std::vector<SoilMaterial> materials;
-  for (const char* name : {"upper", "lower"}) materials.push_back({name, type, type->make(values), 1990.0, {}});
-  return materials;
+  PerGauss<Quad4, Pack> volume = zero_packs<Quad4::n_gauss>();
+  for_each_layer(group, [&](const BlockLayer& layer) {
+    sum_layer(group, layer, group.gauss_of(layer));
+    for (int g = 0; g < Quad4::n_gauss; ++g) volume[g] += group.gauss_of(layer).volume[g];
+  });
+  const GeometryLanes<Quad4> geometry = geometry_of(group);
+  for_each_layer(group, [&](const BlockLayer& layer) {
+    GaussValues<Quad4, Pack>& gauss = group.gauss_of(layer);
+    set_weights(geometry, volume, method, gauss);
+    divide_by_volume(gauss);
+    smooth_pressure(gauss);
+    add_internal_force(group, geometry, layer, gauss, method.b_bar);
+  });
 }
 
 /// Internal force on the corners of a cell with eight points under one stress, every second one of material `other`.
@@ -52,8 +53,7 @@ CornerSums<Quad4> force_of_uniform_stress(Index other, const MethodOptions& meth
           {.local = {xi, eta}, .volume = volume * (1.0 + 0.1 * k), .sigma = {-3e3, -5e3, -4e3, 1e3}, .state = {0.01}},
           cell.points, k++ % 2 == 0 ? 0 : other);
   cell.points.update_occupied();
-  const auto materials = two_names_of_one_soil();
-  gather(cell, {method, materials});
+  gather(cell, method);
   return cell.corners[0];
 }
 
@@ -90,20 +90,19 @@ Row eight_distorted_cells()
 TEST(CellGroup, ALaneKnowsNothingOfItsNeighbours)
 {
   Row together = eight_distorted_cells(), alone = eight_distorted_cells();
-  const auto materials = two_names_of_one_soil();
   MethodOptions method;
-  gather(together, {method, materials}, 0, 8);
+  gather(together, method, 0, 8);
   GroupVectors<Quad4> du{};
   Random random(6);
   for (auto& cell : du)
     for (auto& direction : cell)
       for (Real& value : direction) value = random.between(-0.01, 0.01);
-  const auto strain = strain_by_cell(strain_of_group(together.group(0, 8), du, true));
+  const auto strain = strain_by_cell(strain_of_group(geometry_of(together.group(0, 8)), du, true));
   for (Index c = 0; c < 8; ++c) {
-    gather(alone, {method, materials}, c, 1);
+    gather(alone, method, c, 1);
     GroupVectors<Quad4> own{};
     own[0] = du[c];
-    const auto own_strain = strain_by_cell(strain_of_group(alone.group(c, 1), own, true));
+    const auto own_strain = strain_by_cell(strain_of_group(geometry_of(alone.group(c, 1)), own, true));
     EXPECT_EQ(together.corners[c].internal_force, alone.corners[c].internal_force) << "cell " << c;
     EXPECT_EQ(strain[c].d_eps, own_strain[0].d_eps) << "cell " << c;
     EXPECT_EQ(strain[c].d_spin, own_strain[0].d_spin) << "cell " << c;
@@ -120,9 +119,8 @@ TEST(CellGroup, GivesWhatOneCellInScalarsGives)
     layer.block[cell] = row.points.first_block(cell);
     return layer;
   };
-  const auto materials = two_names_of_one_soil();
   MethodOptions method;
-  gather(row, {method, materials}, 0, 8);
+  gather(row, method, 0, 8);
   for (const Index c : {Index{0}, Index{5}, Index{6}}) {  // of one material
     GaussValues<Quad4> gauss{};
     CornerSums<Quad4> expected{};
@@ -146,9 +144,8 @@ TEST(CellGroup, TwoBodiesOfOneMaterialHaveGaussValuesOfTheirOwn)
   for (const Index body : {0, 1})
     add_point(cell.mesh, 0, {.volume = 0.5, .sigma = {body == 0 ? -3e3 : -7e3, 0.0, 0.0, 0.0}}, cell.points, 0, body);
   cell.points.update_occupied();
-  const auto materials = two_names_of_one_soil();
   MethodOptions method;
-  gather(cell, {method, materials});
+  gather(cell, method);
   const CellGroup<Quad4> group = cell.group(0, 1);
   std::vector<std::pair<Index, Index>> layers;
   for_each_layer(group, [&](const BlockLayer& layer) {

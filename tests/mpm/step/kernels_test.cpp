@@ -25,7 +25,7 @@ TEST(Kernels, NoTwoCopiesShareALawASchemeOrAStep)
     for (std::size_t b = 0; b < a; ++b) {
       EXPECT_NE(materials_of_set(a)[0], materials_of_set(b)[0]);
       EXPECT_NE(materials_of_set(a)[0]->maker, materials_of_set(b)[0]->maker);
-      EXPECT_NE(schemes_of_set(a)[0]->point.gather, schemes_of_set(b)[0]->point.gather);
+      EXPECT_NE(schemes_of_set(a)[0]->own_shares[0].run, schemes_of_set(b)[0]->own_shares[0].run);
       EXPECT_NE(kernels_of_set(a).step, kernels_of_set(b).step);
     }
 }

@@ -1,4 +1,4 @@
-#include "mpm/schemes/soil_border.hpp"
+#include "mpm/features/soil_border.hpp"
 
 #include "support/simulations.hpp"
 #include "support/two_soils.hpp"

@@ -1,5 +1,5 @@
 #include "mpm/features/balance.hpp"
-#include "mpm/schemes/pressure_balance.hpp"
+#include "mpm/features/pressure_balance.hpp"
 
 #include "mpm/step/workspace.hpp"
 #include "support/blocks.hpp"

@@ -4,7 +4,7 @@
 // share of the area, not from its points. The area above a line is quadratic between the heights of two corners, so the
 // line that cuts off a share is found exactly.
 
-#include "mpm/schemes/soil_border.hpp"
+#include "mpm/features/soil_border.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "mpm/features/overlap.hpp"
 #include "mpm/step/workspace.hpp"
-#include "mpm/schemes/patch_values.hpp"
+#include "mpm/features/patch_values.hpp"
 #include "support/simulations.hpp"
 
 namespace overlap_test {

@@ -16,7 +16,7 @@
 
 #include "mpm/points/rows_of_packs.hpp"
 #include "mpm/kernels/cell_balance.hpp"
-#include "mpm/schemes/volume_gradient.hpp"
+#include "mpm/features/volume_gradient.hpp"
 
 namespace terp {
 
@@ -113,10 +113,12 @@ struct BlockMass {
   }
 };
 
-/// Adds what the blocks of a layer have in their cells' balance. within: as is_within_soil.
+/// Adds what the blocks of a layer have in their cells' balance. within: as is_within_soil; balance, forces: of the
+/// cells, shape [n]; forces: empty where nothing but weight and acceleration has a part in the slope.
 template <class Element>
 void add_balance(const SchemeContext& context, const CellGroup<Element>& group, const GeometryLanes<Element>& geometry,
-    const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, Pack within)
+    const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, Pack within, std::span<CellBalance> balance,
+    std::span<CornerVectors<Element>> forces)
 {
   const SoilMaterial& material = context.materials[layer.material];
   const bool everywhere = material.ignores_pressure;
@@ -150,8 +152,8 @@ void add_balance(const SchemeContext& context, const CellGroup<Element>& group, 
     const Real rho = soil.mass / soil.volume;
     for (int i = 0; i < 4; ++i)
       for (int d = 0; d < 2; ++d)
-        for (int e = 0; e < 2; ++e) group.balance[c].moment[i][d][e] += rho * moment[i][d][e];
-    if (group.balance_force.empty()) continue;
+        for (int e = 0; e < 2; ++e) balance[c].moment[i][d][e] += rho * moment[i][d][e];
+    if (forces.empty()) continue;
     Vec<2> pull{0.0, 0.0};  // the part of G that is not rho (a_K - g)
     const Real held = context.held.act() ? mean_held_share(block, context.held_row, context.held) : 0.0;
     for (int d = 0; d < 2; ++d) pull[d] = rho * held * context.gravity[d];
@@ -168,7 +170,7 @@ void add_balance(const SchemeContext& context, const CellGroup<Element>& group, 
         for (int d = 0; d < 2; ++d) pull[d] += share * at.pressure[i] * cell.centre_gradient[i][d];
     }
     for (int i = 0; i < 4; ++i)
-      for (int d = 0; d < 2; ++d) group.balance_force[c][d][i] -= moment[i][d][0] * pull[0] + moment[i][d][1] * pull[1];
+      for (int d = 0; d < 2; ++d) forces[c][d][i] -= moment[i][d][0] * pull[0] + moment[i][d][1] * pull[1];
   }
 }
 

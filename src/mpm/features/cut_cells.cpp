@@ -5,7 +5,7 @@
 // left on the way keeps one strain for all its soils: none yielded, too many of them, one without shear stiffness, or
 // no border to be seen.
 
-#include "mpm/schemes/cut_cells.hpp"
+#include "mpm/features/cut_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,12 +69,13 @@ bool has_plastic_work(const SchemeContext& context, const PointBlocks<2>& points
 {
   bool any = false;
   for_each_block(points, cell,
-      [&](const PointBlock<2>& block, Index) { any = any || plastic_work_of(block, context.slip_row) > 0.0; });
+      [&](const PointBlock<2>& block, Index) { any = any || plastic_work_of(block, context.work_row) > 0.0; });
   return any;
 }
 
 /// False: one of them has no shear stiffness, or there are too many.
-bool list_soils(const SchemeContext& context, const CellGroup<Quad4>& group, Index cell, Soils& soils)
+bool list_soils(const SchemeContext& context, const CellGroup<Quad4>& group, std::span<const BlockSlip> slips,
+    Index cell, Soils& soils)
 {
   bool known = true;
   for_each_block(group.points, cell, [&](const PointBlock<2>& block, Index b) {
@@ -85,9 +86,9 @@ bool list_soils(const SchemeContext& context, const CellGroup<Quad4>& group, Ind
       soils.of[soils.n++] = {.material = block.material};
     }
     Soil& soil = soils.of[soils.n - 1];
-    const BlockSlip& slip = group.slips[b];
+    const BlockSlip& slip = slips[b];
     soil.weight += slip.weight;
-    soil.plastic_work += plastic_work_of(block, context.slip_row);
+    soil.plastic_work += plastic_work_of(block, context.work_row);
     for (int k = 0; k < n_sym<2>; ++k) soil.sigma[k] += slip.weight * slip.sigma[k];
     const SoilMaterial& material = context.materials[block.material];
     for (Index p = 0; p < block.n; ++p)
@@ -136,11 +137,11 @@ Kink find_kink(const CellGroup<Quad4>& group, int c, Border border, const Soils&
   return kink;
 }
 
-void find_slips_of_cell(const SchemeContext& context, const CellGroup<Quad4>& group, int c)
+void find_slips_of_cell(const SchemeContext& context, const CellGroup<Quad4>& group, std::span<BlockSlip> slips, int c)
 {
   const Index cell = group.cells[c];
   Soils soils;
-  if (!list_soils(context, group, cell, soils) || std::ranges::none_of(soils.all(), &Soil::has_yielded)) return;
+  if (!list_soils(context, group, slips, cell, soils) || std::ranges::none_of(soils.all(), &Soil::has_yielded)) return;
   sort_by_volume(soils);
   const Border border = find_border(group.mesh, group.points, cell, {soils.of[0].material, soils.of[1].material});
   const Vec<2> n = border.across;
@@ -153,21 +154,21 @@ void find_slips_of_cell(const SchemeContext& context, const CellGroup<Quad4>& gr
   }
   for_each_block(group.points, cell, [&](const PointBlock<2>& block, Index b) {
     const Soil& soil = *std::ranges::find(soils.all(), block.material, &Soil::material);
-    BlockSlip& slip = group.slips[b];
+    BlockSlip& slip = slips[b];
     slip.normal = unit.normal;
     slip.shear = unit.shear;
     slip.g = (strain / softness - soil.tau(unit)) / soil.G;
   });
-  group.slips[group.points.first_block(cell)].kink = find_kink(group, c, border, soils, unit);
+  slips[group.points.first_block(cell)].kink = find_kink(group, c, border, soils, unit);
 }
 
 }  // namespace
 
-void find_slips(const SchemeContext& context, const CellGroup<Quad4>& group)
+void find_slips(const SchemeContext& context, const CellGroup<Quad4>& group, std::span<BlockSlip> slips)
 {
   for (int c = 0; c < group.n(); ++c)
     if (has_several_soils(group.points, group.cells[c]) && has_plastic_work(context, group.points, group.cells[c]))
-      find_slips_of_cell(context, group, c);
+      find_slips_of_cell(context, group, slips, c);
 }
 
 }  // namespace terp

@@ -1,4 +1,4 @@
-#include "mpm/schemes/share_ratio.hpp"
+#include "mpm/features/share_ratio.hpp"
 
 #include "support/simulations.hpp"
 

@@ -1,7 +1,7 @@
 // Excess pressure of elastic soil: with K_w/n its motion is that of soil that stores total stress and has the undrained
 // Poisson's ratio, whatever the scheme and the mesh, and on its way from cell to cell.
 #include "mpm/features/search.hpp"
-#include "mpm/schemes/excess_pressure.hpp"
+#include "mpm/features/excess_pressure.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
 

@@ -1,5 +1,5 @@
 #include "mpm/features/slip.hpp"
-#include "mpm/schemes/block_slip.hpp"
+#include "mpm/features/block_slip.hpp"
 
 #include "mpm/step/workspace.hpp"
 #include "support/simulations.hpp"

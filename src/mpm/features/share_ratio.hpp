@@ -21,7 +21,7 @@ using ShareRatios = PerGauss<Element, R>;
 
 /// Keeps the ratios of the blocks of a layer. gauss: sums of the volume, and weights.
 template <class Element>
-void keep_ratios(const CellGroup<Element>& group, const BlockLayer& layer, const GaussValues<Element, Pack>& gauss)
+void keep_ratios(std::span<ShareRatios<Element>> kept, const BlockLayer& layer, const GaussValues<Element, Pack>& gauss)
 {
   const Pack inverse_all = Pack(1.0) / total(gauss.volume);
   ShareRatios<Element, Pack> ratios;
@@ -30,16 +30,16 @@ void keep_ratios(const CellGroup<Element>& group, const BlockLayer& layer, const
         gauss.weight[g] * select(gauss.volume[g] > Pack(0.0), Pack(1.0) / gauss.volume[g], Pack(0.0) - inverse_all);
   std::array<ShareRatios<Element>, pack_width> of_cells;
   from_lanes(ratios, [&](int c) { return of_cells[c].data(); });
-  for (int c = 0; c < group.n(); ++c)
-    if (layer.block[c] >= 0) group.ratios[layer.block[c]] = of_cells[c];
+  for (int c = 0; c < pack_width; ++c)
+    if (layer.block[c] >= 0) kept[layer.block[c]] = of_cells[c];
 }
 
 /// The same, one lane per cell; 1 where there is no block.
 template <class Element>
-ShareRatios<Element, Pack> ratios_of(const CellGroup<Element>& group, const BlockLayer& layer)
+ShareRatios<Element, Pack> ratios_of(std::span<const ShareRatios<Element>> kept, const BlockLayer& layer)
 {
   static constexpr ShareRatios<Element> none{1.0, 1.0, 1.0, 1.0};
-  return to_lanes([&](int c) { return (layer.block[c] < 0 ? none : group.ratios[layer.block[c]]).data(); });
+  return to_lanes([&](int c) { return (layer.block[c] < 0 ? none : kept[layer.block[c]]).data(); });
 }
 
 /// What the Gauss points of one block, or of eight, hand back.
@@ -88,16 +88,19 @@ PerGauss<Element, Pack> weights_taken(const GaussValues<Element, Pack>& gauss)
 }
 
 /// What points divide by which took rows weighed by the ratios. taken: row `ratio` of their patch.
-inline Pack inverse_ratio(Pack taken, bool weighed) { return weighed ? Pack(1.0) / taken : Pack(1.0); }
+inline Pack inverse_ratio(const SchemeContext& context, Pack taken)
+{
+  return context.method.strain_shares == StrainShares::transposed ? Pack(1.0) / taken : Pack(1.0);
+}
 
 /// Strain that the points of block b take, each from its own sub-cell. room: for it, where a sub-cell has no points.
 template <class Element>
 const GaussStrain<Element>& handed_back(
-    const CellGroup<Element>& group, Index b, const GaussStrain<Element>& strain, GaussStrain<Element>& room)
+    const ShareRatios<Element>& ratios, const GaussStrain<Element>& strain, GaussStrain<Element>& room)
 {
   const auto is_empty = [](Real ratio) { return !(ratio > 0.0); };
-  if (group.ratios.empty() || std::ranges::none_of(group.ratios[b], is_empty)) return strain;
-  const ShareRatio<Element, Real> ratio(group.ratios[b]);
+  if (std::ranges::none_of(ratios, is_empty)) return strain;
+  const ShareRatio<Element, Real> ratio(ratios);
   if (&room != &strain) room = strain;
   for (auto& component : room.d_eps) ratio.mix(component);
   ratio.mix(room.d_spin);
@@ -106,11 +109,9 @@ const GaussStrain<Element>& handed_back(
 
 /// The same of the blocks of a layer, one lane per cell.
 template <class Element>
-const GaussStrain<Element, Pack>& handed_back(const CellGroup<Element>& group, const BlockLayer& layer,
+const GaussStrain<Element, Pack>& handed_back(const ShareRatios<Element, Pack>& ratios,
     const GaussStrain<Element, Pack>& strain, GaussStrain<Element, Pack>& room)
 {
-  if (group.ratios.empty()) return strain;
-  const ShareRatios<Element, Pack> ratios = ratios_of(group, layer);
   bool any_empty = false;
   for (const Pack& of_cells : ratios) any_empty |= any_of(!(of_cells > Pack(0.0)));
   if (!any_empty) return strain;

@@ -1,5 +1,5 @@
 #include "mpm/features/slip.hpp"
-#include "mpm/schemes/cut_cells.hpp"
+#include "mpm/features/cut_cells.hpp"
 
 #include "mpm/step/workspace.hpp"
 #include "soil/laws/material.hpp"
@@ -261,6 +261,7 @@ TEST(CutCellsWithAKink, StrainTheSoilThatShearsAndNotTheOther)
   int n_cut = 0;
   for (Index first = 0; first < n_cells; first += pack_width) {
     const CellGroup<Quad4> group = view_group(s.model, s.state, s.work, first, std::min(first + pack_width, n_cells));
+    std::vector<BlockSlip>& slips = s.work.with.slip->blocks;
     GroupVectors<Quad4> du{};
     for (int lane = 0; lane < group.n(); ++lane) {
       const Index b = s.state.points.first_block(group.cells[lane]);
@@ -272,20 +273,21 @@ TEST(CutCellsWithAKink, StrainTheSoilThatShearsAndNotTheOther)
           du[lane][d][static_cast<int>(i)] = k * kink.above[i] * kink.along[static_cast<int>(d)];
       const BlockSlip unit{.normal = n[0] * n[1], .shear = 0.5 * (n[1] * n[1] - n[0] * n[0])};
       for (const Index of : {b, s.state.points.block(b).next}) {
-        group.slips[of] = unit;
-        group.slips[of].g = s.state.points.block(of).material == 1 ? 0.6 * k : -0.4 * k;
+        slips[of] = unit;
+        slips[of].g = s.state.points.block(of).material == 1 ? 0.6 * k : -0.4 * k;
       }
-      group.slips[b].kink = kink;
+      slips[b].kink = kink;
       ++n_cut;
     }
     Real lost = 0.0;
     GroupVectors<Quad4> room;
     GaussStrain<Quad4> slipped;
-    const auto strain = strain_by_cell(strain_of_group(group, without_kinks(group, du, room, lost), true));
+    const auto strain =
+        strain_by_cell(strain_of_group(geometry_of(group), without_kinks<Quad4>(group, slips, du, room, lost), true));
     for (int lane = 0; lane < group.n(); ++lane)
       for_each_block(s.state.points, group.cells[lane], [&](const auto& block, Index b) {
-        if (!group.slips[b].acts()) return;
-        const auto own = with_slip(group, b, strain[lane], slipped);
+        if (!slips[b].acts()) return;
+        const auto own = with_slip<Quad4>(slips, b, strain[lane], slipped);
         const Real sheared = block.material == 1 ? k : 0.0;
         for (std::size_t g = 0; g < 4; ++g) {
           EXPECT_NEAR(own.d_eps[0][g], sheared * n[0] * n[1], 1e-9 * k);

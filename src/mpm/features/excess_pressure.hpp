@@ -8,34 +8,36 @@
 // In drained soil K_w/n is zero, and u_p times the part that the step keeps.
 #pragma once
 
-#include "mpm/schemes/patch_group.hpp"
-#include "mpm/schemes/patch_rows.hpp"
+#include "mpm/features/excess.hpp"
+#include "mpm/features/patch_group.hpp"
+#include "mpm/features/patch_rows.hpp"
+#include "mpm/step/now.hpp"
 
 namespace terp {
 
 /// One row of the sums of the blocks of a layer at their Gauss points, with shares that overlap.
 template <class Element>
-GaussRow<Element> collect_row(const CellGroup<Element>& group, const BlockLayer& layer, int row)
+GaussRow<Element> collect_row(const CellGroup<Element>& group, PatchValues& patches, const BlockLayer& layer, int row)
 {
-  const GaussRows sums = collect_sums(group, layer, row);
+  const GaussRows sums = collect_sums(group, patches, layer, row);
   GaussRow<Element> values;
   for (int g = 0; g < Element::n_gauss; ++g) values[g] = sums[g][0];
   return values;
 }
 
-/// u_e of the cells of a layer [Pa], one lane per cell; keeps them in group.excess.
-template <class Element>
-Pack gather_excess(const SchemeContext& context, const CellGroup<Element>& group, const BlockLayer& layer,
-    const GaussValues<Element, Pack>& gauss)
+/// u_e of the cells of a layer [Pa], one lane per cell; keeps them by block.
+inline Pack gather_excess(LayerNow& now)
 {
-  GaussRow<Element> excess = context.inverse_extent < 0
-                                 ? sum_row(group, layer, context.materials[layer.material].excess_row)
-                                 : collect_row(group, layer, group.patches->excess_place);
-  const SubCellMeans mean(gauss);
+  const CellGroup<Quad4>& group = now.at.group;
+  StepNow& step = now.at.step;
+  GaussRow<Quad4> excess = step.context.inverse_extent < 0 ? sum_row(group, now.layer, now.material.excess_row)
+                                                           : collect_row(group, patches_of(step.work), now.layer,
+                                                                 patches_of(step.work).excess_place);
+  const SubCellMeans mean(now.gauss);
   mean(excess);
-  const Pack of_cell = weighted_mean(excess, gauss.weight);
+  const Pack of_cell = weighted_mean(excess, now.gauss.weight);
   for (int c = 0; c < group.n(); ++c)
-    if (layer.block[c] >= 0) group.excess[layer.block[c]] = of_cell[c];
+    if (now.layer.block[c] >= 0) step.work.with.excess->pressure[now.layer.block[c]] = of_cell[c];
   return of_cell;
 }
 
@@ -51,7 +53,7 @@ class ExcessStep {
  public:
   ExcessStep(const SchemeContext& context, const SoilMaterial& material) : stores_(stores_excess(context, material))
   {
-    kept_ = stores_ ? 1.0 : context.excess_kept;
+    kept_ = stores_ ? 1.0 : context.drained_keeps;
     stiffness_ = stores_ ? material.water_stiffness : 0.0;
     half_compliance_ = stores_ ? 0.5 / material.water_stiffness : 0.0;
   }
@@ -71,35 +73,30 @@ class ExcessStep {
   Pack kept_{}, stiffness_{}, half_compliance_{};
 };
 
-/// New excess pressure of the points of block b, if it has any. strain: of their cell. Before the volumes change.
+/// New excess pressure of the points of a block. of_cell: u_e [Pa]; strain: of their cell. Before the volumes change.
 template <class Element>
-void update_excess(const SchemeContext& context, const CellGroup<Element>& group, Index b,
+void update_excess(const SchemeContext& context, const PointBlock<Element::dim>& block, Real of_cell,
     const GaussStrain<Element>& strain, StressSums& sums)
 {
-  const PointBlock<Element::dim>& block = group.points.block(b);
   const SoilMaterial& material = context.materials[block.material];
-  if (material.excess_row < 0) return;
   const ExcessStep step(context, material);
   for (Index p = 0; p < block.n; p += pack_width) {
     Real* at = block.row(material.excess_row) + p;
     const Pack volumetric = trace(strain_at_points(strain, upper_halves<Element>(block, p)));
-    step(Pack::load(at), group.excess[b], volumetric, Pack::load(block.row(PointRows<Element::dim>::volume) + p), sums)
+    step(Pack::load(at), of_cell, volumetric, Pack::load(block.row(PointRows<Element::dim>::volume) + p), sums)
         .store(at);
   }
 }
 
-/// The same with shares that overlap, of schemes whose Gauss points own the history. The last row of patch is u_e.
-template <class Element>
-void update_excess_from_patch(const SchemeContext& context, const CellGroup<Element>& group,
-    const PointBlock<Element::dim>& block, const PatchSize& size, const PatchView& patch, StressSums& sums)
+/// The same with shares that overlap, of schemes whose Gauss points own the history. excess: row of patch that is u_e.
+inline void update_excess_from_patch(const SchemeContext& context, const PointBlock<2>& block, const PatchSize& size,
+    const PatchView& patch, int excess, StressSums& sums)
 {
+  using Element = Quad4;
   const SoilMaterial& material = context.materials[block.material];
-  if (material.excess_row < 0) return;
-  const int excess = group.patches->gauss_width - 1;
   const ExcessStep step(context, material);
-  const bool weighed = context.method.strain_shares == StrainShares::transposed;
   const auto inverse_of = [&](const auto& shares) {
-    return inverse_ratio(patch.at_points<1>(shares, HistoryRows::ratio)[0], weighed);
+    return inverse_ratio(context, patch.at_points<1>(shares, HistoryRows::ratio)[0]);
   };
   Pack above(0.0), volume(0.0);  // of the points, above that around them; as their pressure keeps its mean
   for (Index p = 0; p < block.n; p += pack_width)

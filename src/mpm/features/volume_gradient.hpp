@@ -9,7 +9,7 @@
 
 #include "mpm/points/rows_of_packs.hpp"
 #include "mpm/kernels/point_gradients.hpp"
-#include "mpm/schemes/cell_group.hpp"
+#include "mpm/step/now.hpp"
 
 namespace terp {
 
@@ -39,6 +39,11 @@ Pack is_within_soil(const CellGroup<Element>& group, Pack filled)
   return Pack::load(within);
 }
 
+inline void find_surface(GroupNow& now)
+{
+  now.within = is_within_soil(now.group, filled_share(now.geometry, total(now.volume), now.step.model.method));
+}
+
 /// Adds the mean of the gradients over the points of a block, times `weight`.
 template <class Element>
 void add_mean_gradient(const CellGeometry<Element>& cell, const PointBlock<Element::dim>& block, Real weight,
@@ -65,8 +70,8 @@ void add_mean_gradient(const CellGeometry<Element>& cell, const PointBlock<Eleme
 /// Sets the gradients of a group in its geometry, and keeps them for the strain. within: as is_within_soil.
 /// volume_of(layer): W_g of its blocks, one lane per cell, shape [g].
 template <class Element, class VolumeOf>
-void set_volume_gradient(
-    const CellGroup<Element>& group, Pack within, VolumeOf&& volume_of, GeometryLanes<Element>& geometry)
+void set_volume_gradient(const CellGroup<Element>& group, Pack within, VolumeOf&& volume_of,
+    GeometryLanes<Element>& geometry, VolumeGradient<Element>& kept)
 {
   std::array<PerCorner<Element, Vec<Element::dim>>, pack_width> sums{};
   std::array<Real, pack_width> weights{};
@@ -88,7 +93,7 @@ void set_volume_gradient(
             pack_of([&](int c) { return weights[c] > 0.0 ? sums[c][i][d] / weights[c] : centre[c]; });
       }
   }
-  group.volume_gradients[group.number] = geometry.centre_gradient;
+  kept = geometry.centre_gradient;
 }
 
 }  // namespace terp

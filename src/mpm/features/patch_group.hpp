@@ -3,26 +3,29 @@
 // Not for: where a point counts (mpm/kernels/overlap.hpp).
 #pragma once
 
+#include "mpm/features/overlap.hpp"
 #include "mpm/schemes/cell_group.hpp"
-#include "mpm/schemes/patch_values.hpp"
-#include "mpm/schemes/share_ratio.hpp"
+#include "mpm/features/patch_values.hpp"
+#include "mpm/features/share_ratio.hpp"
 #include "mpm/kernels/overlap.hpp"
+#include "mpm/step/workspace.hpp"
 
 namespace terp {
 
+inline PatchValues& patches_of(Workspace& work) { return work.with.overlap->patches; }
+
 /// Fetches the extents of the points of the cell after cell c: their row lies apart from those that are read in order.
 template <class Element>
-void prefetch_extents(const SchemeContext& context, const CellGroup<Element>& group, int c)
+void prefetch_extents(int inverse_extent, const CellGroup<Element>& group, int c)
 {
   const Index next = c + 1 < group.n() ? group.cells[c + 1] : group.next_cell;
   if (next < 0) return;
-  for_each_block(
-      group.points, next, [&](const auto& block, Index) { prefetch(block.row(context.inverse_extent), block.n); });
+  for_each_block(group.points, next, [&](const auto& block, Index) { prefetch(block.row(inverse_extent), block.n); });
 }
 
 /// Fetches what an update from patches needs of a block, before its patch is put together.
 template <int Dim>
-void prefetch_for_update(const SchemeContext& context, const PointBlock<Dim>& block)
+void prefetch_for_update(int inverse_extent, const PointBlock<Dim>& block)
 {
   using Rows = PointRows<Dim>;
   const auto fetch = [&](int first, int end) {
@@ -30,39 +33,38 @@ void prefetch_for_update(const SchemeContext& context, const PointBlock<Dim>& bl
   };
   fetch(Rows::xi, Rows::v);
   fetch(Rows::volume, Rows::id);
-  fetch(Rows::state, context.inverse_extent);  // its row follows those of the laws
+  fetch(Rows::state, inverse_extent);  // its row follows those of the laws
 }
 
 /// Of the squares of the points of a cell.
 template <class Element>
-PatchSize patch_size(const SchemeContext& context, const CellGroup<Element>& group, Index cell)
+PatchSize patch_size(int inverse_extent, const CellGroup<Element>& group, Index cell)
 {
-  return {context.inverse_extent, std::sqrt(group.mesh.geometry(cell).volume)};
+  return {inverse_extent, std::sqrt(group.mesh.geometry(cell).volume)};
 }
 
 /// Sets the partners of the blocks of a group: wherever a block was made or left since they were found.
 template <class Element>
-void set_partners(const CellGroup<Element>& group)
+void set_partners(const CellGroup<Element>& group, PatchValues& patches)
 {
   for (const Index cell : group.cells)
     for_each_block(group.points, cell, [&](const auto& block, Index b) {
-      const BlockPartners& found = group.patches->partners[b] =
-          find_block_partners(group.points, group.patches->cells[cell], block);
+      const BlockPartners& found = patches.partners[b] = find_block_partners(group.points, patches.cells[cell], block);
       const bool lacks = std::ranges::any_of(found, [](Index partner) { return partner < 0; });
-      group.patches->folds[b] = lacks ? PatchValues::lacks_partner : 0;
+      patches.folds[b] = lacks ? PatchValues::lacks_partner : 0;
     });
 }
 
 /// First pass: sums of each block over its patch. others(block): rows beyond the stress.
 template <class Element, class Others>
-void sum_over_patches(const SchemeContext& context, const CellGroup<Element>& group, Others&& others)
+void sum_over_patches(
+    const SchemeContext& context, const CellGroup<Element>& group, PatchValues& patches, Others&& others)
 {
-  PatchValues& patches = *group.patches;
   const int width = patches.sum_width;
   for (int c = 0; c < group.n(); ++c) {
     const Index cell = group.cells[c];
-    prefetch_extents(context, group, c);
-    const PatchSize size = patch_size(context, group, cell);
+    prefetch_extents(context.inverse_extent, group, c);
+    const PatchSize size = patch_size(context.inverse_extent, group, cell);
     for_each_block(group.points, cell, [&](const auto& block, Index b) {
       sum_over_patch(block, size, others(block), width, patches.sums_of(b));
       if (const int row = context.materials[block.material].excess_row; row >= 0)
@@ -77,9 +79,8 @@ void sum_over_patches(const SchemeContext& context, const CellGroup<Element>& gr
 
 /// After the first pass of all groups, and `mark_small_partners`: what is not taken goes back.
 template <class Element>
-void fold_patches(const CellGroup<Element>& group)
+void fold_patches(const CellGroup<Element>& group, PatchValues& patches)
 {
-  PatchValues& patches = *group.patches;
   for (const Index cell : group.cells)
     for_each_block(group.points, cell, [&](const auto&, Index b) {
       if (patches.folds[b] != 0)
@@ -104,11 +105,10 @@ using GaussRows = std::array<std::array<Pack, pack_width>, Quad4::n_gauss>;
 
 /// Sums `first` to `first` + 7 of the blocks of a layer at their Gauss points, with what their partners leave there.
 template <class Element>
-GaussRows collect_sums(const CellGroup<Element>& group, const BlockLayer& layer, int first)
+GaussRows collect_sums(const CellGroup<Element>& group, PatchValues& patches, const BlockLayer& layer, int first)
 {
   using P = Patch<Quad4>;
   constexpr auto beside = outer_beside_own();
-  PatchValues& patches = *group.patches;
   const int width = patches.sum_width, n = std::min(pack_width, width - first);
   const Real* const all = patches.sums_of(0) + first;
   GaussRows sums;
@@ -131,11 +131,11 @@ GaussRows collect_sums(const CellGroup<Element>& group, const BlockLayer& layer,
 /// Sums of the blocks of a layer at the Gauss points, one lane per cell: stress and volume into `gauss`, n_others more
 /// rows into `others`.
 template <class Element>
-void collect_layer(const CellGroup<Element>& group, const BlockLayer& layer, GaussValues<Element, Pack>& gauss,
-    GaussRow<Element>* others, int n_others)
+void collect_layer(const CellGroup<Element>& group, PatchValues& patches, const BlockLayer& layer,
+    GaussValues<Element, Pack>& gauss, GaussRow<Element>* others, int n_others)
 {
   for (int first = 0; first < patch_others + n_others; first += pack_width) {
-    const GaussRows sums = collect_sums(group, layer, first);
+    const GaussRows sums = collect_sums(group, patches, layer, first);
     for (int g = 0; g < Element::n_gauss; ++g)
       for (int r = first; r < std::min(first + pack_width, patch_others + n_others); ++r)
         (r < patch_volume       ? gauss.sigma[r]
@@ -171,48 +171,50 @@ class LeftRows {
     set(row, lanes);
   }
 
-  /// Row `ratio` becomes 1. Where the way back is the transpose of the way there, rows 0 to `end` - 1 are then weighed,
-  /// and row `other`; -1: none.
-  void weigh(const CellGroup<Element>& group, const BlockLayer& layer, int ratio, int end, int other = -1)
+  /// Row `ratio` becomes 1. Where the way back is the transpose of the way there, rows 0 to `end` - 1 are then weighed;
+  /// with_pore: and the pore pressure.
+  void end_with(int ratio, int end, bool with_pore)
   {
     PerGauss<Element, Pack> lanes;
     lanes.fill(Pack(1.0));
     set(ratio, lanes);
-    if (group.ratios.empty()) return;
-    const ShareRatio<Element, Pack> weights(ratios_of(group, layer));
+    n_weighed_ = end;
+    weighs_pore_ = with_pore;
+  }
+  /// The pore pressure of each block. from: by block number.
+  void set_pore(int row, const BlockLayer& layer, std::span<const Real> from)
+  {
+    set(row, layer, from);
+    if (weighs_pore_) pore_row_ = row;
+  }
+  void weigh(const ShareRatio<Element, Pack>& weights)
+  {
     const auto weigh_row = [&](int r) {
+      PerGauss<Element, Pack> lanes;
       for (int g = 0; g < Element::n_gauss; ++g) lanes[g] = rows_[g][r / pack_width][r % pack_width];
       set(r, weights.weigh(lanes));
     };
-    for (int r = 0; r < end; ++r) weigh_row(r);
-    if (other >= 0) weigh_row(other);
+    for (int r = 0; r < n_weighed_; ++r) weigh_row(r);
+    if (pore_row_ >= 0) weigh_row(pore_row_);
   }
 
-  void leave(const CellGroup<Element>& group, const BlockLayer& layer) const
+  void leave(const CellGroup<Element>& group, PatchValues& patches, const BlockLayer& layer) const
   {
-    const int width = group.patches->gauss_width;
+    const int width = patches.gauss_width;
     for (int g = 0; g < Element::n_gauss; ++g)
       for (int first = 0; first < width; first += pack_width) {
         const auto of_cells = turn(rows_[g][first / pack_width]);
         for (int c = 0; c < group.n(); ++c)
           if (layer.block[c] >= 0)
-            store_some(of_cells[c], group.patches->gauss_of(layer.block[c]) + g * width + first,
-                std::min(pack_width, width - first));
+            store_some(
+                of_cells[c], patches.gauss_of(layer.block[c]) + g * width + first, std::min(pack_width, width - first));
       }
   }
 
  private:
+  int n_weighed_ = 0, pore_row_ = -1;
+  bool weighs_pore_ = false;
   std::array<std::array<std::array<Pack, pack_width>, PatchView::most_rows / pack_width>, Element::n_gauss> rows_;
 };
-
-/// What the Gauss points around block b hold.
-template <class Element>
-PatchView view_patch(const CellGroup<Element>& group, Index b)
-{
-  PatchValues& patches = *group.patches;
-  return PatchView(
-      patches.partners[b], patches.taken_shares(b), b, [&](Index other) { return patches.gauss_of(other); },
-      patches.gauss_width);
-}
 
 }  // namespace terp

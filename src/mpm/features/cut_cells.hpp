@@ -6,9 +6,9 @@
 //   g_m     = (tau - tau_m)/G_m + k c_a,   tau = sum_k V_k tau_k/G_k / sum_k V_k/G_k
 #pragma once
 
-#include "mpm/schemes/block_slip.hpp"
+#include "mpm/features/block_slip.hpp"
 #include "mpm/schemes/cell_group.hpp"
-#include "mpm/schemes/soil_border.hpp"
+#include "mpm/features/soil_border.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,20 +17,20 @@ namespace terp {
 
 /// Keeps what the slip of the blocks of a layer follows from. gauss: after Eq. (3).
 template <class Element>
-void keep_mean_stress(const CellGroup<Element>& group, const BlockLayer& layer, const GaussValues<Element, Pack>& gauss)
+void keep_mean_stress(std::span<BlockSlip> slips, const BlockLayer& layer, const GaussValues<Element, Pack>& gauss)
 {
   const Pack weight = total(gauss.weight);
   SymTensor<Pack, 2> mean;
   for (int k = 0; k < n_sym<2>; ++k) mean[k] = weighted_mean(gauss.sigma[k], gauss.weight);
-  for (int c = 0; c < group.n(); ++c) {
+  for (int c = 0; c < pack_width; ++c) {
     if (layer.block[c] < 0) continue;
-    BlockSlip& slip = group.slips[layer.block[c]] = {.weight = weight[c]};
+    BlockSlip& slip = slips[layer.block[c]] = {.weight = weight[c]};
     for (int k = 0; k < n_sym<2>; ++k) slip.sigma[k] = mean[k][c];
   }
 }
 
 /// Sets the slip of all blocks of a group, but for the kink, from their mean stress.
-void find_slips(const SchemeContext& context, const CellGroup<Quad4>& group);
+void find_slips(const SchemeContext& context, const CellGroup<Quad4>& group, std::span<BlockSlip> slips);
 
 /// Adds the strain of a slip to that of the cell, at all Gauss points.
 template <class Element, class R>
@@ -56,11 +56,10 @@ inline Real kink_of(const Kink& kink, Real d_gamma, Real across)
 /// sides of the border have; adds them to the slip of the soils. The work of the corners with the rest is booked as
 /// lost on the border. moved: room for them where there are such cells.
 template <class Element>
-const GroupVectors<Element>& without_kinks(
-    const CellGroup<Element>& group, const GroupVectors<Element>& du, GroupVectors<Element>& moved, Real& lost)
+const GroupVectors<Element>& without_kinks(const CellGroup<Element>& group, std::span<BlockSlip> slips,
+    const GroupVectors<Element>& du, GroupVectors<Element>& moved, Real& lost)
 {
-  if (group.slips.empty()) return du;
-  const auto kink_at = [&](int c) -> const Kink& { return group.slips[group.points.first_block(group.cells[c])].kink; };
+  const auto kink_at = [&](int c) -> const Kink& { return slips[group.points.first_block(group.cells[c])].kink; };
   bool any = false;
   for (int c = 0; c < group.n(); ++c) any |= kink_at(c).slipped != 0.0;
   if (!any) return du;
@@ -80,7 +79,7 @@ const GroupVectors<Element>& without_kinks(
     for (int d = 0; d < Element::dim; ++d)
       for (int i = 0; i < Element::n_corners; ++i) moved[c][d][i] -= k * kink.above[i] * t[d];
     lost += k * kink.force;
-    for_each_block(group.points, group.cells[c], [&](const auto&, Index b) { group.slips[b].g += k * kink.share; });
+    for_each_block(group.points, group.cells[c], [&](const auto&, Index b) { slips[b].g += k * kink.share; });
   }
   return moved;
 }
@@ -88,10 +87,10 @@ const GroupVectors<Element>& without_kinks(
 /// Strain of the soil of block b: that of the cell, and what it slips. slipped: room for it where it does.
 template <class Element>
 const GaussStrain<Element>& with_slip(
-    const CellGroup<Element>& group, Index b, const GaussStrain<Element>& strain, GaussStrain<Element>& slipped)
+    std::span<const BlockSlip> slips, Index b, const GaussStrain<Element>& strain, GaussStrain<Element>& slipped)
 {
-  if (group.slips.empty() || !group.slips[b].acts()) return strain;
-  const BlockSlip& slip = group.slips[b];
+  const BlockSlip& slip = slips[b];
+  if (!slip.acts()) return strain;
   slipped = strain;
   add_slip(slip.normal, slip.shear, slip.g, slipped);
   return slipped;
@@ -99,13 +98,13 @@ const GaussStrain<Element>& with_slip(
 
 /// The same of the blocks of a layer, one lane per cell.
 template <class Element>
-const GaussStrain<Element, Pack>& with_slips(const CellGroup<Element>& group, const BlockLayer& layer,
+const GaussStrain<Element, Pack>& with_slips(std::span<const BlockSlip> slips, const BlockLayer& layer,
     const GaussStrain<Element, Pack>& strain, GaussStrain<Element, Pack>& slipped)
 {
-  const auto acts = [&](Index b) { return b >= 0 && group.slips[b].acts(); };
-  if (group.slips.empty() || std::ranges::none_of(layer.block, acts)) return strain;
+  const auto acts = [&](Index b) { return b >= 0 && slips[b].acts(); };
+  if (std::ranges::none_of(layer.block, acts)) return strain;
   const auto lanes = [&](Real BlockSlip::*part) {
-    return pack_of([&](int c) { return acts(layer.block[c]) ? group.slips[layer.block[c]].*part : 0.0; });
+    return pack_of([&](int c) { return acts(layer.block[c]) ? slips[layer.block[c]].*part : 0.0; });
   };
   slipped = strain;
   add_slip(lanes(&BlockSlip::normal), lanes(&BlockSlip::shear), lanes(&BlockSlip::g), slipped);
@@ -131,13 +130,12 @@ Real shear_on_border(const PointBlock<Dim>& block, const BlockSlip& slip)
 /// What the slip of all blocks of a group takes from the stress of the start without any work of the nodes [J per m]:
 /// it is lost on the border, as the shear stress on both sides was not the same. Before the law runs.
 template <class Element>
-Real lost_by_slipping(const CellGroup<Element>& group)
+Real lost_by_slipping(const CellGroup<Element>& group, std::span<BlockSlip> slips)
 {
-  if (group.slips.empty()) return 0.0;
   Real lost = 0.0;
   for (int c = 0; c < group.n(); ++c)
     for_each_block(group.points, group.cells[c], [&](const auto& block, Index b) {
-      BlockSlip& slip = group.slips[b];
+      BlockSlip& slip = slips[b];
       if (!slip.acts()) return;
       slip.before = shear_on_border(block, slip);
       const Real tau = slip.normal * (slip.sigma[0] - slip.sigma[1]) + 2.0 * slip.shear * slip.sigma[3];
@@ -148,12 +146,10 @@ Real lost_by_slipping(const CellGroup<Element>& group)
 
 /// The same of the half of what the law changed in the stress of a block since then: the stress of a step is the mean
 /// of its start and its end.
-template <class Element>
-Real lost_while_slipping(const CellGroup<Element>& group, Index b)
+template <int Dim>
+Real lost_while_slipping(const PointBlock<Dim>& block, const BlockSlip& slip)
 {
-  if (group.slips.empty() || !group.slips[b].acts()) return 0.0;
-  const BlockSlip& slip = group.slips[b];
-  return -0.5 * slip.weight * (shear_on_border(group.points.block(b), slip) - slip.before) * slip.g;
+  return slip.acts() ? -0.5 * slip.weight * (shear_on_border(block, slip) - slip.before) * slip.g : 0.0;
 }
 
 }  // namespace terp
