@@ -2,6 +2,7 @@
 #include "page/codec.hpp"
 #include "io/results/depends.hpp"
 #include "io/results/runs.hpp"
+#include "support/older_run.hpp"
 #include "support/page_data.hpp"
 
 namespace payload_test {
@@ -105,6 +106,7 @@ TEST_F(PayloadTest, HasSoilsTheirColoursAndTheCaseThatGaveThem)
 TEST_F(PayloadTest, HasLoadsAndSlipPlanesOfTheCase)
 {
   const std::string folder = scratch.path() + "/gp", path = path_in(folder, case_file);
+  test::forget_checksums(folder);
   write_file_atomically(
       path, read_file(path) +
                 "\n[[load]]\nname = \"traffic\"\nfrom = 0\nto = 4\npressure = \"13 kPa\"\n"
@@ -127,6 +129,7 @@ TEST_F(PayloadTest, HasLoadsAndSlipPlanesOfTheCase)
 
 TEST_F(PayloadTest, SaysWhatSpeaksAgainstAnImport)
 {
+  test::forget_checksums(scratch.path() + "/gp");
   const std::string path = scratch.path() + "/gp/case.toml";
   write_file_atomically(path, read_file(path) +
                                   "\n[reference]\ndoubts = [\"A layer is missing.\", \"No POP.\"]\nassumed = "
@@ -142,6 +145,7 @@ TEST_F(PayloadTest, SaysWhatSpeaksAgainstAnImport)
 
 TEST_F(PayloadTest, SaysWhatWasChangedSinceTheImport)
 {
+  test::forget_checksums(scratch.path() + "/gp");
   const std::string path = scratch.path() + "/gp/case.toml", text = read_file(path);
   const std::string density =
       text.substr(text.find("density"), text.find('\n', text.find("density")) - text.find("density"));
@@ -181,6 +185,7 @@ TEST_F(PayloadTest, HasWhatTheOutcomeTurnsOnWhereTheFileBesideTheFolderIsOfThisR
 
 TEST_F(PayloadTest, ACaseThatCannotBeReadCostsTheMeshAndSaysSo)
 {
+  test::forget_checksums(scratch.path() + "/gp");
   write_file_atomically(scratch.path() + "/gp/case.toml", "title = ");
   const json alone = json::parse(make_payload({scratch.path() + "/gp"}, {}).json);
   EXPECT_EQ(alone["runs"][0]["mesh"]["edges"]["count"], 0);

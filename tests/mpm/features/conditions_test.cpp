@@ -405,7 +405,7 @@ TEST(Boundary, NamesASideThatTheMeshDoesNotHave)
           "No side of this mesh has a name. A mesh file names them by physical groups: in gmsh\n"
           "`Physical Curve(\"base\") = {1, 2};`. In [mesh] of a polygon: edges = { base = [0] }.\n"
           "Files .bdf, .nas and .vtk carry no names of groups: save the mesh as .msh or .unv.")));
-  nameless.sides = {{"fault", {}}, {"base", {{0, 0}}}};
+  nameless.sides = {{.name = "fault", .is_inside = true}, {"base", {{0, 0}}}};
   EXPECT_THAT(problems_of([&] { find_side(nameless, "fault"); }),
       ElementsAre(told("boundary.fault", "the side `fault` lies inside the mesh, between two cells",
           "Its curve bounds nothing there: only parts of the boundary take a condition. Sides of this mesh: base")));
