@@ -10,6 +10,9 @@ foreach(kernel os/machine mpm/step/core_kernels mpm/step/kernel_table mpm/step/s
   list(APPEND TERP_KERNELS_mpm ${PROJECT_SOURCE_DIR}/src/${kernel}.cpp)
 endforeach()
 set(TERP_KERNEL_SOURCES ${TERP_KERNELS_soil} ${TERP_KERNELS_mpm})
+# With TERP_UNITY: small files, whose headers take longer than they do.
+file(GLOB TERP_FEATURE_KERNELS CONFIGURE_DEPENDS src/mpm/features/*_kernels.cpp)
+set_source_files_properties(${TERP_FEATURE_KERNELS} PROPERTIES UNITY_GROUP feature_kernels)
 # The tables of each (src/os/kernel_table.hpp), the files that offer them, and those that choose.
 set(TERP_TABLES_soil materials)
 set(TERP_TABLES_mpm schemes simulation)
@@ -109,6 +112,7 @@ function(add_kernel_copy target layer set)
   target_compile_definitions(${kernels} PRIVATE TERP_KERNEL_COPY=${set})
   if(TERP_UNITY AND NOT WIN32)
     target_precompile_headers(${kernels} PRIVATE <fmt/format.h> ${TERP_HEADERS_${layer}})
+    set_target_properties(${kernels} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   endif()
   set(objects "$<FILTER:$<TARGET_OBJECTS:${kernels}>,EXCLUDE,gch$>")  # which lists the header, too
   set(whole ${PROJECT_BINARY_DIR}/kernels_${layer}_${set}_whole.o)

@@ -31,7 +31,7 @@ void add_forces(Nodes& nodes)
 }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
+constexpr Kernel balance_score[] = {
     {P::surface, "surface", &find_surface},
     {P::gradient, "balance", &clear},
     {P::slope, "balance", &add_slope},

@@ -4,7 +4,7 @@
 namespace terp {
 namespace {
 
-void set_context(StepNow& now)
+void set_context_of_excess(StepNow& now)
 {
   now.context.all_drains = now.work.settles();
   now.context.drained_keeps = excess_kept(now.model, now.state);
@@ -97,8 +97,8 @@ void update_block_from_patch(BlockNow& now)
 }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
-    {P::context, "excess", &set_context},
+constexpr Kernel excess_score[] = {
+    {P::context, "excess", &set_context_of_excess},
     {P::clear, "pore pressure", &clear_water_force},
     {P::point_force, "excess", &add_point_force},
     {P::pore_force, "pore pressure", &add_water_force},

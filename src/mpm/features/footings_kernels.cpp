@@ -43,7 +43,7 @@ void hold(Nodes& nodes)
 void finish(StepNow& now) { add_up_impulses(*now.work.with.footings); }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
+constexpr Kernel footings_score[] = {
     {P::outside, "footings", &place},
     {P::free, "footings", &free_part},
     {P::constrain, "footings", &push},

@@ -7,7 +7,7 @@ namespace {
 void set_pressures(StepNow& now) { set_load_pressures(now.model, now.state, now.work); }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
+constexpr Kernel loads_score[] = {
     {P::outside, "loads", &set_pressures},
     {P::load, "forces on points", &map_loads_of_group},
     {P::outer_force, "forces on points", &add_loads},

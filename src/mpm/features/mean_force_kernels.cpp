@@ -23,7 +23,7 @@ void forget(StepNow& now)
 bool present(const StepModel& model, const Workspace&) { return model.damping.averaging_time > 0.0; }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
+constexpr Kernel mean_force_score[] = {
     {P::follow, "mean force", &follow},
     {P::occupied, "mean force", &forget},
 };

@@ -4,7 +4,7 @@
 namespace terp {
 namespace {
 
-void set_context(StepNow& now) { now.context.inverse_extent = now.model.with.overlap->inverse_extent; }
+void set_context_of_overlap(StepNow& now) { now.context.inverse_extent = now.model.with.overlap->inverse_extent; }
 
 void find_partners(StepNow& now)
 {
@@ -42,8 +42,8 @@ void forget_partners(StepNow& now)
 }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
-    {P::context, "overlap", &set_context},
+constexpr Kernel overlap_score[] = {
+    {P::context, "overlap", &set_context_of_overlap},
     {P::partners, "overlap", &find_partners},
     {P::taken, "overlap", &mark_taken},
     {P::fold, "overlap", &fold},

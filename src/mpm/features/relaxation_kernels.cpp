@@ -11,7 +11,7 @@ void fade(StepNow& now)
 }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
+constexpr Kernel relaxation_score[] = {
     {P::fade, "relaxation", &fade},
 };
 

@@ -14,7 +14,7 @@ void find_fastest(Nodes& nodes)
     }
 }
 
-void finish(StepNow& now)
+void finish_rest(StepNow& now)
 {
   Real fastest = 0.0;
   for (const NodeSums& sums : now.work.node_sums) fastest = std::max(fastest, sums.fastest);
@@ -22,9 +22,9 @@ void finish(StepNow& now)
 }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
+constexpr Kernel rest_score[] = {
     {P::works, "rest", &find_fastest},
-    {P::finish, "rest", &finish},
+    {P::finish, "rest", &finish_rest},
 };
 
 }  // namespace

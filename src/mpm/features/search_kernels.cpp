@@ -11,19 +11,19 @@ void set_damping(StepNow& now)
   now.work.damping.viscous += now.work.with.search->viscous;
 }
 
-void hold(Nodes& nodes)
+void hold_search(Nodes& nodes)
 {
   for (int k = 0; k < nodes.n; ++k) hold_back(*nodes.step.work.with.search, nodes.number[k], nodes.out_of_balance[k]);
 }
 
-void follow(Nodes& nodes)
+void follow_search(Nodes& nodes)
 {
   SearchScratch& search = *nodes.step.work.with.search;
   for (int k = 0; k < nodes.n; ++k)
     follow_motion(search, nodes.number[k], nodes.force[k], nodes.v[k], nodes.mass[k] * nodes.step.model.dt, nodes.sums);
 }
 
-void finish(StepNow& now)
+void finish_search(StepNow& now)
 {
   SearchScratch& search = *now.work.with.search;
   search.stiffness = search.inertia = 0.0;
@@ -31,11 +31,11 @@ void finish(StepNow& now)
 }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
+constexpr Kernel search_score[] = {
     {P::outside, "search", &set_damping},
-    {P::hold, "search", &hold},
-    {P::follow, "search", &follow},
-    {P::finish, "search", &finish},
+    {P::hold, "search", &hold_search},
+    {P::follow, "search", &follow_search},
+    {P::finish, "search", &finish_search},
 };
 
 }  // namespace

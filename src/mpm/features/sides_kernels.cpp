@@ -34,7 +34,7 @@ void for_each_on_side(const Nodes& nodes, const Boundary& boundary, F&& f)
     if (boundary.at(nodes.number[k]) != nullptr) f(k, nodes.number[k]);
 }
 
-void free_part(Nodes& nodes)
+void free_part_sides(Nodes& nodes)
 {
   const Boundary& boundary = nodes.step.model.with.sides->boundary;
   for_each_on_side(nodes, boundary, [&](int k, Index i) {
@@ -78,11 +78,11 @@ void move_leavers(StepNow& now)
     }
 }
 
-bool present(const StepModel& model, const Workspace&) { return model.with.sides != nullptr; }
+bool present_sides(const StepModel& model, const Workspace&) { return model.with.sides != nullptr; }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
-    {P::free, "sides", &free_part},
+constexpr Kernel sides_score[] = {
+    {P::free, "sides", &free_part_sides},
     {P::constrain, "sides", &constrain},
     {P::clamp, "sides", &clamp},
     {P::leavers, "sides", &move_leavers},
@@ -90,6 +90,6 @@ constexpr Kernel kernels[] = {
 
 }  // namespace
 
-TERP_FEATURE_KERNELS(sides, present)
+TERP_FEATURE_KERNELS(sides, present_sides)
 
 }  // namespace terp

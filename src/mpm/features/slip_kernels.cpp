@@ -8,7 +8,7 @@ namespace {
 
 std::span<BlockSlip> slips(const GroupNow& now) { return now.step.work.with.slip->blocks; }
 
-void set_context(StepNow& now) { now.context.work_row = now.model.with.slip->row; }
+void set_context_of_slip(StepNow& now) { now.context.work_row = now.model.with.slip->row; }
 void keep(LayerNow& now) { keep_mean_stress<Quad4>(slips(now.at), now.layer, now.gauss); }
 void find(GroupNow& now) { find_slips(now.step.context, now.group, slips(now)); }
 
@@ -27,8 +27,8 @@ void lose_as_law_runs(BlockNow& now)
 }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
-    {P::context, "slip", &set_context},
+constexpr Kernel slip_score[] = {
+    {P::context, "slip", &set_context_of_slip},
     {P::keep, "slip", &keep},
     {P::border, "slip", &find},
     {P::kinks, "slip", &take_kinks},

@@ -20,7 +20,7 @@ void spread(StepNow& now)
 }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
+constexpr Kernel softening_score[] = {
     {P::mark, "softening", &mark},
     {P::reach, "softening", &find_reach},
     {P::spread, "softening", &spread},

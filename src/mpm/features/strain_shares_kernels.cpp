@@ -7,7 +7,7 @@ namespace {
 
 std::vector<PerGauss<Quad4>>& ratios(const GroupNow& now) { return now.step.work.with.strain_shares->ratios; }
 
-void keep(LayerNow& now) { keep_ratios<Quad4>(ratios(now.at), now.layer, now.gauss); }
+void keep_strain_shares(LayerNow& now) { keep_ratios<Quad4>(ratios(now.at), now.layer, now.gauss); }
 
 void hand_back_layer(LayerNow& now)
 {
@@ -23,8 +23,8 @@ void weigh(LayerNow& now) { now.left.weigh(ShareRatio<Quad4, Pack>(ratios_of<Qua
 void hand_back(BlockNow& now) { now.strain = &handed_back(ratios(now.at)[now.number], *now.strain, now.own); }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
-    {P::keep, "strain shares", &keep},
+constexpr Kernel strain_shares_score[] = {
+    {P::keep, "strain shares", &keep_strain_shares},
     {P::layer_strain, "strain shares", &hand_back_layer, layers_first},
     {P::layer_strain, "strain shares", &weigh_later, patched_layers},
     {P::left_rows, "strain shares", &weigh},

@@ -18,7 +18,7 @@ void take_gradient(GroupNow& now)
 }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
+constexpr Kernel volume_change_score[] = {
     {P::surface, "surface", &find_surface},
     {P::gradient, "volume change", &set_gradient},
     {P::strain_geometry, "volume change", &take_gradient},

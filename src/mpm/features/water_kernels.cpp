@@ -4,10 +4,10 @@
 namespace terp {
 namespace {
 
-void set_pressures(StepNow& now) { set_water(now.model, now.state, now.work); }
-void set_context(StepNow& now) { now.context.pore = &now.work.with.water->pore; }
+void set_pressures_water(StepNow& now) { set_water(now.model, now.state, now.work); }
+void set_context_of_water(StepNow& now) { now.context.pore = &now.work.with.water->pore; }
 
-void add_point_force(BlockNow& now)
+void add_point_force_water(BlockNow& now)
 {
   const CellGroup<Quad4>& group = now.at.group;
   add_pore_force_of_points(now.geometry(), now.block,
@@ -16,11 +16,11 @@ void add_point_force(BlockNow& now)
 }
 
 using P = ScorePlace;
-constexpr Kernel kernels[] = {
-    {P::outside, "water", &set_pressures},
-    {P::context, "water", &set_context},
+constexpr Kernel water_score[] = {
+    {P::outside, "water", &set_pressures_water},
+    {P::context, "water", &set_context_of_water},
     {P::clear, "pore pressure", &clear_water_force},
-    {P::point_force, "water", &add_point_force},
+    {P::point_force, "water", &add_point_force_water},
     {P::pore_force, "pore pressure", &add_water_force},
     {P::outer_force, "pore pressure", &add_water_forces},
 };
