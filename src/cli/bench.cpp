@@ -2,6 +2,7 @@
 // median trial, so that they belong to its total. Their bound comes from what one thread can do here, measured just
 // before, times the number of threads. The memory in which the points lie, by their bytes, sets the rate.
 
+#include "mpm/step/score_places.hpp"
 #include "cli/commands.hpp"
 #include "io/case/case_file.hpp"
 #include "io/case/printable.hpp"
@@ -163,7 +164,7 @@ void print_score(const Model& model, const Score& score)
       score.n_walks);
   const auto print = [](std::span<const Kernel* const> kernels) {
     for (std::size_t k = 0, next; k < kernels.size(); k = next) {
-      const PlaceInfo& place = score_places()[static_cast<std::size_t>(kernels[k]->place)];
+      const PlaceInfo& place = score_places[static_cast<std::size_t>(kernels[k]->place)];
       std::string who;
       for (next = k; next < kernels.size() && kernels[next]->place == kernels[k]->place; ++next)
         who += (who.empty() ? "" : "; ") + std::string(kernels[next]->name);

@@ -4,7 +4,7 @@
 
 #include "math/errors.hpp"
 #include "mpm/step/core_kernels.hpp"
-#include "mpm/step/passes.hpp"
+#include "mpm/step/score_places.hpp"
 #include "mpm/step/step_model.hpp"
 #include "mpm/step/workspace.hpp"
 
@@ -20,14 +20,6 @@ constexpr const FeatureKernels* features[] = {
 #define TERP_FEATURE(slot, Name) &feature_kernels_##slot,
 #include "mpm/features/features.def"
 #undef TERP_FEATURE
-};
-
-constexpr PlaceInfo places[] = {
-#define TERP_PLACE(name, over, pass, in, homes, text) {#name, Over::over, pass, in, homes, text},
-#define TERP_WAIT(name, pass, homes, text) {#name, Over::wait, pass, in_all, homes, text},
-#include "mpm/step/score.def"
-#undef TERP_PLACE
-#undef TERP_WAIT
 };
 
 ScoreKey key_of(const StepModel& model, const Workspace& work)
@@ -88,12 +80,12 @@ void choose(ScoreOf of, const ScoreKey& key, std::span<const Kernel> scheme, uns
   score.home = home;
   Assembly assembly(score);
   const auto add = [&](bool strips) {
-    for (const PlaceInfo& at : places) {
+    for (const PlaceInfo& at : score_places) {
       if ((at.homes & home) == 0 || (at.in & of) == 0 || (at.over == Over::strip) != strips) continue;
       if (at.over == Over::wait) assembly.wait();
       const auto add_all = [&](std::span<const Kernel> kernels) {
         for (const Kernel& kernel : kernels)
-          if (&places[static_cast<int>(kernel.place)] == &at && (kernel.homes & home) != 0)
+          if (&score_places[static_cast<int>(kernel.place)] == &at && (kernel.homes & home) != 0)
             strips ? assembly.add_strip(kernel) : assembly.add(at, kernel);
       };
       add_all(core_kernels());
@@ -118,7 +110,5 @@ const Score& score_now(ScoreOf of, const StepModel& model, Workspace& work)
 }
 
 const Score& score_compiled(const StepModel& model, Workspace& work) { return score_now(in_step, model, work); }
-
-std::span<const PlaceInfo> score_places() { return places; }
 
 }  // namespace terp

@@ -57,7 +57,6 @@ struct PlaceInfo {
   unsigned in, homes;
   std::string_view text;
 };
-std::span<const PlaceInfo> score_places();
 
 struct Kernel {
   ScorePlace place;

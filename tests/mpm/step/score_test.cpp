@@ -1,4 +1,5 @@
 // How a score is chosen; what stands in it is in tests/golden/score.txt.
+#include "mpm/step/score_places.hpp"
 #include "mpm/features/rest.hpp"
 #include "mpm/features/search.hpp"
 #include "mpm/step/kernels.hpp"
@@ -31,7 +32,7 @@ TEST_P(EveryScore, HasItsPlacesInOrderAndEachKernelInOneWalk)
         EXPECT_EQ(segment.first, end);
         end = segment.end;
         for (const Kernel* kernel : score.of(segment)) {
-          EXPECT_EQ(score_places()[static_cast<std::size_t>(kernel->place)].over, segment.over) << kernel->name;
+          EXPECT_EQ(score_places[static_cast<std::size_t>(kernel->place)].over, segment.over) << kernel->name;
           EXPECT_NE(kernel->homes & score.home, 0u) << kernel->name;
         }
       }
