@@ -23,6 +23,7 @@ namespace terp {
 namespace {
 
 constexpr std::size_t most_problems = 10;
+constexpr int comment = 999;
 constexpr Real missing = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real narrowest = 1.0, widest = 5e3;  // [m] of a section without doubt
 constexpr Real flat = 0.005;                   // [m]: distance of chords from a bent line
@@ -55,8 +56,6 @@ class DxfReader {
   DxfDrawing read()
   {
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);  // a byte order mark
-    if (rest_.starts_with("AutoCAD Binary DXF")) refuse("is a binary DXF file", "Save the drawing as ASCII DXF.");
-    if (rest_.starts_with("AC10")) refuse("is a DWG file", "Save the drawing as ASCII DXF.");
     if (!next()) refuse("is no DXF file", "It is empty.");
     for (bool more = true; more;) more = read_section();
     if (!has_entities_) refuse("has no entities", "A DXF drawing has a section ENTITIES. Save it once more as DXF.");
@@ -83,7 +82,7 @@ class DxfReader {
   bool next()
   {
     while (next_of_any_kind())
-      if (pair_.code != 999) return true;
+      if (pair_.code != comment) return true;
     return false;
   }
 

@@ -5,14 +5,16 @@
 #include "import/drawing/ground_profile.hpp"
 
 #include "math/errors.hpp"
+#include "math/nan.hpp"
+#include "math/number_from.hpp"
 #include "math/plane.hpp"
+#include "math/utf8.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 
 namespace terp {
@@ -20,12 +22,10 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-std::string_view without_spaces(std::string_view text)
+std::string_view without_quotes(std::string_view text)
 {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
-  if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-  return text;
+  text = trimmed(text);
+  return text.size() > 1 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
 }
 
 char separator_of(std::string_view text)
@@ -39,10 +39,10 @@ Cells cells_of(std::string_view line, char separator)
 {
   Cells cells;
   while (true) {
-    if (separator == ' ') line = without_spaces(line);
+    if (separator == ' ') line = trimmed(line);
     const std::size_t end =
         std::min(line.find_first_of(separator == ' ' ? " \t" : std::string(1, separator)), line.size());
-    cells.emplace_back(without_spaces(line.substr(0, end)));
+    cells.emplace_back(without_quotes(line.substr(0, end)));
     if (end == line.size()) return cells;
     line.remove_prefix(end + 1);
   }
@@ -53,9 +53,7 @@ Real number_of(std::string text, char separator)
 {
   if (separator != ',') std::ranges::replace(text, ',', '.');
   if (text.starts_with('+')) text.erase(0, 1);
-  Real value = std::nan("");
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() ? value : std::nan("");
+  return number_from<Real>(text).value_or(nan);
 }
 
 /// Letters of the head of a column, without its unit.
@@ -114,8 +112,8 @@ class ProfileReader {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
-      if (const auto line = without_spaces(text.substr(0, end)); !line.empty() && !line.starts_with('#'))
-        take(cells_of(line, separator_));
+      const std::string_view line = text.substr(0, end);  // with its blanks: with tabs a first cell may be empty
+      if (const auto words = trimmed(line); !words.empty() && !words.starts_with('#')) take(cells_of(line, separator_));
       text.remove_prefix(std::min(end + 1, text.size()));
     }
   }
@@ -159,7 +157,7 @@ class ProfileReader {
 
   Real number_at(const Cells& cells, int column) const
   {
-    return column < std::ssize(cells) ? number_of(cells[column], separator_) : std::nan("");
+    return column < std::ssize(cells) ? number_of(cells[column], separator_) : nan;
   }
 
   void take(const Cells& cells)

@@ -23,6 +23,8 @@ constexpr int outline_weight = 1000;        // of an outline beside open lines, 
 constexpr Real nearly_closed = 0.05;        // part of its length by which an outline may be open by mistake
 
 const char* const water_words[] = {"water", "phrea", "frea", "wasser", "nappe", "gws", "gwl", "piezo", "stijghoogte"};
+const char* const ground_words[] = {
+    "waterkering", "watergang", "waterbodem", "watercourse"};  // of ground, in spite of it
 const char* const frame_words[] = {"frame", "kader", "rahmen", "cadre", "border", "sheet", "blad", "title", "legend"};
 
 template <std::size_t n>
@@ -78,7 +80,7 @@ class Tidier {
     leave_out_ground_of_export();
     std::set<std::string> water;
     drop([&](const DxfLine& line) {
-      const bool is_water = !line.closed && has_word(line.layer, water_words);
+      const bool is_water = !line.closed && has_word(line.layer, water_words) && !has_word(line.layer, ground_words);
       if (is_water) water.insert(line.layer);
       return is_water;
     });

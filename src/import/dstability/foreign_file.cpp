@@ -4,7 +4,7 @@
 #include "import/dstability/foreign_file.hpp"
 
 #include "math/errors.hpp"
-#include "os/csv.hpp"
+#include "math/utf8.hpp"
 #include "os/read_file.hpp"
 
 #include <fmt/format.h>
@@ -59,8 +59,10 @@ const ForeignKind foreign_kinds[] = {
     {"%PDF", ".pdf ", "is a PDF file", draw_it},
     {"\x89PNG", ".png ", "is a picture", draw_it},
     {"\xFF\xD8\xFF", ".jpg .jpeg ", "is a picture", draw_it},
-    {"$MeshFormat", ".msh .unv .bdf .inp ", "is a mesh",
+    {"$MeshFormat", ".msh .unv .bdf .nas ", "is a mesh",
         "Name it in a case: [mesh] file = \"...\" (docs/methods.md), then terp check case.toml."},
+    {"", ".inp ", "is a file of Abaqus",
+        "Save its mesh as .msh or .unv, and name that in a case: [mesh] file = \"...\"."},
     {"", ".toml ", "is a case of Terp", "It needs no import: terp check case.toml."},
 };
 
@@ -79,11 +81,9 @@ std::string lower_ending(const std::string& path)
 std::string_view next_line(std::string_view& text)
 {
   const std::size_t end = std::min(text.find('\n'), text.size());
-  std::string_view line = text.substr(0, end);
+  const std::string_view line = text.substr(0, end);
   text.remove_prefix(std::min(end + 1, text.size()));
-  while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) line.remove_suffix(1);
-  while (!line.empty() && std::isspace(static_cast<unsigned char>(line.front()))) line.remove_prefix(1);
-  return line;
+  return trimmed(line);
 }
 
 /// Pairs of a group code and a value; comments (999) may stand first.

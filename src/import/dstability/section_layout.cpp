@@ -21,7 +21,7 @@ namespace terp {
 namespace {
 
 /// Area over cell^3 [1/m] of the cells that Terp chooses itself: points times steps go with it. The tutorial of
-/// D-Stability on 0.5 m has 21 000 and takes four minutes on two cores.
+/// D-Stability on 0.5 m has 21 000; by `terp check` it takes at most four minutes on two cores.
 constexpr Real most_work = 25000.0;
 constexpr Real most_cells_asked_for = 4e6;  // some 36 million points
 constexpr Real least_dike = 0.25;           // of the height of the ground: what is lower is no dike, but a field

@@ -166,7 +166,7 @@ bool slot_is_full(const StepModel&, const Workspace& work)
 
 }  // namespace terp
 
-/// Last line of the kernels of a feature, in namespace terp: its table `kernels`, and whether a run has it.
+/// Last line of the kernels of a feature, in namespace terp: its table NAME_score, and whether a run has it.
 #define TERP_FEATURE_KERNELS(NAME, ...)               \
   extern const FeatureKernels feature_kernels_##NAME; \
   constinit const FeatureKernels feature_kernels_##NAME{#NAME, &__VA_ARGS__, NAME##_score};

@@ -44,10 +44,8 @@ class Assembly {
   void add(const PlaceInfo& at, const Kernel& kernel)
   {
     Score& s = score_;
-    if (s.n_kernels > 0) {
-      const Kernel& last = *s.kernels[s.n_kernels - 1];
-      if (last.place == kernel.place && last.name == kernel.name) return;
-    }
+    for (int k = s.n_kernels; k-- > 0 && s.kernels[k]->place == kernel.place;)
+      if (s.kernels[k]->name == kernel.name) return;
     TERP_ASSERT(s.n_kernels < Score::most);
     const int over_walk = static_cast<int>(walk_over(at.over));
     const bool new_walk = s.n_walks == 0 || waits_ || static_cast<int>(s.walks[s.n_walks - 1].over) != over_walk ||

@@ -44,7 +44,7 @@ std::optional<Problem> find_other_range(const std::string& key, const FieldReach
   const std::string unit(reach.unit);
   return Problem{key,
       outside ? fmt::format("the pairs by {} cover none of the soil", reach.what)
-              : fmt::format("the soil has only the very begin of the pairs by {}", reach.what),
+              : fmt::format("the soil has only the beginning of the pairs by {}", reach.what),
       fmt::format("They go from {:.4g} to {:.4g} {}, the soil has {:.4g} to {:.4g} {}: {}. {}", reach.low, reach.high,
           unit, soil.low, soil.high, unit, outside ? "all of it takes the value of an end" : "its value hardly changes",
           unit == "Pa"            ? "Stresses are in Pa: 50 kPa is 50e3."

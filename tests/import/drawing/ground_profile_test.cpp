@@ -33,6 +33,8 @@ TEST(GroundProfile, IsOneSoilAboveItsBase)
   EXPECT_THAT(gaps.notes, Contains("1 rows without numbers were left out."));
 }
 
+TEST(GroundProfile, MayHaveAnEmptyFirstCell) { EXPECT_NEAR(area("remark\tl\tz\n\t0\t0\n\t10\t0\n"), 60.0, 1e-9); }
+
 TEST(GroundProfile, OfSeveralIsChosenByItsName)
 {
   const std::string table = "name,l,z\nA,0,0\nA,10,0\nB,0,1\nB,20,1\n";

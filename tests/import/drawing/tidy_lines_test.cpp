@@ -62,6 +62,14 @@ TEST(TidyLines, LeaveOutWallsMarksAndWater)
                                "Lines that end within an outline bound no soil: sheet pile."));
 }
 
+TEST(TidyLines, KeepGroundWhoseNameHasWaterInIt)
+{
+  const DxfRegions found = regions_of(
+      {{{"waterkering", {{0, 0}, {5, 3}, {10, 0}}, false, ""}, {"watergang", {{0, 0}, {10, 0}}, false, ""}}}, 0.01);
+  ASSERT_EQ(found.regions.size(), 1u);
+  EXPECT_NEAR(signed_area(found.regions[0].polygon), 15.0, 1e-9);
+}
+
 TEST(TidyLines, CloseBoundariesWithoutEndsByVerticals)
 {
   const std::vector<DxfLine> boundaries{

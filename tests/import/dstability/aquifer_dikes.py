@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 """A reach of dikes on an aquifer whose head lifts the land behind them in a flood, written as D-Stability files.
 
-    aquifer_dikes.py FOLDER [--number 12] [--seed 1]
+    aquifer_dikes.py FOLDER [--number 12] [--seed 1] [--terp TERP]
 
 Each has a dike body of drained soil, a cover layer of clay or peat, and sand below. In the flood the water in the sand
 carries all of the cover over 10 to 40 m behind the toe, or, in every fourth section, no part of it. The first section
-is always the same: a cover of 3 m, no effective stress over 30 m.
+is always the same: a cover of 3 m, no effective stress over 30 m. With --terp each is imported and checked: it must
+have a film where the land lifts, and none elsewhere.
 """
 import argparse
 import json
 import random
+import subprocess
+import tomllib
 import zipfile
 from pathlib import Path
 
@@ -47,12 +50,12 @@ class Dike:
         return points + [(self.ends[1], 0.0)]
 
     def head_of_uplift(self):
-        """Head at which the water carries the cover [m]; a hydrostatic one where nothing is lifted."""
-        return -self.cover + self.cover * self.weight / WATER if self.lifted else 0.0
+        """Head at which the water carries the cover [m]; that of the phreatic line where nothing is lifted."""
+        return -self.cover + self.cover * self.weight / WATER if self.lifted else -0.3
 
     def lines(self, river, share):
         """Phreatic line and head of the sand. share: of the way from the level of the land to that of the flood."""
-        head = share * self.head_of_uplift()
+        head = (share if self.lifted else 1.0) * self.head_of_uplift()
         end = self.toe + self.lifted
         phreatic = [(self.ends[0], river), (-self.slope * (self.height - max(river, 0.0)), river),
                     (self.crest, max(0.5 * river, 0.0)), (self.toe, -0.2), (self.ends[1], -0.3)]
@@ -149,18 +152,41 @@ class File:
                 archive.writestr(name, json.dumps(content))
 
 
+def try_import(terp, dike, path):
+    """What is wrong with the films of an imported section; nothing: they are where the land lifts."""
+    folder = path.with_suffix("")
+    for command in ([terp, "import", path, "--cell", "1", "-o", folder, "--force"],
+                    [terp, "check", folder / "case.toml"]):
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            return done.stderr
+    case = tomllib.loads((folder / "case.toml").read_text())
+    films = [body["polygon"] for body in case["body"] if body["material"].startswith("film_")]
+    tops = {round(max(z for _, z in film), 3) for film in films}
+    reach = max((x for film in films for x, _ in film), default=0.0)
+    if not dike.lifted:
+        return f"{len(films)} films, and no land lifts" if films else ""
+    if tops != {round(-dike.cover, 3)}:
+        return f"films at {tops}, the sand begins at {-dike.cover}"
+    return "" if reach >= dike.toe + dike.lifted else f"films end at x = {reach}, before the land that lifts"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("--number", type=int, default=12)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--terp", help="program that imports and checks them")
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
     chance = random.Random(options.seed)
     for k in range(options.number):
         dike = Dike(k, chance)
         dike.ground()  # which sets the toe
-        File(dike).write(options.folder / f"{dike.name}.stix")
+        path = options.folder / f"{dike.name}.stix"
+        File(dike).write(path)
+        if options.terp and (fault := try_import(options.terp, dike, path)):
+            raise SystemExit(f"{path}: {fault}")
 
 
 if __name__ == "__main__":
