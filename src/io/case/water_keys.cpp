@@ -274,6 +274,10 @@ std::vector<KeyInfo> water_keys()
       .range = not_negative,
       .usual = between(100.0, 100e3),
       .meaning = "largest suction above the phreatic line; it presses drained soil together, and 0 means none"});
+  keys.push_back({.path = "water.follow_soil",
+      .field = [](Case& c, std::size_t) { return &c.water.follow_soil; },
+      .meaning = "whether the water table goes with soil that moves, and free water stays where water feeds it; false: "
+                 "water is where the lines are, wherever the soil goes"});
   keys.push_back({.path = "water.situation[].name",
       .field = [](Case& c, std::size_t i) { return &c.water.situations[i].name; },
       .meaning = "name of this situation"});

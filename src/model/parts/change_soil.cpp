@@ -124,7 +124,7 @@ bool stores_other_stress(const Model& before, const Model& model)
 
 void change_stored_stress(const Model& before, const Model& model, const Seeds& seeds, StepState& state)
 {
-  const PorePressure pore = before.with.water ? water_at(before, state.time) : PorePressure();
+  const PorePressure pore = before.with.water ? water_at(before, state) : PorePressure();
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const SoilMaterial& from = before.materials[block.material];
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);

@@ -15,15 +15,6 @@
 namespace terp {
 namespace {
 
-constexpr Real least_depth = 1e-6;  // of water that counts as free [m]
-
-/// To which the water at the ground rises: the phreatic line, or what the pressure of a formula there says [m].
-Real level_at(Real x, Real ground, const WaterCase& water, const WaterSituation& situation)
-{
-  if (!situation.formula) return elevation_at(situation.phreatic_line, x);
-  return ground + unlimited_pressure(water, situation, {x, ground}, 0.0) / water.unit_weight;
-}
-
 /// x: where the soil ends [m].
 FreeWater highest_at(Real x, Real ground, const Case& c, std::span<const std::size_t> situations)
 {
@@ -31,7 +22,7 @@ FreeWater highest_at(Real x, Real ground, const Case& c, std::span<const std::si
   for (const std::size_t number : situations) {
     const WaterSituation& situation = situation_of(c.water, number);
     const Real level = level_at(x, ground, c.water, situation);
-    if (level > ground + least_depth && level > highest.level) highest = {level, situation.name};
+    if (level > ground + least_free_depth && level > highest.level) highest = {level, situation.name};
   }
   return highest;
 }

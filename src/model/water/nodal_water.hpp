@@ -3,9 +3,11 @@
 #pragma once
 
 #include "model/parts/model.hpp"
+#include "model/water/drawn_water.hpp"
 #include "model/water/water_pressure.hpp"
 
 #include <array>
+#include <optional>
 #include <span>
 
 namespace terp {
@@ -18,13 +20,19 @@ struct CappedWater {
   std::size_t situation = 0;  ///< in which
 };
 
+class Overburden;
+
 class NodalWater : public WaterModel {
  public:
   /// Of a model whose mesh, materials, gravity, loads and ramp are set.
   explicit NodalWater(const Model& model);
 
   WaterMoment moment_at(const StageWater& stage, Real time, Real share, Real gravity, bool holds_bodies) const override;
-  void set(const WaterMoment& moment, std::span<const Real> loads, Real bodies, PorePressure& pore) const override;
+  void set(const WaterMoment& moment, std::span<const Real> loads, Real bodies, const WaterState* carried,
+      std::int64_t step, bool anew, PorePressure& pore) const override;
+
+  /// The section as the stage draws it; nullptr: the water does not follow the soil.
+  const DrawnWater* drawn() const { return drawn_ ? &*drawn_ : nullptr; }
 
   /// Over all situations, at the given nodes, under gravity in full and the loads of t = 0.
   CappedWater find_capped(std::span<const Index> nodes) const;
@@ -36,12 +44,19 @@ class NodalWater : public WaterModel {
   /// Unlimited pressures of a situation [Pa], shape [n_nodes].
   struct Field {
     std::vector<Real> at_node;
+    std::vector<Head> heads;                     // where the table may lie elsewhere; empty: it does not
     std::array<std::vector<Real>, 2> at_ground;  // at the surface of the soil above the node, of both sections
   };
 
   /// The part of the surface that a load stands on.
   struct Stretch {
     Real from, to;  // [m]
+  };
+
+  /// What the soil carries at a node: as in CarriedWater.
+  struct CarriedPlace {
+    bool is_carried = false;  // in the look before or the last one
+    Real share = 0.0, table = 0.0, ground = 0.0, mass = 0.0;
   };
 
   /// What lies above each node, shape [n_nodes].
@@ -54,6 +69,12 @@ class NodalWater : public WaterModel {
   Field field_of(const WaterSituation& situation, Real time) const;
   /// Weight per area of soil and loads above a node [Pa]; infinite above the ground: no limit.
   Real weight_above(const Section& section, std::size_t node, Real gravity, std::span<const Real> loads) const;
+  /// The weight of the soil above a place with that of the loads [Pa].
+  Real with_loads(Real weight, Real x, std::span<const Real> loads) const;
+  DrawnWater draw_water(const Overburden& overburden) const;
+  /// Where soil has moved, unlimited above the water [Pa].
+  Real carried_pressure(
+      std::size_t node, const CarriedPlace& place, const Head& head, Real gravity, std::span<const Real> loads) const;
 
   const WaterCase water_;
   SharedMesh mesh_;
@@ -63,14 +84,17 @@ class NodalWater : public WaterModel {
   std::vector<Field> fields_;        // by number of the situation, at t = 0
   std::vector<Stretch> stretches_;
   std::vector<Real> first_loads_;  // pressures at t = 0 [Pa]
-  Real gravity_;                   // in full, downwards [m/s^2]
+  std::optional<DrawnWater> drawn_;
+  Real gravity_;  // in full, downwards [m/s^2]
 };
 
-/// Way of the water at t = 0 of a model that has water.
+/// Way of the water of a model that has water, at a time of its stage [s]; that of t = 0.
+WaterWay water_way(const Model& model, Real time);
 WaterWay first_way(const Model& model);
 
-/// Water of a model that has water, at a time of its stage [s].
+/// Water of a model that has water: of soil that has not moved, at a time of its stage [s]; of a state.
 PorePressure water_at(const Model& model, Real time);
+PorePressure water_at(const Model& model, const StepState& state);
 
 /// p_w at the material points of a block as the forces see it [Pa], in place of a field of its own.
 Real pore_pressure_at(const Model& model, const PorePressure& pore, const PointBlock<2>& block, Index lane);

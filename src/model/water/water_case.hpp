@@ -51,6 +51,7 @@ struct WaterSituation {
 struct WaterCase {
   Real unit_weight = 9810.0;               ///< of water [N/m^3]
   Real suction = 0.0;                      ///< largest tension in the water above the phreatic line [Pa]
+  bool follow_soil = true;                 ///< the table goes with soil that moves, free water stays where it is fed
   WaterSituation start;                    ///< at t = 0
   std::vector<WaterSituation> situations;  ///< others, in the order of the file
   std::optional<std::size_t> standing;     ///< number of the situation that always holds; none: they have times

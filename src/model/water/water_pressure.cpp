@@ -17,7 +17,7 @@ WaterColumn::WaterColumn(const WaterSituation& situation, Real x) : phreatic_(el
 {
   const auto head_of = [&](const std::string& name) {
     const auto found = std::ranges::find(situation.head_lines, name, &HeadLine::name);
-    return found == situation.head_lines.end() ? phreatic_ : elevation_at(found->places, x);
+    return found == situation.head_lines.end() ? Head{0.0, 1.0} : Head{elevation_at(found->places, x), 0.0};
   };
   for (const ReferenceLine& line : situation.reference_lines)
     levels_.push_back({elevation_at(line.places, x), head_of(line.head), head_of(line.head_bottom)});
@@ -27,10 +27,26 @@ WaterColumn::WaterColumn(const WaterSituation& situation, Real x) : phreatic_(el
 Real WaterColumn::head(Real y) const
 {
   if (levels_.empty() || y >= phreatic_ || y >= levels_.front().y) return phreatic_;
+  const auto [above, below] = levels_about(y);
+  const Real upper = above->head_bottom.at(phreatic_);
+  if (below == levels_.end()) return upper;
+  return std::lerp(upper, below->head.at(phreatic_), (above->y - y) / (above->y - below->y));
+}
+
+Head WaterColumn::head_with_table(Real y) const
+{
+  if (levels_.empty() || y >= levels_.front().y) return {0.0, 1.0};
+  const auto [above, below] = levels_about(y);
+  const Head& upper = above->head_bottom;
+  if (below == levels_.end()) return upper;
+  const Real part = (above->y - y) / (above->y - below->y);
+  return {std::lerp(upper.own, below->head.own, part), std::lerp(upper.of_table, below->head.of_table, part)};
+}
+
+std::array<std::vector<WaterColumn::Level>::const_iterator, 2> WaterColumn::levels_about(Real y) const
+{
   const auto below = std::ranges::find_if(levels_, [y](const Level& level) { return level.y <= y; });
-  const Level& above = *(below - 1);
-  if (below == levels_.end()) return above.head_bottom;
-  return std::lerp(above.head_bottom, below->head, (above.y - y) / (above.y - below->y));
+  return {below - 1, below};
 }
 
 Real unlimited_pressure(const WaterCase& water, const WaterSituation& situation, Vec<2> x, Real time)
@@ -43,6 +59,12 @@ Real unlimited_pressure(const WaterCase& water, const WaterSituation& situation,
 Real water_pressure(const WaterCase& water, const WaterSituation& situation, Vec<2> x, Real time)
 {
   return std::max(unlimited_pressure(water, situation, x, time), 0.0);
+}
+
+Real level_at(Real x, Real ground, const WaterCase& water, const WaterSituation& situation)
+{
+  if (!situation.formula) return elevation_at(situation.phreatic_line, x);
+  return ground + unlimited_pressure(water, situation, {x, ground}, 0.0) / water.unit_weight;
 }
 
 namespace {

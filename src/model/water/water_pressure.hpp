@@ -5,12 +5,23 @@
 #include "mpm/features/water.hpp"
 #include "model/water/water_case.hpp"
 
+#include <array>
 #include <span>
 
 namespace terp {
 
+inline constexpr Real least_free_depth = 1e-6;  ///< of water over the ground that counts as free [m]
+
 /// Elevation of a line at x [m]; constant beyond its ends. At a vertical step: of the place that comes last.
 Real elevation_at(std::span<const Vec<2>> line, Real x);
+
+/// A head that may follow the water table.
+struct Head {
+  Real own = 0.0;       ///< [m]
+  Real of_table = 0.0;  ///< share of the elevation of the table that comes to it
+
+  Real at(Real table) const { return own + of_table * table; }
+};
 
 /// Water along the vertical line through x.
 class WaterColumn {
@@ -21,11 +32,18 @@ class WaterColumn {
   /// Elevation to which the water at a place of elevation y rises [m]. Above the phreatic line, and from it down to the
   /// first reference line, that of the phreatic line; between two reference lines linear in y; below the last its own.
   Real head(Real y) const;
+  /// The same where the table lies elsewhere: from there down to the first reference line that of the table, then as
+  /// above.
+  Head head_with_table(Real y) const;
 
  private:
   struct Level {
-    Real y, head, head_bottom;  // [m]
+    Real y;  // [m]
+    Head head, head_bottom;
   };
+  /// The levels next to a place that lies below the first; the second may be the end.
+  std::array<std::vector<Level>::const_iterator, 2> levels_about(Real y) const;
+
   Real phreatic_;
   std::vector<Level> levels_;  // from the highest down
 };
@@ -35,6 +53,10 @@ Real unlimited_pressure(const WaterCase& water, const WaterSituation& situation,
 
 /// The same, at least zero [Pa].
 Real water_pressure(const WaterCase& water, const WaterSituation& situation, Vec<2> x, Real time);
+
+/// To which the water at the ground of an elevation rises: the phreatic line, or what the pressure of a formula says
+/// there at t = 0 [m].
+Real level_at(Real x, Real ground, const WaterCase& water, const WaterSituation& situation);
 
 /// Where the water of a situation stands, for pictures: its phreatic line, or that of a formula or grid between two
 /// corners [m], below which its pressure is more than zero. Empty if there is no water, or the formula speaks of time.

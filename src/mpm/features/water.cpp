@@ -2,6 +2,7 @@
 
 #include "mpm/features/feature.hpp"
 #include "mpm/features/loads.hpp"
+#include "mpm/step/state_arrays.hpp"
 #include "mpm/step/step_model.hpp"
 #include "mpm/step/step_state.hpp"
 #include "mpm/step/workspace.hpp"
@@ -19,7 +20,59 @@ void fit_water(const StepModel& model, const StepState& state, Workspace& work)
   fit_outer(model, state, work.outer[outer_water]);
 }
 
+void save_array(const ArrayWriter& arrays, const char* name, const CarriedWater& carried)
+{
+  ArrayWriter below = arrays.below(name);
+  below.refer("share", carried.share);
+  below.refer("table", carried.table);
+  below.refer("ground", carried.ground);
+  below.refer("mass", carried.mass);
+}
+
+CarriedWater read_array(const ArrayReader& arrays, const char* name)
+{
+  const ArrayReader below = arrays.below(name);
+  CarriedWater carried{.share = below.reals("share")};
+  const std::size_t n = carried.share.size();
+  carried.table = below.reals("table", n);
+  carried.ground = below.reals("ground", n);
+  carried.mass = below.reals("mass", n);
+  return carried;
+}
+
+void save_water(const StepState& state, ArrayWriter& all)
+{
+  if (!state.with.water || state.with.water->places.empty()) return;
+  const WaterState& water = *state.with.water;
+  ArrayWriter arrays = all.below("water");
+  arrays.copy("looks", std::vector<std::int64_t>{water.looked, water.next});
+  arrays.refer("places", water.places);
+  arrays.refer("ground_at_start", water.ground);
+  save_array(arrays, "before", water.before);
+  save_array(arrays, "last", water.last);
+}
+
+void load_water(const StepModel&, const ArrayReader& all, StepState& state)
+{
+  const ArrayReader arrays = all.below("water");
+  if (!arrays.has("looks")) return;  // of a run that had no such water
+  WaterState water;
+  const std::vector<std::int64_t>& looks = arrays.wholes("looks", 2);
+  water.looked = looks[0], water.next = looks[1];
+  water.places = arrays.reals("places", state.x_initial.size());
+  water.ground = arrays.reals("ground_at_start");
+  water.before = read_array(arrays, "before");
+  water.last = read_array(arrays, "last");
+  state.with.water.set(std::move(water));
+}
+
 }  // namespace
+
+const WaterState* carried_water(const StepState& state)
+{
+  const bool any = state.with.water && !(state.with.water->before.is_empty() && state.with.water->last.is_empty());
+  return any ? state.with.water.get() : nullptr;
+}
 
 void set_water(const StepModel& model, const StepState& state, Workspace& work)
 {
@@ -29,8 +82,10 @@ void set_water(const StepModel& model, const StepState& state, Workspace& work)
   const WaterMoment moment =
       model.with.water->moment_at(model.stage.water, state.time, share, -work.gravity[1], holds_bodies);
   const std::span<const Real> loads = load_pressures(work);
-  if (moment == water.moment && std::ranges::equal(loads, water.loads)) return;
-  model.with.water->set(moment, loads, share, water.pore);
+  const WaterState* carried = carried_water(state);
+  const bool anew = !(moment == water.moment && std::ranges::equal(loads, water.loads));
+  if (carried == nullptr && !anew) return;
+  model.with.water->set(moment, loads, share, carried, state.step, anew, water.pore);
   water.moment = moment;
   water.loads.assign(loads.begin(), loads.end());
 }
@@ -46,6 +101,6 @@ void forget_water(Workspace& work)
   if (work.with.water) work.with.water->moment.time = std::numeric_limits<Real>::quiet_NaN();
 }
 
-TERP_FEATURE_DEFINITION(water, .fit = &fit_water)
+TERP_FEATURE_DEFINITION(water, .fit = &fit_water, .save = &save_water, .load = &load_water)
 
 }  // namespace terp

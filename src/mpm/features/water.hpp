@@ -5,8 +5,10 @@
 #include "mpm/kernels/nodal_pressure.hpp"
 #include "mpm/step/stage.hpp"
 
+#include <cstdint>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace terp {
 
@@ -31,6 +33,33 @@ struct WaterMoment {
   bool operator==(const WaterMoment&) const = default;
 };
 
+/// Water where soil has moved: what the soil carries in place of the water of the lines. By nodes, shape [n_nodes]; all
+/// empty: no soil has moved.
+struct CarriedWater {
+  std::vector<Real> share = {};  ///< 0: the water as drawn, 1: as the soil carries it, or as it runs in from free water
+  std::vector<Real> table = {};  ///< elevation to which its water rises [m]
+  std::vector<Real> ground = {};  ///< elevation of the surface of the soil [m]
+  std::vector<Real> mass = {};    ///< of the soil above, per area [kg/m^2]
+
+  bool is_empty() const { return share.empty(); }
+};
+
+/// The soil is looked at now and then; from one look to the next the water goes from what the look before found to what
+/// the last one did.
+struct WaterState {
+  std::int64_t looked = 0, next = 0;  ///< steps of the last look and of the next
+  CarriedWater before, last;
+  std::vector<Real> places;  ///< for which the lines are drawn: of the points at the start, by id, shape [n_points, 2]
+                             ///< [m]; NaN: not there yet
+  std::vector<Real> ground;  ///< surface of the soil then, by columns [m]
+
+  /// Of the way from `before` to `last`, in the middle of a step.
+  Real share_at(std::int64_t step) const
+  {
+    return (static_cast<Real>(step - looked) + 0.5) / static_cast<Real>(next - looked);
+  }
+};
+
 struct WaterModel {
   virtual ~WaterModel() = default;
 
@@ -40,8 +69,10 @@ struct WaterModel {
       const StageWater& stage, Real time, Real share, Real gravity, bool holds_bodies) const = 0;
 
   /// Sets the pressures of a moment, cut to the weight that then lies above. loads: pressure of each [Pa]; bodies:
-  /// share of the weight of those that have which the stage places, and those lack which it digs away.
-  virtual void set(const WaterMoment& moment, std::span<const Real> loads, Real bodies, PorePressure& pore) const = 0;
+  /// share of the weight of those that have which the stage places, and those lack which it digs away. carried: what
+  /// soil that moves does to it, in the middle of `step`; nullptr: nothing. anew: not only the soil has changed.
+  virtual void set(const WaterMoment& moment, std::span<const Real> loads, Real bodies, const WaterState* carried,
+      std::int64_t step, bool anew, PorePressure& pore) const = 0;
 };
 
 struct WaterScratch {
@@ -49,6 +80,9 @@ struct WaterScratch {
   WaterMoment moment;       ///< that `pore` is of, with
   std::vector<Real> loads;  ///< the pressures of the loads [Pa]
 };
+
+/// nullptr: no soil has moved so far that its water differs from that of the lines.
+const WaterState* carried_water(const StepState& state);
 
 /// Water of the time of the step, or of the stage, under the gravity and the loads of the step; set anew only where any
 /// of these changes.

@@ -67,7 +67,7 @@ void place(const Model& model, const std::vector<Index>& body, const std::vector
   add_points(
       model, make_points(model), [&](const BodyCase& b) { return comes[static_cast<std::size_t>(&b - first)]; }, state);
   state.points.update_occupied();
-  const PorePressure pore = model.with.water ? water_at(model, state.time) : PorePressure();
+  const PorePressure pore = model.with.water ? water_at(model, state) : PorePressure();
   std::vector<bool> is_new(model.mesh->cells.size(), false);
   Real area = 0.0;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {

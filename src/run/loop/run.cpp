@@ -13,6 +13,7 @@
 #include "model/parts/initial.hpp"
 #include "run/report/ledger.hpp"
 #include "model/loads/loads.hpp"
+#include "model/water/carried_water.hpp"
 #include "run/rest/no_equilibrium.hpp"
 #include "run/loop/placed_bodies.hpp"
 #include "run/loop/reporter.hpp"
@@ -143,6 +144,7 @@ StepsMade make_steps(const Model& model, State& state, Workspace& work, const St
     if (std::string fault = policy.clock_stands ? "" : place_due_loads(model, state); !fault.empty())
       return {.end = LoopEnd::fault, .fault = std::move(fault)};
     if (!policy.clock_stands && remove_due_bodies(model, state)) work.fit(model, state);
+    if (!policy.clock_stands) look_at_soil(model, state);
     make_step(model, state, work);
     if (policy.clock_stands) state.step = 0, state.time = 0.0;
     if (std::string fault = find_fault(model, state, work, state.largest_v_999); !fault.empty())

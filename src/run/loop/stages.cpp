@@ -6,6 +6,7 @@
 
 #include "math/errors.hpp"
 #include "mpm/features/rest.hpp"
+#include "model/water/carried_water.hpp"
 #include "mpm/features/water.hpp"
 #include "mpm/points/moved.hpp"
 #include "model/parts/change_soil.hpp"
@@ -209,6 +210,7 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
     for (const ActiveFollower& active : state.followers) active.follower->count_displacement_anew(model, state);
     reset_displacement(state);
   }
+  look_anew(model, state);
   forget_water(work);
   work.fit(model, state);
 }

@@ -95,7 +95,7 @@ void add(FrameField field, F read, std::vector<FrameField>& fields)
 /// As the forces of the present step have it.
 void add_pore_pressure(const Model& model, const State& state, std::vector<FrameField>& fields)
 {
-  const auto pore = std::make_shared<PorePressure>(water_at(model, state.time));
+  const auto pore = std::make_shared<PorePressure>(water_at(model, state));
   const auto read = [&model, pore](const PointBlock<2>& block, Index lane, Real* out) {
     *out = pore_pressure_at(model, *pore, block, lane);
   };

@@ -42,6 +42,7 @@ Model build_trial(const Trials& of, Real factor)
   Case c = reduce_strength(stiffen(of.quiet, of.start.stiffening), factor);
   c.forces.local_damping = of.rules.damping;
   c.forces.averaging_time = 0.0;
+  c.water.follow_soil = false;  // the water of the rest
   c.time.end = window_traversals * of.start.traversal / std::sqrt(of.start.stiffening) * of.rules.most_windows;
   return build_model(c, of.mesh, of.threads);
 }

@@ -1,0 +1,17 @@
+// Water in soil that moves. The table is a line of the soil and goes with it; free water stays where it is fed. The
+// weight that limits the pressure is that of the soil as it lies. docs/methods.md, "Water"; decision 0085.
+// Not for: the pressure that follows (nodal_water.hpp).
+#pragma once
+
+#include "model/parts/model.hpp"
+#include "mpm/step/step_state.hpp"
+
+namespace terp {
+
+/// Looks at the soil before a step, where that is due. Nothing where the water does not follow the soil.
+void look_at_soil(const Model& model, StepState& state);
+
+/// The next step looks at the soil, and at the ground anew: a stage has changed bodies or water.
+void look_anew(const Model& model, StepState& state);
+
+}  // namespace terp
