@@ -56,8 +56,8 @@ void warn_of_small_margin(const Summary& s, const std::string& folder)
 {
   if (s.flood && s.flood->margin)
     say(stderr,
-        "warning: {}: the ground that remains is only {:.2f} m higher than holds the water: finer cells, or the water "
-        "in the gap of a slide, may decide; see docs/flood.md#how-sure-is-it\n",
+        "warning: {}: the ground that remains is only {:.2f} m higher than holds the water: finer cells may "
+        "decide; see docs/flood.md#how-sure-is-it\n",
         folder, *s.flood->margin);
 }
 

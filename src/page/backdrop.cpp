@@ -156,20 +156,24 @@ std::optional<Real> corner_near(std::span<const float> outline, Real x, Real rea
   return best ? std::optional((*best)[0]) : std::nullopt;
 }
 
-Real water_in_gap(
-    std::span<const float> first_ground, std::span<const float> ground, std::span<const float> water, Facing river)
+std::vector<float> water_in_moved_soil(
+    std::span<const float> first_ground, std::span<const float> ground, std::span<const float> water)
 {
   constexpr Real shallow = 0.1;  // m; the surface of points is no sharper
   const std::vector<Vec<2>> first = places_of(first_ground), now = places_of(ground), table = places_of(water);
-  if (first.empty() || now.empty() || table.empty()) return 0.0;
-  const Real highest = std::ranges::max(now, {}, [](const Vec<2>& place) { return place[1]; })[0];
-  Real most = 0.0;
-  for (const Vec<2>& place : now) {
-    const Real level = interpolate(table, place[0]);
-    if (outwards(river) * (place[0] - highest) >= 0.0 || level > interpolate(first, place[0]) + shallow) continue;
-    most = std::max(most, level - place[1]);
+  if (first.empty() || now.empty()) return {water.begin(), water.end()};
+  std::vector<float> out;
+  const auto enter = [&](Real x, Real level) {
+    const bool was_free = level > interpolate(first, x) + shallow;
+    add_place(out, {x, was_free ? level : std::min(level, interpolate(now, x))});
+  };
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    enter(table[k][0], table[k][1]);
+    for (const Vec<2>& place : now)
+      if (k + 1 < table.size() && place[0] > table[k][0] && place[0] < table[k + 1][0])
+        enter(place[0], interpolate(table, place[0]));
   }
-  return most > shallow ? most : 0.0;
+  return out;
 }
 
 }  // namespace terp

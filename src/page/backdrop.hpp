@@ -39,10 +39,9 @@ std::vector<Vec<2>> places_of(std::span<const float> line);
 /// the edge of a column, and its true edge is a corner of the drawing near by. outline: as of first_outline.
 std::optional<Real> corner_near(std::span<const float> outline, Real x, Real reach);
 
-/// How deep water stands at most where ground slid away, behind the highest ground as seen from the river [m]: the
-/// phreatic line above the ground as it is, where it lay in the ground at t = 0. It does not follow the soil, so this
-/// water acts on what still stands. 0: nowhere deeper than 0.1 m. Lines: x, y [m], shape [n, 2].
-Real water_in_gap(
-    std::span<const float> first_ground, std::span<const float> ground, std::span<const float> water, Facing river);
+/// The phreatic line in soil that has moved: free water where it was free at t = 0, elsewhere at most the ground as it
+/// is. Lines: x, y [m], shape [n, 2].
+std::vector<float> water_in_moved_soil(
+    std::span<const float> first_ground, std::span<const float> ground, std::span<const float> water);
 
 }  // namespace terp

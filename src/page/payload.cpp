@@ -247,22 +247,17 @@ LinesOfFrames surfaces_of(const Source& source, const ShownRun& shown)
   return surfaces;
 }
 
-std::optional<LinesOfFrames> water_of(const Source& source, const ShownRun& shown)
+std::optional<LinesOfFrames> water_of(const Source& source, const ShownRun& shown, const LinesOfFrames& surfaces)
 {
   if (!source.mesh || !source.case_read->values.water.is_given()) return std::nullopt;
   LinesOfFrames lines;
-  for (const Real time : shown.times)
-    lines.add(phreatic_line(
-        source.case_read->values, source.run.summary.values.stages, *source.mesh, shown.times.front(), time));
+  for (std::size_t k = 0; k < shown.times.size(); ++k) {
+    const std::vector<float> drawn = phreatic_line(
+        source.case_read->values, source.run.summary.values.stages, *source.mesh, shown.times.front(), shown.times[k]);
+    const bool follows = source.case_read->values.water.follow_soil;
+    lines.add(follows ? water_in_moved_soil(surfaces.first(), surfaces.line(k), drawn) : drawn);
+  }
   return lines;
-}
-
-/// Of the end; null where nobody knows where the river is.
-Json gap_json(const Source& source, const LinesOfFrames& surfaces, const std::optional<LinesOfFrames>& water)
-{
-  const auto& flood = source.run.summary.values.flood;
-  if (!water || !flood || !flood->river) return nullptr;
-  return water_in_gap(surfaces.first(), surfaces.last(), water->last(), *flood->river);
 }
 
 Json attached_json(Chunks& chunks, const AttachedLines& lines)
@@ -403,9 +398,8 @@ Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   json["outline"] = {{"chunk", chunks.add(outline)}, {"count", outline.size() / 2}};
   const LinesOfFrames surfaces = surfaces_of(source, shown);
   json["surfaces"] = surfaces.json(chunks);
-  const std::optional<LinesOfFrames> water = water_of(source, shown);
+  const std::optional<LinesOfFrames> water = water_of(source, shown, surfaces);
   json["water"] = water ? water->json(chunks) : Json();
-  json["water_in_gap"] = gap_json(source, surfaces, water);
   json["layers"] = layers_json(chunks, source, shown);
   json["loads"] = loads_json(chunks, source, shown);
   json["slip_planes"] = slip_planes_json(source);

@@ -102,14 +102,13 @@ TEST(Backdrop, AStepOfThePhreaticLineIsVertical)
 }
 
 // A dike from x = 2 to 8 m, whose right half has come down by 2 m; the river is to the left.
-TEST(Backdrop, WaterStandsWhereGroundSlidAwayBelowThePhreaticLine)
+TEST(Backdrop, NoWaterStandsWhereGroundSlidAwayBelowThePhreaticLine)
 {
   const std::vector<float> first{0, 0, 2, 0, 4, 4, 6, 4, 8, 0, 10, 0}, slid{0, 0, 2, 0, 4, 4, 5, 4, 6, 2, 8, 0, 10, 0};
   const std::vector<float> river{0, 3, 4, 3, 6, 2.8f, 10, -1};
-  EXPECT_NEAR(water_in_gap(first, slid, river, Facing::left), 0.8, 1e-6);
-  EXPECT_EQ(water_in_gap(first, first, river, Facing::left), 0.0);
-  EXPECT_EQ(water_in_gap(first, slid, river, Facing::right), 0.0);  // then it is the river that stands there
-  EXPECT_EQ(water_in_gap(first, slid, {}, Facing::left), 0.0);
+  EXPECT_EQ(water_in_moved_soil(first, first, river), (std::vector<float>{0, 3, 2, 3, 4, 3, 6, 2.8f, 8, 0.9f, 10, -1}));
+  EXPECT_EQ(
+      water_in_moved_soil(first, slid, river), (std::vector<float>{0, 3, 2, 3, 4, 3, 5, 2.9f, 6, 2, 8, 0.9f, 10, -1}));
 }
 
 }  // namespace backdrop_test

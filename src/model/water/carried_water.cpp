@@ -185,7 +185,7 @@ CarriedWater at_nodes(const Mesh<2>& mesh, const Columns& columns, const SoilCol
       return std::lerp(a, b, part);
     };
     const Real base = x[1] - columns.width;  // of a column without soil or water: below the node
-    carried.share.push_back(is_empty(k) && is_empty(next) ? 0.0 : between(share, 0.0));
+    carried.share.push_back(std::lerp(share[k], share[next], part));
     carried.table.push_back(between(table, base));
     carried.ground.push_back(between(ground, base));
     carried.mass.push_back(

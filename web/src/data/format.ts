@@ -185,7 +185,6 @@ export interface RunMeta {
   outline: { chunk: number; count: number } | null;
   surfaces: { chunk: number; offsets: number[] } | null;
   water: { chunk: number; offsets: number[] } | null;
-  water_in_gap?: number | null; // depth of water where ground slid away behind the barrier, at the end [m]
   layers: LayerMeta[];
   loads: LoadMeta[];
   slip_planes: SlipPlane[];

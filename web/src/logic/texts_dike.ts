@@ -59,14 +59,8 @@ export const DIKE_TEXTS = {
     "Grond bereikte op {time} de rand “{side}” van het rekenrooster, die er vanaf dan op werkt."],
   note_side_rose: ["Soil rose at the side “{side}” of the mesh by {time}, which holds it back.",
     "Grond kwam tot {time} omhoog bij de rand “{side}” van het rekenrooster, die haar tegenhoudt."],
-  note_margin: ["The ground that remains is only {margin} higher than holds the water: finer cells, or the water in " +
-    "the gap of a slide, may decide.",
-  "De grond die rest is maar {margin} hoger dan nodig om het water te keren: fijnere cellen, of het water waar grond " +
-    "is afgeschoven, kunnen beslissen."],
-  note_gap: ["Up to {depth} of water stand where ground slid away, as the phreatic line does not follow the soil. " +
-    "This water supports what still stands: the verdict is on the unsafe side.",
-  "Waar grond is afgeschoven staat tot {depth} water, want de freatische lijn volgt de grond niet. Dit water steunt " +
-    "wat nog staat: het oordeel is aan de onveilige kant."],
+  note_margin: ["The ground that remains is only {margin} higher than holds the water: finer cells may decide.",
+    "De grond die rest is maar {margin} hoger dan nodig om het water te keren: fijnere cellen kunnen beslissen."],
   trigger_strength: ["after strengths were divided by {factor}", "nadat de sterktes door {factor} zijn gedeeld"],
   trigger_river: ["after the river was brought to {level}", "nadat de rivier op {level} is gebracht"],
   trigger_and: [" and ", " en "],

@@ -17,14 +17,11 @@ export function kindOf({ meta: { events, finished } }: Run): Kind {
 
 /** What the verdict must not be read without. */
 export function doubts(run: Run): string[] {
-  const { water_in_gap: depth } = run.meta;
-  const holds = run.meta.events?.flood && kindOf(run) !== "floods";
   const margin = run.meta.events?.flood?.margin;
   const changed = run.meta.changed?.[currentLanguage()]?.length ?? 0;
   const unsaid = kindOf(run) === "still_moving" ? [] : restDoubt(run); // the verdict says so itself
   return [turnsOn(run), ...unsaid, ...sideDoubts(run), changed > 0 ? say("note_changed", { n: changed }) : "",
-    typeof margin === "number" ? say("note_margin", { margin: metres(margin) }) : "",
-    depth && holds ? say("note_gap", { depth: metres(depth) }) : ""]
+    typeof margin === "number" ? say("note_margin", { margin: metres(margin) }) : ""]
     .filter(Boolean);
 }
 
