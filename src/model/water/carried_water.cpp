@@ -72,15 +72,22 @@ class SoilColumns {
     gained_[static_cast<std::size_t>(next)] += part * volume;
   }
 
-  void enter_soil(Vec<2> x, Real mass, Real volume, bool wet)
+  /// A square of soil about x whose lower part is wet.
+  void enter_soil(Vec<2> x, Real mass, Real size, Real wet)
   {
     const auto [k, next, part] = about(columns_, x[0]);
-    const auto layer = std::clamp(static_cast<Index>((x[1] - base_) / layer_), Index{0}, n_layers_ - 1);
-    for (const auto& [column, share] : {std::pair{k, 1.0 - part}, std::pair{next, part}}) {
-      if (!(share > 0.0)) continue;
-      Soil& soil = soil_[static_cast<std::size_t>(column * n_layers_ + layer)];
-      soil.mass += share * mass;
-      (wet ? soil.wet : soil.dry) += share * volume;
+    const Real low = x[1] - 0.5 * size, table = low + wet * size, high = low + size;
+    for (Index layer = layer_of(low); layer <= layer_of(high); ++layer) {
+      // What reaches beyond the mesh is in its first or last layer.
+      const Real from = layer == 0 ? low : std::max(low, base_ + layer * layer_);
+      const Real to = layer == n_layers_ - 1 ? high : std::min(high, base_ + (layer + 1) * layer_);
+      const Real below = std::max(std::min(to, table) - from, 0.0);
+      for (const auto& [column, share] : {std::pair{k, 1.0 - part}, std::pair{next, part}}) {
+        Soil& soil = soil_[static_cast<std::size_t>(column * n_layers_ + layer)];
+        soil.mass += share * mass * (to - from) / size;
+        soil.wet += share * size * below;
+        soil.dry += share * size * (to - from - below);
+      }
     }
   }
 
@@ -97,8 +104,8 @@ class SoilColumns {
     for (; k >= 0; --k) {
       const Soil& soil = at(column, k);
       all += soil.wet + soil.dry;
-      if (soil.wet > soil.dry) break;
       dry += soil.dry;
+      if (soil.wet > soil.dry) break;
     }
     const Real height = ground - (base_ + std::max(k, Index{0}) * layer_);
     return ground - (dry > 0.0 ? height * dry / all : 0.0);
@@ -261,11 +268,15 @@ CarriedWater see(
     if (counts(block.row(Rows::x)[lane])) soil.enter_volume(block.row(Rows::x)[lane], -volume);
     if (!counts(x[0])) return;
     const Real* place = first_place(block, lane);
-    const bool wet = from.formula || to.formula ||
-                     place[1] <= std::lerp(elevation_at(from.phreatic_line, place[0]),
-                                     elevation_at(to.phreatic_line, place[0]), way.share);
+    const Real size = std::sqrt(volume);
+    Real wet = 1.0;  // of a formula
+    if (!from.formula && !to.formula) {
+      const Real line =
+          std::lerp(elevation_at(from.phreatic_line, place[0]), elevation_at(to.phreatic_line, place[0]), way.share);
+      wet = std::clamp((line - place[1]) / size + 0.5, 0.0, 1.0);
+    }
     soil.enter_volume(x[0], volume);
-    soil.enter_soil(x, block.row(Rows::mass)[lane], volume, wet);
+    soil.enter_soil(x, block.row(Rows::mass)[lane], size, wet);
   });
   Elevations level(n), table(n);
   for (std::size_t k = 0; k < n; ++k)
