@@ -27,6 +27,9 @@ void add_stage_options(CLI::App* command, ImportCommand& options, const char* wh
       "looked for (strength=F: by F); `water` brings the\nriver to the crest (water=LEVEL: to a level in m)");
   command->add_flag("--no-film", options.no_film,
       "no film of the strength of the border at the top of\nan aquifer (docs/dstability.md)");
+  add_number(command, "--face-cohesion C", options.face_cohesion, 0.0, 100.0,
+      "of drained soil of the dike with less, in its outer\nmetre, so that it does not ravel [kPa]; 0: none\n(default: "
+      "2)");
   add_option(command, "--soil-defaults FILE", options.soil_defaults, "table of what the file does not say of soils");
 }
 

@@ -72,21 +72,22 @@ struct ImportCommand {
   std::string path;    ///< of the .stix, .dxf or .csv file
   std::string slices;  ///< CSV file of computed and stored values; empty: none
   bool json = false;
-  std::string output;           ///< case folder; empty: none
-  bool force = false;           ///< replace a case that is there
-  int scenario = 0, stage = 0;  ///< numbers from 1; 0: left out
-  std::string strength;         ///< deterministic, design, mean; empty: deterministic
-  double cell = 0.0;            ///< [m]; 0: from the section
-  std::vector<double> between;  ///< x of the part of the section that is taken over [m]; empty: what matters
-  std::optional<double> base;   ///< level above which it is taken over [m]; none: what matters
-  std::string unit;             ///< of a drawing or profile; empty: that of its header
-  std::string layers;           ///< of a drawing, apart by commas, or the name of a profile; empty: all
-  double depth = 0.0;           ///< of the base of a profile below its lowest ground [m]; 0: the usual one
-  std::string soil_defaults;    ///< CSV file; empty: the table of the program
-  bool no_film = false;         ///< no film at the top of aquifers
-  bool is_held = false;         ///< the section cannot stand: hold it until it is at rest
-  std::optional<double> river;  ///< level of the river [m]; none: that of the file
-  std::string trigger;          ///< "strength", "strength=1.2", "water", "water=12.5"; empty: none
+  std::string output;                   ///< case folder; empty: none
+  bool force = false;                   ///< replace a case that is there
+  int scenario = 0, stage = 0;          ///< numbers from 1; 0: left out
+  std::string strength;                 ///< deterministic, design, mean; empty: deterministic
+  double cell = 0.0;                    ///< [m]; 0: from the section
+  std::vector<double> between;          ///< x of the part of the section that is taken over [m]; empty: what matters
+  std::optional<double> base;           ///< level above which it is taken over [m]; none: what matters
+  std::string unit;                     ///< of a drawing or profile; empty: that of its header
+  std::string layers;                   ///< of a drawing, apart by commas, or the name of a profile; empty: all
+  double depth = 0.0;                   ///< of the base of a profile below its lowest ground [m]; 0: the usual one
+  std::string soil_defaults;            ///< CSV file; empty: the table of the program
+  bool no_film = false;                 ///< no film at the top of aquifers
+  std::optional<double> face_cohesion;  ///< of cohesionless faces [kPa]; none: the usual one
+  bool is_held = false;                 ///< the section cannot stand: hold it until it is at rest
+  std::optional<double> river;          ///< level of the river [m]; none: that of the file
+  std::string trigger;                  ///< "strength", "strength=1.2", "water", "water=12.5"; empty: none
   bool print_defaults = false;
 };
 

@@ -34,6 +34,7 @@ std::vector<ImportOption> import_options(const ImportCommand& c)
       {"--layers", c.layers, Of::drawn, In::both}, {"--depth", number(c.depth), Of::profile, In::both},
       {"--river", level(c.river), Of::stix, In::case_folder}, {"--held", flag(c.is_held), Of::stix, In::case_folder},
       {"--no-film", flag(c.no_film), Of::stix, In::case_folder},
+      {"--face-cohesion", level(c.face_cohesion), Of::stix, In::case_folder},
       {"--soil-defaults", c.soil_defaults, Of::all, In::case_folder},
       {"--trigger", c.trigger, Of::stix, In::case_folder}};
 }

@@ -98,6 +98,7 @@ FolderOptions folder_options(const StixProject& project, const ImportCommand& co
       .base = command.base,
       .kinds = soil_kinds(command),
       .has_films = !command.no_film,
+      .face_cohesion = 1e3 * command.face_cohesion.value_or(2.0),
       .is_held = command.is_held,
       .trigger = trigger_of(command.trigger),
       .river = command.river};

@@ -112,8 +112,10 @@ class FolderMaker {
   {
     std::vector<bool> is_undrained;
     for (const StixLayer& layer : stage_.layers) is_undrained.push_back(has_su(project_.soils[*layer.soil]));
-    const Vec<2> crest = layout_of(drawn_, pits_, wishes_for(1e3)).crest;
-    SectionPart part = part_that_matters(drawn_, pits_, crest, is_undrained);
+    const SectionLayout all = layout_of(drawn_, pits_, wishes_for(1e3));
+    SectionPart part = part_that_matters(drawn_, pits_, all.crest, is_undrained);
+    toe_ =
+        inner_toe(part, river_.side, section_.column(stage_.embankment.toe_land).ground(), all.crest[1] - all.height);
     const BoundingBox box = box_around(drawn_);
     if (river_.side == "left" && !water_stands_at(section_, part.between[0])) part.between[0] = box.low[0];
     if (river_.side == "right" && !water_stands_at(section_, part.between[1])) part.between[1] = box.high[0];
@@ -200,7 +202,8 @@ class FolderMaker {
 
   void make_pieces()
   {
-    SectionPieces made = pieces_of({section_, first_, scenario(), layout_, clean_, phreatic_, layers_});
+    SectionPieces made =
+        pieces_of({section_, first_, scenario(), layout_, clean_, phreatic_, layers_, toe_, options_.face_cohesion});
     pieces_ = std::move(made.of_file), base_ = std::move(made.below_base);
     std::ranges::move(made.geometry, std::back_inserter(geometry_));
   }
@@ -274,9 +277,13 @@ class FolderMaker {
   {
     const StixSoil& soil = project_.soils[piece.soil];
     const std::string preload = piece.pop ? fmt::format("{:g} kPa", *piece.pop / 1e3) : "grid " + piece.history;
-    const std::string key = fmt::format("{}/{}/{}", piece.soil, piece.zone, preload);
+    const std::string key = fmt::format("{}/{}/{}/{}", piece.soil, piece.zone, preload, piece.is_face);
     if (const auto known = uses_.find(key); known != uses_.end()) return known->second.name;
-    std::string name = key_of_name(soil.name) + (piece.zone == 1 ? "_below" : piece.zone == 2 ? "_above" : "");
+    std::string name = key_of_name(soil.name) +
+                       (piece.zone == 1      ? "_below"
+                           : piece.zone == 2 ? "_above"
+                                             : "") +
+                       (piece.is_face ? "_face" : "");
     if (names_.contains(name)) name += "_" + key_of_name(layer_of(piece.region.drawn).label, "layer");
     for (int k = 2; names_.contains(name); ++k) name = key_of_name(soil.name) + fmt::format("_{}", k);
     names_.insert(name);
@@ -284,7 +291,8 @@ class FolderMaker {
                                               : fmt::format("{} the phreatic line of the analysed stage",
                                                     piece.zone == 1 ? "below" : "above");
     SoilUse use{&soil, piece.zone == 2, name, where, stage_.label,
-        strength_follows() ? std::string(name_of_start) : situation_, {}, largest_stress(piece)};
+        strength_follows() ? std::string(name_of_start) : situation_, {},
+        largest_stress(section_, pieces_, piece, 2.0 * layout_.cell), piece.is_face ? options_.face_cohesion : 0.0};
     if (piece.pop)
       use.preload = {fmt::format("pop = \"{}\"", preload),
           fmt::format("POP of the file's states, over sigma'_v of {}", is_staged_ ? "the first stage" : "this stage")};
@@ -296,20 +304,6 @@ class FolderMaker {
 
   /// Of the first stage: the analysed one sets its own. Soil that is held at first has the strength that it is to have.
   bool strength_follows() const { return is_staged_ && !options_.is_held; }
-
-  /// The largest vertical effective stress in all pieces of this soil above or below the water [Pa]. Only a straight
-  /// line through a table of strength asks for it.
-  Real largest_stress(const SectionPiece& piece) const
-  {
-    const StixSoil& soil = project_.soils[piece.soil];
-    if ((piece.zone == 2 ? soil.above : soil.below) != StixStrengthModel::sigma_tau_table) return 0.0;
-    Real largest = 0.0;
-    for (const SectionPiece& other : pieces_)
-      if (other.soil == piece.soil && other.zone == piece.zone)
-        for (const Vec<2>& place : places_in(other.region, 2.0 * layout_.cell))
-          if (const auto at = section_.at(place)) largest = std::max(largest, at->effective_stress);
-    return largest;
-  }
 
   PreloadText yield_grid_of(const SectionPiece& piece, const std::string& name)
   {
@@ -474,6 +468,7 @@ class FolderMaker {
   TriggerStage trigger_;
   std::optional<Real> river_level_;  ///< of the trigger [m]
   std::vector<Vec<2>> phreatic_;
+  std::optional<Real> toe_;  ///< level of the inner toe [m]; none: the ground is level
   std::vector<Film> films_;
   std::vector<SectionPiece> pieces_, base_;  ///< of the file; below its base
   std::map<std::string, SoilUse> uses_;

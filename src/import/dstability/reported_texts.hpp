@@ -252,6 +252,13 @@ inline constexpr SentenceForm stiffness{"{}: stiffness, Poisson's ratio and K0 a
 inline constexpr SentenceForm strength_taken_away{
     "{}: by its name its author took its strength away, as engineers do where the ground lifts.",
     "{}: volgens de naam is de sterkte weggenomen, zoals bij opdrijven gebruikelijk is."};
+inline constexpr SentenceForm face_cohesion{
+    "{}: a cohesion of {:g} kPa down to {:g} m below the ground, in place of {:.2f} kPa, so that the face does not "
+    "ravel. "
+    "--face-cohesion 0 leaves it out.",
+    "{}: een cohesie van {:g} kPa tot {:g} m onder het maaiveld, in plaats van {:.2f} kPa, zodat het talud niet "
+    "afschilfert. "
+    "--face-cohesion 0 laat haar weg."};
 inline constexpr SentenceForm film{
     "Under the border at the top of {}, x from {:.1f} to {:.1f} m, a film of {:g} m has the strength of that border, "
     "{:.1f} to {:.1f} kPa: soil slides there where water pushes from below. A row of cells would carry {:.0f} kN/m "

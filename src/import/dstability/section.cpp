@@ -312,21 +312,11 @@ void StixColumn::set_strength(StixPlace& place) const
       place.su = shansep_strength(place.ratio, place.exponent, place.effective_stress, place.yield_stress);
       break;
     case StixStrengthModel::su_table: place.su = table_strength(soil.su_table, place.effective_stress, basis); break;
-    case StixStrengthModel::advanced: {
-      const DavisStrength reduced = davis_reduced(value_of(soil.advanced.cohesion, basis),
-          value_of(soil.advanced.friction, basis), value_of(soil.advanced.dilatancy, basis));
-      place.cohesion = reduced.cohesion;
-      place.friction = reduced.friction;
-      break;
-    }
-    case StixStrengthModel::classic:
-      place.cohesion = value_of(soil.classic.cohesion, basis);
-      place.friction = value_of(soil.classic.friction, basis);
-      break;
-    case StixStrengthModel::sigma_tau_table:
-    case StixStrengthModel::none:
-    case StixStrengthModel::unknown: break;
+    default: break;
   }
+  const DavisStrength drained = drained_strength(soil, place.model, basis);
+  place.cohesion = drained.cohesion;
+  place.friction = drained.friction;
 }
 
 std::optional<StixPlace> StixColumn::at(Real z) const

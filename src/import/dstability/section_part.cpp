@@ -55,6 +55,7 @@ SectionPart part_that_matters(const std::vector<DrawnRegion>& drawn, const std::
   const auto room = [&](Vec<2> toe) { return of_height * height + of_soft_soil * std::max(toe[1] - soft, 0.0); };
   const Vec<2> left = toe_of({std::make_reverse_iterator(crest + 1), ground.rend()});
   const Vec<2> right = toe_of({crest, ground.end()});
+  part.toes = {left[1], right[1]};
   part.between = {std::floor(left[0] - room(left)), std::ceil(right[0] + room(right))};
   part.base = std::floor(2.0 * (std::min(soft, low - height) - below * height)) / 2.0;
   if (part.between[0] < box.low[0] + least_saved) part.between[0] = box.low[0];
@@ -65,6 +66,14 @@ SectionPart part_that_matters(const std::vector<DrawnRegion>& drawn, const std::
       "thickness of the undrained soil there; below the undrained soil half the height.",
       left[0], right[0], height);
   return part;
+}
+
+std::optional<Real> inner_toe(const SectionPart& part, const std::string& river, Real named, Real land)
+{
+  if (part.why.empty()) return std::nullopt;
+  const auto [left, right] = part.toes;
+  const Real toe = river == "left" ? right : river == "right" ? left : std::max(left, right);
+  return std::round(1e3 * std::max(std::isfinite(named) ? named : toe, land)) * 1e-3;
 }
 
 std::vector<DrawnRegion> part_of(const std::vector<DrawnRegion>& drawn, const SectionPart& part)

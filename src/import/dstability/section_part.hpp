@@ -12,6 +12,7 @@ namespace terp {
 struct SectionPart {
   Vec<2> between{-1e9, 1e9};  ///< [m]
   Real base = -1e9;           ///< [m]
+  Vec<2> toes{};              ///< elevation, left and right; of level ground none [m]
   std::string why = {};       ///< empty: all of it is taken over, or somebody chose the part
 };
 
@@ -21,6 +22,11 @@ struct SectionPart {
 /// ground of its side. Level ground: all of it. crest: its place [m]; is_undrained: by region.
 SectionPart part_that_matters(const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations,
     Vec<2> crest, const std::vector<bool>& is_undrained);
+
+/// Level of the inner toe [m]: of the ground `named`, at the toe that the file names, or else at the toe of the part on
+/// the side without the river, "left" or "right"; at least that of the land; in whole millimetres. None: the ground is
+/// level.
+std::optional<Real> inner_toe(const SectionPart& part, const std::string& river, Real named, Real land);
 
 /// The part of each outline; nothing left of one: its polygon is empty. Throws InputError if nothing is left of any.
 std::vector<DrawnRegion> part_of(const std::vector<DrawnRegion>& drawn, const SectionPart& part);

@@ -1,8 +1,11 @@
 #include "import/dstability/section_pieces.hpp"
 
+#include "math/plane.hpp"
 #include "import/dstability/soil_text.hpp"
 
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace terp {
 namespace {
@@ -25,6 +28,41 @@ void add_pieces(
       pieces.push_back({std::move(cut.region), soil, cut.above ? 2 : 1});
 }
 
+bool is_near_ground(const PieceSources& from, const Polygon& outline)
+{
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Vec<2> a = outline[k], b = outline[(k + 1) % outline.size()];
+    const int n = static_cast<int>(std::ceil(distance(a, b) / from.layout.cell)) + 1;
+    for (int i = 0; i < n; ++i) {
+      const Real part = static_cast<Real>(i) / n, z = std::lerp(a[1], b[1], part);
+      if (from.now.column(std::lerp(a[0], b[0], part)).ground() - z < face_depth) return true;
+    }
+  }
+  return false;
+}
+
+/// Soil that ravels on a slope is cut at the level of the toe: what lies above it is a face.
+std::vector<SectionPiece> with_faces(const PieceSources& from, std::vector<SectionPiece> pieces)
+{
+  if (!from.toe) return pieces;
+  std::vector<SectionPiece> all;
+  Real slivers = 0.0;
+  for (SectionPiece& piece : pieces) {
+    const StixSoil& soil = soil_of(from, piece);
+    const auto [cohesion, friction] =
+        drained_strength(soil, piece.zone == 2 ? soil.above : soil.below, from.now.basis());
+    if (!(cohesion < from.face_cohesion) || !(friction > 0.0)) {
+      all.push_back(std::move(piece));
+      continue;
+    }
+    for (CutRegion& cut : cut_along(piece.region, {{0.0, *from.toe}}, 0.05 * from.layout.cell, slivers)) {
+      all.push_back({std::move(cut.region), piece.soil, piece.zone});
+      all.back().is_face = cut.above && is_near_ground(from, all.back().region.polygon);
+    }
+  }
+  return all;
+}
+
 void set_preload(const PieceSources& from, SectionPiece& piece)
 {
   if (!is_shansep(soil_of(from, piece), piece.zone)) return;
@@ -41,6 +79,7 @@ SectionPieces pieces_of(const PieceSources& from)
   SectionPieces made;
   Real left_there = 0.0, filled = 0.0;
   for (const CleanRegion& region : from.clean.regions) add_pieces(from, region, made.of_file, left_there);
+  made.of_file = with_faces(from, std::move(made.of_file));
   for (const CleanRegion& region : base_fill(from.layout, from.clean.regions)) {
     add_pieces(from, region, made.below_base, left_there);
     filled += signed_area(region.polygon);
@@ -60,6 +99,19 @@ SectionPieces pieces_of(const PieceSources& from)
                     "soil above (first bodies: {}).",
             filled, from.layout.low[1], made.below_base.size()));
   return made;
+}
+
+Real largest_stress(
+    const StixSection& section, const std::vector<SectionPiece>& pieces, const SectionPiece& piece, Real step)
+{
+  const StixSoil& soil = section.project().soils[piece.soil];
+  if ((piece.zone == 2 ? soil.above : soil.below) != StixStrengthModel::sigma_tau_table) return 0.0;
+  Real largest = 0.0;
+  for (const SectionPiece& other : pieces)
+    if (other.soil == piece.soil && other.zone == piece.zone)
+      for (const Vec<2>& place : places_in(other.region, step))
+        if (const auto at = section.at(place)) largest = std::max(largest, at->effective_stress);
+  return largest;
 }
 
 }  // namespace terp

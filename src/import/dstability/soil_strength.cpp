@@ -76,4 +76,13 @@ DavisStrength davis_reduced(Real cohesion, Real friction, Real dilatancy)
       std::atan(std::cos(psi) * std::sin(phi) / divisor) / radians_per_degree};
 }
 
+DavisStrength drained_strength(const StixSoil& soil, StixStrengthModel model, StixBasis basis)
+{
+  const auto of = [basis](const StixParameter& parameter) { return value_of(parameter, basis); };
+  if (model == StixStrengthModel::advanced)
+    return davis_reduced(of(soil.advanced.cohesion), of(soil.advanced.friction), of(soil.advanced.dilatancy));
+  if (model == StixStrengthModel::classic) return {of(soil.classic.cohesion), of(soil.classic.friction)};
+  return {not_given, not_given};
+}
+
 }  // namespace terp

@@ -44,4 +44,7 @@ struct DavisStrength {
 /// c* = c cos psi cos phi / d, tan phi* = cos psi sin phi / d, with d = 1 - sin psi sin phi. Angles [degrees].
 DavisStrength davis_reduced(Real cohesion, Real friction, Real dilatancy);
 
+/// c* and phi* of a soil of this model; of a model without them not a number.
+DavisStrength drained_strength(const StixSoil& soil, StixStrengthModel model, StixBasis basis);
+
 }  // namespace terp

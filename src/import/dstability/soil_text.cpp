@@ -159,11 +159,21 @@ struct CaseFriction {
   Real dilatancy;  ///< [degrees]
 };
 
-void add_friction(SoilText& text, const CaseFriction& f, const std::string& origin)
+void add_friction(const SoilUse& use, SoilText& text, const CaseFriction& f, const std::string& origin)
 {
   auto& lines = text.material.lines;
   lines.push_back({"friction_angle", fmt::format("{:.9g}", f.friction), "degrees; " + origin});
-  lines.push_back({"cohesion", in_quotes(kilo_text(f.cohesion, "kPa")), origin});
+  const std::string cohesion = in_quotes(kilo_text(f.cohesion, "kPa"));
+  if (use.face_cohesion > f.cohesion) {
+    const std::string face = in_quotes(kilo_text(use.face_cohesion, "kPa"));
+    lines.push_back({"cohesion",
+        fmt::format("{{ depth = [[0, {0}], [{1:g}, {0}], [{1:g}, {2}], [50, {2}]] }}", face, face_depth, cohesion),
+        fmt::format("below {:g} m {}", face_depth, origin)});
+    text.assumed.push_back(
+        filled<reported_texts::face_cohesion>(use.name, use.face_cohesion / 1e3, face_depth, f.cohesion / 1e3));
+  } else {
+    lines.push_back({"cohesion", cohesion, origin});
+  }
   lines.push_back({"dilatancy_angle", fmt::format("{:.9g}", f.dilatancy), "degrees"});
 }
 
@@ -205,7 +215,7 @@ void add_drained(const SoilUse& use, StixStrengthModel model, StixBasis basis, c
   if (model != StixStrengthModel::sigma_tau_table &&
       has_no_strength(model == StixStrengthModel::advanced ? soil.advanced : soil.classic, basis)) {
     add_friction(
-        text, {1e3 * kind.least_strength, 0.0, 0.0}, fmt::format("none in the file: least_su of {}", kind.kind));
+        use, text, {1e3 * kind.least_strength, 0.0, 0.0}, fmt::format("none in the file: least_su of {}", kind.kind));
     text.material.lines.push_back({"drainage", "\"drained\"", ""});
     text.assumed.push_back(filled<reported_texts::no_strength>(soil.name,
         use.above ? filled<reported_texts::above_it>() : filled<reported_texts::below_it>(), kind.least_strength));
@@ -213,14 +223,14 @@ void add_drained(const SoilUse& use, StixStrengthModel model, StixBasis basis, c
   }
   if (model == StixStrengthModel::advanced) {
     const StixFriction& f = soil.advanced;
-    add_friction(text, reduced_friction(use, text, basis),
+    add_friction(use, text, reduced_friction(use, text, basis),
         fmt::format("on slip planes; the file's are {:g} degrees and {:g} kPa", value_of(f.friction, basis),
             value_of(f.cohesion, basis) / 1e3));
   } else if (model == StixStrengthModel::classic) {
     const StixFriction& f = soil.classic;
-    add_friction(text, {value_of(f.cohesion, basis), value_of(f.friction, basis), 0.0}, "of the file");
+    add_friction(use, text, {value_of(f.cohesion, basis), value_of(f.friction, basis), 0.0}, "of the file");
   } else {
-    add_friction(text, friction_of_table(use, text, basis), "straight line through the file's SigmaTauTable");
+    add_friction(use, text, friction_of_table(use, text, basis), "straight line through the file's SigmaTauTable");
   }
 }
 

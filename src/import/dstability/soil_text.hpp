@@ -11,6 +11,8 @@
 
 namespace terp {
 
+inline constexpr Real face_depth = 1.0;  ///< of the cohesion of a face below the ground [m]
+
 /// How the yield stress of a SHANSEP soil is said.
 struct PreloadText {
   std::string value;    ///< `pop = "10 kPa"`, or `yield_stress = { csv = "FILE.csv" }`
@@ -26,6 +28,7 @@ struct SoilUse {
   std::string strength_water;  ///< the [[water.situation]] of its strength; empty: that of the start
   PreloadText preload = {};    ///< of SHANSEP
   Real largest_stress = 0.0;   ///< vertical effective stress in it, at most [Pa]
+  Real face_cohesion = 0.0;    ///< in the outer metre of the section [Pa]; 0: that of the soil
 };
 
 struct SoilText {

@@ -155,19 +155,49 @@ std::string measure_text(const StabilityResult& r, std::string_view before)
   return fmt::format("{}--cells {:.9g},{:.9g} measures it", before, cell, 0.5 * cell);
 }
 
+/// What the mechanism that decides slips along; none: no border of that kind.
+std::optional<BorderUnderSlip> border_of(const StabilityResult& r)
+{
+  const auto moves = r.what_moves();
+  return moves && moves->moving && r.search.found() ? moves->moving->border : std::nullopt;
+}
+
+Real without_row(const StabilityResult& r, const BorderUnderSlip& border)
+{
+  return r.factor() * (1.0 - border.share());
+}
+
+/// What a row of cells adds at the top of an aquifer, in place of the error of meshes on slopes of one soil.
+std::string border_text(const StabilityResult& r, const BorderUnderSlip& border)
+{
+  constexpr Real little = 0.05;
+  const Real factor = r.what_moves()->factor;
+  return fmt::format(
+      "  The mechanism follows the top of `{}` from x = {:.1f} to {:.1f} m, where water pushes from below. A row of "
+      "cells of {:.3g} m\n  carries dR = {:.0f} kN/m more than that top, of R = {:.0f} kN/m in all: F (1 - dR/R) = "
+      "{:.3f}. On cells of {:.2g} m dR is 5 %.\n",
+      border.soil, border.from, border.to, border.row, factor * border.carried_more / 1e3,
+      factor * border.strength / 1e3, without_row(r, border), border.row * std::min(little / border.share(), 1.0));
+}
+
 std::string mesh_text(const StabilityResult& r)
 {
   const std::string sizes = r.sizes.size() > 1 ? fmt::format("  The mesh: {}.\n", numbers(r.sizes)) : "";
   if (const auto limit = r.limit()) return fmt::format("{}  {}\n", sizes, order_text(*limit, r.sizes.size()));
+  const auto border = border_of(r);
   Real n = r.cells_over_depth(), cell = r.cell;
   if (r.is_upper_bound()) {
     for (const SizedFactor& size : r.sizes)
       if (size.cells_over_depth < n) n = size.cells_over_depth, cell = size.cell;
     return fmt::format(
-        "{}  What moves is {:.1f} cells of {:.3g} m deep. So few carry far more than the soil: take the factor for an "
-        "upper bound.\n  Finer cells give less{}.\n",
-        sizes, n, cell, measure_text(r, "; "));
+               "{}  What moves is {:.1f} cells of {:.3g} m deep. So few carry far more than the soil: take the factor "
+               "for an "
+               "upper bound.\n  Finer cells give less{}.\n",
+               sizes, n, cell, measure_text(r, "; ")) +
+           (border ? border_text(r, *border) : "");
   }
+  if (border)
+    return "  The +- is that of the search alone. The mesh makes the factor too large.\n" + border_text(r, *border);
   return fmt::format(
       "  The +- is that of the search alone. The mesh makes the factor too large: what moves is {:.1f} cells of {:.3g} "
       "m deep,\n  and with so many it was by 0 to {:.0f} % on slopes of other authors.{}\n",
@@ -246,11 +276,17 @@ Json soil_json(const StabilityResult& r)
 Json mesh_json(const StabilityResult& r)
 {
   Json json = {{"cell", r.cell}, {"slope_height", r.relief}, {"cells_over_depth", r.cells_over_depth()},
-      {"largest_error", nullptr}, {"sizes", Json::array()}, {"extrapolated", nullptr}};
+      {"largest_error", nullptr}, {"border", nullptr}, {"sizes", Json::array()}, {"extrapolated", nullptr}};
   for (const SizedFactor& size : r.sizes)
     json["sizes"].push_back({{"cell", size.cell}, {"factor", size.factor}, {"uncertainty", size.uncertainty},
         {"highest", size.highest}, {"cells_over_depth", size.cells_over_depth}});
-  if (r.cells_over_depth() >= fewest_cells) json["largest_error"] = largest_mesh_error(r.cells_over_depth());
+  if (const auto border = border_of(r)) {
+    const Real factor = r.what_moves()->factor;
+    json["border"] = {{"soil", border->soil}, {"from", border->from}, {"to", border->to}, {"row", border->row},
+        {"carried_more", factor * border->carried_more}, {"strength", factor * border->strength},
+        {"factor_without", without_row(r, *border)}};
+  } else if (r.cells_over_depth() >= fewest_cells)
+    json["largest_error"] = largest_mesh_error(r.cells_over_depth());
   if (const auto limit = r.limit())
     json["extrapolated"] = {{"factor", limit->factor}, {"low", limit->low}, {"high", limit->high},
         {"order", limit->order}, {"order_is_observed", limit->order_is_observed}, {"order_found", limit->order_found},

@@ -7,7 +7,10 @@
 #include "model/parts/reduce.hpp"
 #include "model/soils/overburden.hpp"
 #include "model/soils/point_parameters.hpp"
+#include "model/water/free_water.hpp"
+#include "model/water/water_pressure.hpp"
 #include "run/findings/thin_layers.hpp"
+#include "run/findings/weak_borders.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +19,11 @@
 namespace terp {
 namespace {
 
-constexpr Index fewest_points = 3;     // along a side of a cell: with 2 x 2 soil that flows leaves gaps in its cells
-constexpr Real fewest_in_layer = 2.0;  // cells across a layer: one takes 1.35 times its strength and more, two 1.05
-constexpr Real fewest_in_cover = 8.0;  // two reach a fifth of the speed, four 0.6, eight 0.86 of it
-constexpr Real level = 0.05;           // share of gravity along a cover that does not slide, some 3 degrees
+constexpr Index fewest_points = 3;      // along a side of a cell: with 2 x 2 soil that flows leaves gaps in its cells
+constexpr Real fewest_in_layer = 2.0;   // cells across a layer: one takes 1.35 times its strength and more, two 1.05
+constexpr Real fewest_in_cover = 8.0;   // two reach a fifth of the speed, four 0.6, eight 0.86 of it
+constexpr Real much_at_the_top = 10e3;  // what a row of cells carries more than the top of the soil [N per m]
+constexpr Real level = 0.05;            // share of gravity along a cover that does not slide, some 3 degrees
 constexpr Real fewest_below_footing = 8.0;  // cells over the width: with eight the load is 13 % too large
 
 using Problems = std::vector<Problem>;
@@ -110,6 +114,37 @@ void find_idle_cutoffs(const Model& model, const State& state, Problems& found)
     if (cutoff[m] > 0.0) found.push_back(idle_cutoff(c.materials[m], cutoff[m], most[m]));
 }
 
+/// Where slip along the top of an aquifer takes more than the soil carries, in the water that makes it worst.
+void find_weak_tops(const Model& model, const State&, Problems& found)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const Real row = typical_cell_size(*model.mesh);
+  const auto most = [row](const std::vector<WeakBorder>& borders) {
+    Real largest = 0.0;
+    for (const WeakBorder& border : borders) largest = std::max(largest, border.carried_more(row));
+    return largest;
+  };
+  std::vector<WeakBorder> worst;
+  for (const std::size_t number : situations_asked_for(whole, whole.stages.size()))
+    if (auto borders = find_weak_borders(model, situation_of(whole.water, number), row); most(borders) > most(worst))
+      worst = std::move(borders);
+  for (const WeakBorder& border : worst) {
+    const Real more = border.carried_more(row);
+    if (!(more > much_at_the_top)) continue;
+    Real enough = row;
+    while (border.carried_more(enough) > much_at_the_top) enough *= 0.99;
+    const std::string& name = model.materials[border.material].name;
+    found.push_back({fmt::format("material.\"{}\"", name),
+        fmt::format("a row of cells carries {:.0f} kN/m more than the top of `{}`, x = {:.4g} to {:.4g} m", more / 1e3,
+            name, border.from(), border.to()),
+        fmt::format("Water pushes from below there, so that the soil slides in its upper centimetres, and cells of "
+                    "{:.2g} m see it\nstronger. Draw a film as `terp import` does, or give cells of {:.2g} m, which "
+                    "carry {:.0f} kN/m more.",
+            row, enough, much_at_the_top / 1e3),
+        "mesh", false, {"mesh.cell", "mesh"}});
+  }
+}
+
 struct KnownLimit {
   const char* section;  ///< of docs/limits.md
   void (*find)(const Model&, const State&, Problems& found);
@@ -118,6 +153,7 @@ struct KnownLimit {
 constexpr KnownLimit known_limits[] = {
     {"docs/limits.md#12-few-points-per-cell", find_few_points},
     {"docs/limits.md#4-a-mesh-carries-more-than-the-soil", find_thin_layers},
+    {"docs/limits.md#4-a-mesh-carries-more-than-the-soil", find_weak_tops},
     {"docs/limits.md#8-sides-contact-and-footings", find_narrow_footings},
     {"docs/stability.md#what-is-reduced", find_idle_cutoffs},
 };

@@ -5,7 +5,7 @@
 #include "run/findings/thin_layers.hpp"
 
 #include "model/ground/ground_section.hpp"
-#include "model/bodies/setup_points.hpp"
+#include "run/findings/soil_pieces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +19,6 @@ constexpr Real stronger = 1.5;         // times the strength of the layer
 constexpr Real most_of_it = 0.5;       // of a material
 constexpr Real slender = 5.0;          // length over thickness: less is a lens
 constexpr Real between_layers = 1e-3;  // of a cell: what coordinates in millimetres leave between outlines that touch
-
-/// A stretch of a vertical line in one material; -1: in none.
-struct Piece {
-  Index material;
-  Real top, base;  ///< [m]
-  Real height() const { return top - base; }
-};
 
 /// At a pressure [Pa]; infinite of soil that never yields, not a number where the law does not say it.
 Real strength_of(const Model& model, Index m, Real pressure)
@@ -45,9 +38,9 @@ Real strength_of(const Model& model, Index m, Real pressure)
 
 class LayerSearch {
  public:
-  LayerSearch(const Model& model, const State& state) : model_(model), columns_(columns_of_section(*model.mesh))
+  LayerSearch(const Model& model, const State& state)
+      : model_(model), columns_(columns_of_section(*model.mesh)), pieces_(model, between_layers * columns_.width)
   {
-    for (const BodyOutline& outline : outlines_of(model)) sides_.push_back(outline_sides(*model.mesh, outline));
     const Real g = std::hypot(model.gravity[0], model.gravity[1]);
     if (g > 0.0) down_ = {model.gravity[0] / g, model.gravity[1] / g};
     g_ = g;
@@ -63,10 +56,10 @@ class LayerSearch {
   std::vector<ThinLayer> find()
   {
     std::vector<Real> whole(model_.materials.size(), 0.0);
-    std::vector<Piece> before;
+    std::vector<SoilPiece> before;
     for (Index c = 0; c < columns_.n; ++c) {
-      const std::vector<Piece> pieces = pieces_at(columns_.left + (static_cast<Real>(c) + 0.5) * columns_.width);
-      for (const Piece& piece : pieces)
+      const std::vector<SoilPiece> pieces = pieces_.at(columns_.left + (static_cast<Real>(c) + 0.5) * columns_.width);
+      for (const SoilPiece& piece : pieces)
         if (piece.material >= 0) whole[piece.material] += piece.height();
       look_at(pieces, before);
       before = pieces;
@@ -87,37 +80,6 @@ class LayerSearch {
     Real height = 0.0, slope = 0.0, driving = 0.0;
   };
 
-  std::vector<Piece> pieces_at(Real x) const
-  {
-    std::vector<Real> levels;
-    for (std::size_t b = 0; b < sides_.size(); ++b)
-      if (model_.description.bodies[b].is_there)
-        std::ranges::copy(crossings_of_vertical(sides_[b], x), std::back_inserter(levels));
-    std::ranges::sort(levels, std::greater());
-    std::vector<Piece> pieces;
-    for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
-      if (!(levels[k] - levels[k + 1] > between_layers * columns_.width)) continue;
-      const Index m = material_at(x, 0.5 * (levels[k] + levels[k + 1]));
-      if (!pieces.empty() && pieces.back().material == m)
-        pieces.back().base = levels[k + 1];
-      else
-        pieces.push_back({m, levels[k], levels[k + 1]});
-    }
-    return pieces;
-  }
-
-  /// Where bodies overlap, the last one is there.
-  Index material_at(Real x, Real y) const
-  {
-    for (std::size_t b = sides_.size(); b-- > 0;) {
-      if (!model_.description.bodies[b].is_there) continue;
-      const std::vector<Real> crossings = crossings_of_vertical(sides_[b], x);
-      if (std::ranges::count_if(crossings, [&](Real level) { return level > y; }) % 2 == 1)
-        return material_number(model_, model_.description.bodies[b].material);
-    }
-    return -1;
-  }
-
   bool is_stronger(Index than, Index other, Real pressure) const
   {
     if (other < 0) return false;
@@ -125,7 +87,7 @@ class LayerSearch {
     return std::isfinite(own) && strength_of(model_, other, pressure) >= stronger * own;
   }
 
-  void look_at(const std::vector<Piece>& pieces, const std::vector<Piece>& before)
+  void look_at(const std::vector<SoilPiece>& pieces, const std::vector<SoilPiece>& before)
   {
     Real pressure = 0.0;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -138,7 +100,7 @@ class LayerSearch {
         continue;
       Sum& sum = sums_[{m, at_surface}];
       sum.n += 1, sum.height += top - base;
-      const auto same = std::ranges::find(before, m, &Piece::material);
+      const auto same = std::ranges::find(before, m, &SoilPiece::material);
       if (same == before.end()) continue;
       const Real slope = (base - same->base) / columns_.width;
       sum.n_slopes += 1, sum.slope += std::abs(slope);
@@ -148,7 +110,7 @@ class LayerSearch {
 
   const Model& model_;
   Columns columns_;
-  std::vector<std::vector<Side>> sides_;        ///< of each body
+  SoilPieces pieces_;
   std::vector<Real> sizes_;                     ///< of the cells of each material, in the mean [m]
   Vec<2> down_{};                               ///< of length 1; zero without gravity
   Real g_ = 0.0;                                ///< [m/s^2]
@@ -159,8 +121,7 @@ class LayerSearch {
 
 std::vector<ThinLayer> find_layers(const Model& model, const State& state)
 {
-  const auto comes_as_points = [](const BodyCase& body) { return !body.points_file.empty(); };
-  if (std::ranges::any_of(model.description.bodies, comes_as_points)) return {};
+  if (!has_outlines(model)) return {};
   return LayerSearch(model, state).find();
 }
 

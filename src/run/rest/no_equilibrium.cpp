@@ -6,6 +6,7 @@
 
 #include "model/meshes/mesh_error.hpp"
 #include "model/parts/model.hpp"
+#include "model/parts/reduce.hpp"
 #include "mpm/step/workspace.hpp"
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 
 namespace terp {
 namespace {
+
+constexpr Real depth_of_face = 1.5;  // of what may have raveled below the ground [m]
 
 Real distance_moved(const State& state, const PointBlock<2>& block, Index lane)
 {
@@ -55,48 +58,80 @@ std::string describe_unbalanced(const Model& model, const State& state, const Wo
       soil_at(model, state, largest), half == around.end() ? 0.0 : half->first);
 }
 
-std::string describe_moved(const Model& model, const State& state, Real stiffening)
+struct Furthest {
+  Real moved = -1.0;  ///< [m]
+  Vec<2> from{};      ///< [m]
+  Index material = 0;
+};
+
+Vec<2> place_at_start(const State& state, const PointBlock<2>& block, Index lane)
 {
-  Real furthest = -1.0;
-  std::string text;
+  const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+  return {state.x_initial[2 * id], state.x_initial[2 * id + 1]};
+}
+
+Furthest furthest_of(const State& state)
+{
+  Furthest found;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const Real moved = distance_moved(state, block, lane);
-    if (!(moved > furthest)) return;
-    furthest = moved;
-    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
-    text = fmt::format("soil moved furthest from {} m, in `{}`: by {:.3g} m",
-        place_text({state.x_initial[2 * id], state.x_initial[2 * id + 1]}), model.materials[block.material].name,
-        stiffening * moved);
+    if (const Real moved = distance_moved(state, block, lane); moved > found.moved)
+      found = {moved, place_at_start(state, block, lane), block.material};
   });
-  return text;
+  return found;
+}
+
+std::string describe_moved(const Model& model, const Furthest& furthest, Real stiffening)
+{
+  return fmt::format("soil moved furthest from {} m, in `{}`: by {:.3g} m", place_text(furthest.from),
+      model.materials[furthest.material].name, stiffening * furthest.moved);
+}
+
+/// What holds a face of soil without cohesion that ravels, a line of the list of cures; empty: something else moved.
+std::string cure_for_face(const Model& model, const State& state, const Furthest& furthest)
+{
+  const MaterialCase& soil = model.description.materials[furthest.material];
+  Real ground = furthest.from[1];
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const Vec<2> x = place_at_start(state, block, lane);
+    if (std::abs(x[0] - furthest.from[0]) < 0.5 * depth_of_face) ground = std::max(ground, x[1]);
+  });
+  if (!is_sand(soil) || ground - furthest.from[1] > depth_of_face) return "";
+  return fmt::format(
+      "\n           if only its face ravels, 2 kPa in the outer metre (docs/dstability.md#faces-without-cohesion): "
+      "material.{}.cohesion = "
+      "{{ depth = [[0, \"2 kPa\"], [1, \"2 kPa\"], [1, 0], [50, 0]] }}",
+      soil.name);
 }
 
 }  // namespace
 
 std::string describe_failure(const Model& model, const State& state, Real moved, Real stiffening)
 {
+  const Furthest furthest = furthest_of(state);
   return fmt::format(
       "no equilibrium: the soil fails in the section as it is drawn; after {} steps a hundredth of it had moved by "
       "more than {:.2g} m, ever faster\n\n"
       "  where    {}\n"
       "  likely   it cannot stand under its weight, its water and its loads\n"
       "  try      initial.stress = \"k0\", to see it fail; a stronger soil; or at_strength below 1 in a first stage, "
-      "as `terp import --held` writes it (docs/troubleshooting.md#no-equilibrium)",
-      state.equilibrium_steps, moved, describe_moved(model, state, stiffening));
+      "as `terp import --held` writes it (docs/troubleshooting.md#no-equilibrium){}",
+      state.equilibrium_steps, moved, describe_moved(model, furthest, stiffening),
+      cure_for_face(model, state, furthest));
 }
 
 std::string describe_no_equilibrium(const Model& model, const State& state, const Workspace& work, Real stiffening)
 {
   const InitialCase& initial = model.description.initial;
+  const Furthest furthest = furthest_of(state);
   return fmt::format(
       "no equilibrium: after {} steps the out-of-balance force is {:.2e} of the weight, limit {:.2e}\n\n"
       "  where    {}\n"
       "           {}\n"
       "  likely   the body cannot stand under its own weight, or needs more steps\n"
       "  try      initial.stress = \"none\" or \"k0\", a stronger soil, a larger initial.max_steps, or at_strength "
-      "below 1 in a first stage, as `terp import --held` writes it (docs/troubleshooting.md#no-equilibrium)",
+      "below 1 in a first stage, as `terp import --held` writes it (docs/troubleshooting.md#no-equilibrium){}",
       initial.max_steps, work.unbalanced_ratio, initial.limit, describe_unbalanced(model, state, work),
-      describe_moved(model, state, stiffening));
+      describe_moved(model, furthest, stiffening), cure_for_face(model, state, furthest));
 }
 
 }  // namespace terp

@@ -5,6 +5,7 @@
 #include "run/stability/mechanism.hpp"
 
 #include "run/report/frame.hpp"
+#include "run/stability/border_under_slip.hpp"
 #include "run/report/frame_fields.hpp"
 #include "model/ground/ground_section.hpp"
 #include "model/parts/reduce.hpp"
@@ -208,6 +209,7 @@ std::optional<MovingSoil> find_moving(
   const Stretch stretch = largest_stretch(columns, least);
   if (stretch.first == stretch.last) return std::nullopt;
   MovingSoil moving = describe(section, columns, stretch, least);
+  moving.border = find_border_under(model, state, moving.line);
   moving.sand = sand_of(model.description, columns, stretch, moving.area);
   return moving;
 }

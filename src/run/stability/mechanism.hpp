@@ -22,6 +22,15 @@ struct PointMotion {
 
 PointMotion look_at_points(const State& state);
 
+/// Along the top of drained soil, where a row of cells carries more than that top (run/findings/weak_borders.hpp).
+struct BorderUnderSlip {
+  std::string soil;                         ///< name of the soil below
+  Real from = 0.0, to = 0.0;                ///< x [m]
+  Real row = 0.0;                           ///< height of the row [m]
+  Real carried_more = 0.0, strength = 0.0;  ///< of the row, and of all of the slip surface, as reduced [N per m]
+  Real share() const { return carried_more / strength; }
+};
+
 /// The part that moves, which is one connected stretch of columns.
 struct MovingSoil {
   Facing way = Facing::right;    ///< to which it moves
@@ -33,7 +42,8 @@ struct MovingSoil {
   Real depth = 0.0;                        ///< of the slip surface below the ground, the largest [m]
   Real area = 0.0;                         ///< of the soil above it [m^2]
   std::string sand = {};  ///< name of the soil without cohesion that most of it is of; empty: other soil
-  Real other_way = 0.0;   ///< share of the motion, by volume, of the soil that moves to the other side [-]
+  std::optional<BorderUnderSlip> border = {};  ///< that carries most more; none: the slip surface follows none
+  Real other_way = 0.0;  ///< share of the motion, by volume, of the soil that moves to the other side [-]
 };
 
 /// Strains and displacements are those of the soil as it is, before it was stiffened.

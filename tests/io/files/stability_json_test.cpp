@@ -111,6 +111,13 @@ const Variant variants[] = {{"found, with creep and no failure", [](StabilityRes
     {"a mechanism and one that creeps", [](StabilityResult& r) { give_mechanism(r, "", 0.0); }},
     {"a face of sand", [](StabilityResult& r) { give_mechanism(r, "bank", 0.0); }},
     {"a face of sand, only deep soil", [](StabilityResult& r) { give_mechanism(r, "bank", 2.0); }},
+    {"along the top of an aquifer",
+        [](StabilityResult& r) {
+          fail_at(r, 1.1);
+          Mechanism m = left_slope();
+          m.moving->depth = 5.0, m.moving->border = BorderUnderSlip{"sand", 10.0, 52.0, 1.5, 135.5e3, 426.4e3};
+          r.mechanism = std::make_shared<const Mechanism>(m);
+        }},
     {"factors of other methods", [](StabilityResult& r) {
        r.slip_planes.resize(2);
        r.slip_planes[0].name = "flood", r.slip_planes[0].method = "Bishop", r.slip_planes[0].factor_of_safety = 1.0;

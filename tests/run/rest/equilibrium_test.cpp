@@ -121,6 +121,18 @@ TEST(Equilibrium, AColumnThatCannotStandIsRefused)
   for (const Point& p : points) EXPECT_LT(p.x[0], 8.01) << "and its places those of the section";
 }
 
+TEST(Equilibrium, AFaceThatRavelsHasACureOfItsOwn)
+{
+  Case c = column("mpm_gp", 0.25);
+  c.bodies[0].polygon = {{0.0, 0.0}, {8.0, 0.0}, {6.0, 2.0}, {0.0, 2.0}};
+  c.materials[0].model = "mohr_coulomb";
+  c.materials[0].parameters = find_material("mohr_coulomb")->complete(std::vector<Real>{2e6, 0.3, 0.0, 30.0});
+  c.initial.stress = InitialStress::equilibrium;
+  Simulation s(c);
+  EXPECT_THAT(
+      seek(s), HasSubstr("material.clay.cohesion = { depth = [[0, \"2 kPa\"], [1, \"2 kPa\"], [1, 0], [50, 0]] }"));
+}
+
 TEST(Equilibrium, SoilThatSlidesAsDrawnIsToldApartFromASearchThatEndsTooSoon)
 {
   Case c = column("mpm_gp", 0.25);
