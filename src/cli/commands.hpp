@@ -84,7 +84,7 @@ struct ImportCommand {
   double depth = 0.0;           ///< of the base of a profile below its lowest ground [m]; 0: the usual one
   std::string soil_defaults;    ///< CSV file; empty: the table of the program
   bool no_film = false;         ///< no film at the top of aquifers
-  bool is_held = false;         ///< the section cannot stand: hold it until it is at rest
+  bool is_held = false;         ///< the section cannot stand: hold it while the river rises
   std::optional<double> river;  ///< level of the river [m]; none: that of the file
   std::string trigger;          ///< "strength", "strength=1.2", "water", "water=12.5"; empty: none
   bool print_defaults = false;

@@ -21,7 +21,7 @@ struct FolderOptions {
   StixBasis basis = StixBasis::deterministic;
   std::vector<SoilKind> kinds;  ///< soil defaults
   bool has_films = true;        ///< at the top of aquifers (film.hpp)
-  bool is_held = false;         ///< the soil is held until it is at rest: for a section that cannot stand
+  bool is_held = false;         ///< the soil is held while the river rises: for a section that cannot stand
   FolderTrigger trigger = {};
   std::optional<Real> river = {};  ///< level of the river [m]; none: that of the file
 };

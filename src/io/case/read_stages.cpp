@@ -110,13 +110,13 @@ void doubt_undrained_rise(
   }
 }
 
-/// Soil begins with the strengths of the first stage: its ramp has none to come from.
+/// Soil begins with the strength of the first stage: over a ramp it could not grow weaker there.
 void check_first_strength(const Case& values, const Case& first, std::vector<Problem>& problems)
 {
-  if (!(values.stages[0].ramp > 0.0) || first.at_strength == values.at_strength) return;
-  problems.push_back({"stage[0].set", "the strength cannot change over the ramp of the first stage",
-      fmt::format("Got at_strength = {:g} and ramp = {:g} s: soil begins with one strength. Give at_strength = {:g} at "
-                  "the top of the\ncase, where it acts from t = 0 on, or in a stage after this one.",
+  if (!(values.stages[0].ramp > 0.0) || first.at_strength <= values.at_strength) return;
+  problems.push_back({"stage[0].set", "soil cannot grow weaker over the ramp of the first stage",
+      fmt::format("Got at_strength = {:g} and ramp = {:g} s: soil begins with the strength of the first stage. Give "
+                  "at_strength = {:g} in\na stage after this one; to begin with it, at the top of the case.",
           first.at_strength, values.stages[0].ramp, first.at_strength),
       "at_strength", true, {"stage[0].ramp"}});
 }
