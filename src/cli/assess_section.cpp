@@ -419,7 +419,7 @@ class Assessment {
     return true;
   }
 
-  /// A section that does not stand by itself is held until it is at rest. False: it was, or is no file of D-Stability.
+  /// A section that does not stand by itself is held at first. False: it was, or is no file of D-Stability.
   bool hold(const std::string& fault)
   {
     if (record_.is_held || !is_stix(section_.file)) return false;
@@ -428,7 +428,7 @@ class Assessment {
           fault +
           "\n  The case was changed by hand, so it is not imported anew with held soil. Write the stages for "
           "that yourself (docs/dstability.md, \"Soil that cannot stand\"), or import it anew: --force.");
-    say("it does not stand by itself: held until it is at rest\n");
+    say("it does not stand by itself: held at first\n");
     record_.is_held = true;
     add_trigger();
     return true;

@@ -53,7 +53,7 @@ void declare_import(CLI::App& app, ImportCommand& command)
   import->add_flag("--force", command.force, "replace the case that is in the folder");
   add_stage_options(import, command, "of the list, from 1");
   import->add_flag("--held", command.is_held,
-      "strengths are doubled until the soil is at rest: for a\nsection that cannot stand (docs/dstability.md)");
+      "strengths are doubled while the river rises: for a\nsection that cannot stand (docs/dstability.md)");
   add_option(import, "--unit U", command.unit, "of a drawing: m, dm, cm, mm, ft, in\n(default: that of its header)");
   add_option(import, "--layers A,B", command.layers,
       "of a drawing: those alone; of a table of several\nprofiles: the one of that name");

@@ -85,7 +85,7 @@ struct ImportCommand {
   std::string soil_defaults;            ///< CSV file; empty: the table of the program
   bool no_film = false;                 ///< no film at the top of aquifers
   std::optional<double> face_cohesion;  ///< of cohesionless faces [kPa]; none: the usual one
-  bool is_held = false;                 ///< the section cannot stand: hold it until it is at rest
+  bool is_held = false;                 ///< the section cannot stand: hold it while the river rises
   std::optional<double> river;          ///< level of the river [m]; none: that of the file
   std::string trigger;                  ///< "strength", "strength=1.2", "water", "water=12.5"; empty: none
   bool print_defaults = false;

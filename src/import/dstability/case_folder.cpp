@@ -86,8 +86,7 @@ class FolderMaker {
       text_.after.push_back(std::move(table));
     CaseFolder folder;
     const std::string written = text_of(text_);
-    folder.files.push_back({"case.toml", written});
-    folder.files.push_back({record, written});
+    folder.files = {{"case.toml", written}, {record, written}};
     for (auto& file : files_) folder.files.push_back(std::move(file));
     folder.files.push_back({"report.md", printable(report())});
     folder.notes = notes_;
@@ -364,9 +363,10 @@ class FolderMaker {
         .water = situation_,
         .sets = stage_sets_,
         .is_held = options_.is_held,
+        .has_flood = std::ranges::find(text_.after, "[flood]", &CaseTableText::header) != text_.after.end(),
         .trigger = trigger_};
-    if (options_.is_held) doubts_.push_back(held_sentence());
-    const std::vector<CaseTableText> stages = stage_tables(plan);
+    if (plan.is_held) doubts_.push_back(held_sentence());
+    const auto stages = stage_tables(plan);
     text_.before.push_back(time_table(stages.empty()));
     text_.after.insert(text_.after.end(), stages.begin(), stages.end());
     if (const auto before = earlier_ground(

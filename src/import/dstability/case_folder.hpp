@@ -22,7 +22,7 @@ struct FolderOptions {
   std::vector<SoilKind> kinds;  ///< soil defaults
   bool has_films = true;        ///< at the top of aquifers (film.hpp)
   Real face_cohesion = 2e3;     ///< of soil with less, above the inner toe, in its outer metre [Pa]; 0: none
-  bool is_held = false;         ///< the soil is held until it is at rest: for a section that cannot stand
+  bool is_held = false;         ///< the soil is held while the river rises: for a section that cannot stand
   FolderTrigger trigger = {};
   std::optional<Real> river = {};  ///< level of the river [m]; none: that of the file
 };

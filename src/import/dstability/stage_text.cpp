@@ -1,6 +1,7 @@
-// A case gets stages only if it has an earlier stage, a trigger, or soil that is held at first. What holds the soil is
-// the stage before the analysed one, and the analysed one gives the strengths back. Where an earlier stage exists it
-// comes to rest with strong damping. The next one then has weak damping, and its displacements count from zero.
+// A case gets stages only if it has an earlier stage, a trigger, or soil that is held at first. An earlier stage comes
+// to rest with strong damping. The next one then has weak damping, and its displacements count from zero. Soil that is
+// held has the water and loads of the analysed stage before it is released: what slides then slides in the water whose
+// strengths it has.
 
 #include "import/dstability/stage_text.hpp"
 
@@ -26,31 +27,43 @@ void add_sets(const std::vector<std::string>& sets, CaseTableText& stage)
   if (!sets.empty()) stage.lines.push_back({"set", fmt::format("{{ {} }}", fmt::join(sets, ", ")), ""});
 }
 
-/// The search for equilibrium then takes soil without any limit to its strength (docs/stability.md).
-void hold(CaseTableText& stage)
-{
-  stage.comment += (stage.comment.empty() ? "" : ". ") +
-                   std::string("The soil would not stand: its strengths are doubled until the next stage begins");
-  const std::string held = "at_strength = 0.5";
-  for (CaseLine& line : stage.lines)
-    if (line.key == "set") return void(line.value.insert(line.value.size() - 2, ", " + held));
-  add_sets({held}, stage);
-}
-
 CaseTableText analysed_stage(const StagePlan& plan, const std::string& name)
 {
   CaseTableText stage = stage_until_rest(name, fmt::format("Stage {} of the file", in_quotes(plan.analysed)), "30.0");
-  const std::vector<std::string> released{"at_strength = 1.0"};
-  if (plan.first.empty()) {
-    if (plan.is_held) add_sets(released, stage);
-    return stage;
-  }
+  if (plan.first.empty()) return stage;
   stage.lines.insert(stage.lines.begin() + 1, ramp());
   if (!plan.water.empty()) stage.lines.insert(stage.lines.begin() + 1, {"water", in_quotes(plan.water), ""});
   std::vector<std::string> sets{"\"forces.damping.local\" = 0.05"};
   sets.insert(sets.end(), plan.sets.begin(), plan.sets.end());
-  if (plan.is_held) sets.insert(sets.end(), released.begin(), released.end());
   add_sets(sets, stage);
+  stage.lines.push_back({"reset_displacement", "true", ""});
+  return stage;
+}
+
+/// The search for equilibrium takes soil that is held without any limit to its strength (docs/stability.md).
+CaseTableText rise_stage(const StagePlan& plan, const std::string& name)
+{
+  CaseTableText stage{"[[stage]]",
+      fmt::format("Water and loads of stage {} of the file. The soil would not stand: its strengths are doubled",
+          in_quotes(plan.analysed)),
+      {{"name", in_quotes(name), ""}}};
+  if (!plan.water.empty()) stage.lines.push_back({"water", in_quotes(plan.water), ""});
+  if (!plan.first.empty()) stage.lines.push_back({"ramp", "8.0", "s"});
+  stage.lines.push_back({"duration", "12.0", "s"});
+  std::vector<std::string> sets{"\"forces.damping.local\" = 0.5", "at_strength = 0.5"};
+  sets.insert(sets.end(), plan.sets.begin(), plan.sets.end());
+  add_sets(sets, stage);
+  return stage;
+}
+
+CaseTableText release_stage(const StagePlan& plan, const std::string& name)
+{
+  const bool ends_with_verdict = plan.has_flood && plan.trigger.name.empty();
+  CaseTableText stage{"[[stage]]",
+      "Strengths go from twice those of the file to those of the file. at_strength where it fails is its factor",
+      {{"name", in_quotes(name), ""}, {"ramp", "12.0", "s"},
+          {"until", ends_with_verdict ? "\"verdict\"" : "\"at_rest\"", ""}, {"at_most", "42.0", "s"}}};
+  add_sets({"\"forces.damping.local\" = 0.05", "at_strength = 1.0"}, stage);
   stage.lines.push_back({"reset_displacement", "true", ""});
   return stage;
 }
@@ -79,15 +92,17 @@ std::vector<CaseTableText> stage_tables(const StagePlan& plan)
     for (int k = 2; !used.insert(own).second; ++k) own = fmt::format("{}_{}", name, k);
     return own;
   };
-  if (!plan.first.empty()) {
-    tables.push_back(stage_until_rest(own_name(key_of_name(plan.first, "stage")),
-        fmt::format("Stage {} of the file", in_quotes(plan.first)), "20.0"));
-    add_sets({"\"forces.damping.local\" = 0.5"}, tables.back());
-  } else if (plan.is_held) {
-    tables.push_back(stage_until_rest(own_name("held"), "", "20.0"));
+  if (plan.is_held) {
+    tables.push_back(rise_stage(plan, own_name("rise")));
+    tables.push_back(release_stage(plan, own_name("release")));
+  } else {
+    if (!plan.first.empty()) {
+      tables.push_back(stage_until_rest(own_name(key_of_name(plan.first, "stage")),
+          fmt::format("Stage {} of the file", in_quotes(plan.first)), "20.0"));
+      add_sets({"\"forces.damping.local\" = 0.5"}, tables.back());
+    }
+    tables.push_back(analysed_stage(plan, own_name(key_of_name(plan.analysed, "stage"))));
   }
-  if (plan.is_held) hold(tables.back());
-  tables.push_back(analysed_stage(plan, own_name(key_of_name(plan.analysed, "stage"))));
   if (is_triggered) tables.push_back(trigger_stage(plan.trigger, own_name(plan.trigger.name)));
   return tables;
 }

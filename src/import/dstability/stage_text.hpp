@@ -18,17 +18,19 @@ struct StagePlan {
   std::string first = {}, analysed = {};  ///< labels in the file; first empty: the analysed stage has none before it
   std::string water = {};                 ///< situation of the analysed stage; empty: that of the start
   std::vector<std::string> sets = {};
-  bool is_held = false;  ///< strengths are doubled until the first stage is at rest: for soil that cannot stand
+  bool is_held = false;    ///< strengths are doubled while the river rises: for soil that cannot stand
+  bool has_flood = false;  ///< the case asks for a verdict on the water
   TriggerStage trigger = {};
 };
 
 inline Sentence held_sentence()
 {
   return {
-      "The soil is held until it is at rest: strengths are doubled, then taken back to those of the file. It would "
-      "not stand otherwise.",
-      "De grond wordt vastgehouden tot hij in rust is: sterktes zijn verdubbeld en dan weer die van het bestand. "
-      "Anders zou hij niet blijven staan."};
+      "The soil is held at first: its strengths are doubled while the river rises, and go back to those of the file "
+      "within 12 s after it. It would not stand otherwise.",
+      "De grond wordt eerst vastgehouden: zijn sterktes zijn verdubbeld terwijl de rivier stijgt, en gaan daarna in 12 "
+      "s "
+      "terug naar die van het bestand. Anders zou hij niet blijven staan."};
 }
 
 /// In their order; none: the run is one of the analysed stage alone.

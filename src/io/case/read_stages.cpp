@@ -110,6 +110,17 @@ void doubt_undrained_rise(
   }
 }
 
+/// Soil begins with the strength of the first stage: over a ramp it could not grow weaker there.
+void check_first_strength(const Case& values, const Case& first, std::vector<Problem>& problems)
+{
+  if (!(values.stages[0].ramp > 0.0) || first.at_strength <= values.at_strength) return;
+  problems.push_back({"stage[0].set", "soil cannot grow weaker over the ramp of the first stage",
+      fmt::format("Got at_strength = {:g} and ramp = {:g} s: soil begins with the strength of the first stage. Give "
+                  "at_strength = {:g} in\na stage after this one; to begin with it, at the top of the case.",
+          first.at_strength, values.stages[0].ramp, first.at_strength),
+      "at_strength", true, {"stage[0].ramp"}});
+}
+
 void set_values(const std::string& path, const Node& set, Node& root, std::vector<Problem>& problems)
 {
   const Node values = set;  // the list of stages is a part of the tree that changes
@@ -172,6 +183,7 @@ void read_stages(const Document& document, Case& values, std::vector<Problem>& w
       now.initial = values.initial;  // of the run, whatever water a stage brings
       check_case(changed.root, now, findings);
       check_fields_of_laws(values, now, findings.problems);
+      if (k == 0) check_first_strength(values, now, findings.problems);
       check_libraries_of_stage(values, now, findings.problems);
       doubt_undrained_rise(values, k, k == 0 ? values : *values.stages[k - 1].changed, now, findings.warnings);
       check_first_calls(k == 0 ? values : *values.stages[k - 1].changed, now, k, findings.problems);

@@ -118,8 +118,8 @@ std::vector<KeyInfo> stage_keys()
           .unit = "s",
           .range = not_negative,
           .meaning =
-              "time over which gravity, loads and water go from their values in the stage before to the new ones, "
-              "linearly; all else changes at once"},
+              "time over which gravity, loads, water and, by at_strength, strengths go from their values in the stage "
+              "before to the new ones, linearly; all else changes at once"},
       {.path = "stage[].water",
           .field = [](Case& c, std::size_t i) { return &c.stages[i].water; },
           .meaning = "name of the [[water.situation]] that the water goes to over `ramp`; \"start\": that of [water]. "

@@ -294,8 +294,8 @@ std::string words_of(Hint hint, const ReachSection& section, bool dutch)
                  : dutch             ? ": het oordeel kan veranderen"
                                      : ": the verdict may change");
     case Hint::held:
-      return dutch ? "vastgehouden tot rust: de grond staat niet uit zichzelf"
-                   : "held until it was at rest: the soil does not stand by itself";
+      return dutch ? "eerst vastgehouden: de grond staat niet uit zichzelf"
+                   : "held at first: the soil does not stand by itself";
     case Hint::stored_below:
       return fmt::format(fmt::runtime(dutch ? "blijft staan, maar een opgeslagen factor is {}, kleiner dan 1"
                                             : "stands, but a stored factor is {}, below 1"),

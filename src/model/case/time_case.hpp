@@ -33,12 +33,12 @@ struct StageCase {
   std::string name;
   Real duration = 0.0;  ///< [s]
   Until until = Until::end;
-  Real at_most = 0.0;                                        ///< of one that may end before [s]
-  Real ramp = 0.0;                                           ///< over which gravity, loads and water change [s]
-  std::string water;                                         ///< situation that the water goes to; empty: it stays
-  std::vector<std::string> place, remove;                    ///< names of bodies
-  bool reset_displacement = false;                           ///< displacement and strain are zero at its start
-  bool trigger = false;                                      ///< it makes the section fail: FloodTrigger
+  Real at_most = 0.0;                      ///< of one that may end before [s]
+  Real ramp = 0.0;                         ///< over which gravity, loads, water, at_strength change [s]
+  std::string water;                       ///< situation that the water goes to; empty: it stays
+  std::vector<std::string> place, remove;  ///< names of bodies
+  bool reset_displacement = false;         ///< displacement and strain are zero at its start
+  bool trigger = false;                    ///< it makes the section fail: FloodTrigger
   std::vector<std::pair<std::string, std::string>> changes;  ///< keys and their values as TOML, as written
   std::shared_ptr<const Case> changed = nullptr;  ///< the case with the changes of this stage and all before it
 

@@ -20,17 +20,6 @@ namespace {
 
 constexpr Real degree = std::numbers::pi / 180.0;
 
-Real reduced(Reduction reduction, Real value, Real factor)
-{
-  switch (reduction) {
-    case Reduction::none:
-    case Reduction::zero: return value;
-    case Reduction::divide: return value / factor;
-    case Reduction::divide_tangent: return std::atan(std::tan(value * degree) / factor) / degree;
-  }
-  return value;
-}
-
 /// A parameter that was left out and has the value, or the field, of another strength: a residual strength of soil that
 /// does not soften.
 bool is_another(const MaterialType& law, const MaterialCase& material, std::size_t k)

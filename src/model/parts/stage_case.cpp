@@ -87,6 +87,7 @@ void set_ramp(const Case& whole, std::size_t number, Model& model)
   model.ramp.duration = ramps ? whole.stages[number].ramp : 0.0;
   model.gravity = now.forces.gravity;
   model.gravity_before = before.forces.gravity;
+  model.at_strength_before = number == 0 ? 1.0 : before.at_strength / now.at_strength;
   LoadsModel loads{make_loads(now, before), now.forces.body.at};
   if (!loads.all.empty() || loads.body_force) model.with.loads = std::make_shared<const LoadsModel>(std::move(loads));
   model.stage.water = water_of_stage(whole, number);

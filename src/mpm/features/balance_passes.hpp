@@ -71,7 +71,8 @@ inline void accelerate_for_balance(const StepModel& model, const StepState& stat
   Vec<2> v;
   for (int d = 0; d < 2; ++d) v[d] = node.v[d] + force[d] / node.mass * model.dt;
   const Boundary& boundary = model.with.sides->boundary;
-  if (boundary.at(i) != nullptr) boundary.constrain(i, node.mass, model.dt, v);
+  if (boundary.at(i) != nullptr)
+    boundary.constrain(i, node.mass, {model.dt, model.at_strength(model.time_of(state.step + 1))}, v);
   if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.with.footings->placed[k].hold(v);
   for (int d = 0; d < 2; ++d) node.acceleration[d] = (v[d] - node.v[d]) / model.dt;
 }

@@ -116,22 +116,23 @@ void shorten(Real by, Vec<2>& value)
 
 /// Impulses of a contact plane on a node: normal, then tangential up to adhesion, and friction under the push of the
 /// trial velocity.
-void apply_contact(const NodeSide& side, Real mass, Real dt, Vec<2> trial, Vec<2>& v)
+void apply_contact(const NodeSide& side, Real mass, SideStep step, Vec<2> trial, Vec<2>& v)
 {
   const Real v_n = dot(v, side.normal);
   for (int d = 0; d < 2; ++d) v[d] -= v_n * side.normal[d];
-  shorten(side.action.strength(side, mass * dot(trial, side.normal) / dt) * dt / mass, v);
+  const Real strength = side.action.strength(side, mass * dot(trial, side.normal) / step.dt) / step.at_strength;
+  shorten(strength * step.dt / mass, v);
 }
 
 /// Strength along the acting contact planes that their reaction in step 2 left unused [N per m].
-Real unused_strength(const NodeCondition& c, Acting acts, Vec<2> reaction)
+Real unused_strength(const NodeCondition& c, Acting acts, Vec<2> reaction, Real at_strength)
 {
   Real strength = 0.0, along = 0.0;
   for (int k = 0; k < c.n; ++k) {
     const NodeSide& side = c.sides[k];
     const Real push = -dot(reaction, side.normal);
     if (!acts[k] || !is_contact(side) || (side.action.across == Across::opens && !(push > 0.0))) continue;
-    strength += side.action.strength(side, push);
+    strength += side.action.strength(side, push) / at_strength;
     along = std::hypot(reaction[0] + push * side.normal[0], reaction[1] + push * side.normal[1]);
   }
   return std::max(strength - along, 0.0);
@@ -229,14 +230,14 @@ Vec<2> Boundary::free_velocity(Index node, Vec<2> v, Vec<2> push) const
   return free_part(node, v, push, [](const NodeSide&, Vec<2>&) {});
 }
 
-Vec<2> Boundary::free_force(Index node, Vec<2> force) const
+Vec<2> Boundary::free_force(Index node, Vec<2> force, Real at_strength) const
 {
   return free_part(node, force, force, [&](const NodeSide& side, Vec<2>& along) {
-    shorten(side.action.strength(side, dot(force, side.normal)), along);
+    shorten(side.action.strength(side, dot(force, side.normal)) / at_strength, along);
   });
 }
 
-void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
+void Boundary::constrain(Index node, Real mass, SideStep step, Vec<2>& v) const
 {
   const NodeCondition* c = at(node);
   if (c == nullptr) return;
@@ -244,7 +245,7 @@ void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
   const Vec<2> trial = v;
   for (int k = 0; k < c->n; ++k) {
     const NodeSide& side = c->sides[k];
-    if (acts[k] && is_contact(side)) apply_contact(side, mass, dt, trial, v);
+    if (acts[k] && is_contact(side)) apply_contact(side, mass, step, trial, v);
     if (acts[k] && is_smooth(side)) stop_across(side, v);
   }
   if (c->corner && acts[0] && acts[1]) v = c->corner_velocity;
@@ -252,7 +253,8 @@ void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
     if (is_fixed(c->sides[k])) v = c->sides[k].velocity;
 }
 
-void Boundary::clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction, Vec<2>& v, bool across_alone) const
+void Boundary::clamp(
+    Index node, Real mass, SideStep step, Vec<2> v_1, Vec<2> reaction, Vec<2>& v, bool across_alone) const
 {
   const NodeCondition* c = at(node);
   if (c == nullptr) return;
@@ -262,7 +264,7 @@ void Boundary::clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction
   const Acting acts = both_before ? Acting{true, true} : acting_on_velocity(*c, v, before);
   for (int k = 0; k < c->n; ++k)
     if (acts[k] && !is_fixed(c->sides[k])) stop_across(c->sides[k], v);
-  if (!across_alone) shorten(unused_strength(*c, acts, reaction) * dt / mass, v);
+  if (!across_alone) shorten(unused_strength(*c, acts, reaction, step.at_strength) * step.dt / mass, v);
   if (c->corner && acts[0] && acts[1]) v = c->corner_velocity;
   for (int k = 0; k < c->n; ++k)
     if (is_fixed(c->sides[k])) v = c->sides[k].velocity;

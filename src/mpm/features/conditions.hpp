@@ -22,6 +22,12 @@ struct NodeCondition {
 /// The side of a mesh with this name. Throws InputError with the existing names.
 const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name);
 
+/// A step, as sides see it.
+struct SideStep {
+  Real dt;                 ///< its length [s]
+  Real at_strength = 1.0;  ///< adhesion and friction are divided by this [-]
+};
+
 class Boundary {
  public:
   Boundary() = default;
@@ -32,15 +38,16 @@ class Boundary {
   /// a `push` presses.
   Vec<2> free_velocity(Index node, Vec<2> v, Vec<2> push) const;
   /// The part of a node's force [N per m] that its sides do not carry: the same, and along a contact plane only what
-  /// exceeds its adhesion, and its friction under that force (reading R13).
-  Vec<2> free_force(Index node, Vec<2> force) const;
-  /// Corrects the trial velocity v* of a node (step 2 of docs/methods.md). mass [kg per m], dt [s].
-  void constrain(Index node, Real mass, Real dt, Vec<2>& v) const;
-  /// Applies the conditions to the remapped velocity (step 4). mass [kg per m], dt [s]; v_1, reaction: the velocity of
+  /// exceeds its adhesion, and its friction under that force (reading R13). at_strength: they are divided by it.
+  Vec<2> free_force(Index node, Vec<2> force, Real at_strength) const;
+  /// Corrects the trial velocity v* of a node (step 2 of docs/methods.md). mass [kg per m].
+  void constrain(Index node, Real mass, SideStep step, Vec<2>& v) const;
+  /// Applies the conditions to the remapped velocity (step 4). mass [kg per m]; v_1, reaction: the velocity of
   /// step 2 [m/s], and the force of the sides on the node there [N per m]. A separating contact that pushed then stays
   /// closed for the step. A contact acts along itself with the strength that it did not use then, so that a side that
   /// fixes a node does no work (decision 0037); not so with `across_alone`.
-  void clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction, Vec<2>& v, bool across_alone = false) const;
+  void clamp(
+      Index node, Real mass, SideStep step, Vec<2> v_1, Vec<2> reaction, Vec<2>& v, bool across_alone = false) const;
   /// The node's condition, or nullptr.
   const NodeCondition* at(Index node) const
   {

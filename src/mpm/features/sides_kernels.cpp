@@ -34,11 +34,13 @@ void for_each_on_side(const Nodes& nodes, const Boundary& boundary, F&& f)
     if (boundary.at(nodes.number[k]) != nullptr) f(k, nodes.number[k]);
 }
 
+SideStep side_step(const Nodes& nodes) { return {nodes.step.model.dt, nodes.step.context.at_strength}; }
+
 void free_part_sides(Nodes& nodes)
 {
   const Boundary& boundary = nodes.step.model.with.sides->boundary;
   for_each_on_side(nodes, boundary, [&](int k, Index i) {
-    nodes.force[k] = boundary.free_force(i, nodes.out_of_balance[k]);
+    nodes.force[k] = boundary.free_force(i, nodes.out_of_balance[k], nodes.step.context.at_strength);
     nodes.v[k] = boundary.free_velocity(i, nodes.v_0[k], nodes.out_of_balance[k]);
   });
 }
@@ -47,7 +49,7 @@ void constrain(Nodes& nodes)
 {
   const Boundary& boundary = nodes.step.model.with.sides->boundary;
   for_each_on_side(nodes, boundary,
-      [&](int k, Index i) { boundary.constrain(i, nodes.mass[k], nodes.step.model.dt, nodes.v_star[k]); });
+      [&](int k, Index i) { boundary.constrain(i, nodes.mass[k], side_step(nodes), nodes.v_star[k]); });
 }
 
 void clamp(Nodes& nodes)
@@ -56,8 +58,8 @@ void clamp(Nodes& nodes)
   const Boundary& boundary = model.with.sides->boundary;
   const bool across_alone = model.method.remap_contact == RemapContact::across;
   for_each_on_side(nodes, boundary, [&](int k, Index i) {
-    boundary.clamp(
-        i, nodes.mass[k], model.dt, nodes.v_0[k], nodes.step.work.node[i].boundary, nodes.v_star[k], across_alone);
+    boundary.clamp(i, nodes.mass[k], side_step(nodes), nodes.v_0[k], nodes.step.work.node[i].boundary, nodes.v_star[k],
+        across_alone);
   });
 }
 

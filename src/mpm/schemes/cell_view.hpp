@@ -31,6 +31,7 @@ struct SchemeContext {
   int held_row = -1;                   ///< of the points; -1: none is held
   Real time = 0.0;                     ///< at the start of the step [s]
   std::int64_t step = 0;
+  Real at_strength = 1.0;  ///< strengths at the end of the step are those of the laws divided by this [-]
 };
 
 /// One occupied cell.
@@ -173,6 +174,7 @@ inline void update_strip(
   arrays.n = n;
   arrays.n_points = block.n - first;
   arrays.dt = context.dt;
+  arrays.at_strength = context.at_strength;
   alignas(64) Real scale[strip_length];
   if (!material.softening_scale.empty()) {
     std::fill_n(scale, n, material.softening_scale[block.cell]);

@@ -92,6 +92,7 @@ GaussWork update_gauss_points(LayerNow& now)
   arrays.plastic_work = numbers_of(plastic_work);
   arrays.n = arrays.n_points = n;
   arrays.dt = context.dt;
+  arrays.at_strength = context.at_strength;
   PerGauss<Quad4, Pack> scale;
   if (!material.softening_scale.empty()) {
     alignas(64) Real of_cells[pack_width];

@@ -26,6 +26,7 @@ void set_context(StepNow& now)
   now.context.gravity = now.work.gravity;
   now.context.time = now.state.time;
   now.context.step = now.state.step;
+  now.context.at_strength = now.model.at_strength(now.model.time_of(now.state.step + 1));
 }
 
 void accelerate_group(GroupNow& now)

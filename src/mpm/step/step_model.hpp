@@ -24,6 +24,7 @@ struct StepModel {
   MethodOptions method;
   Vec<2> gravity{0.0, 0.0};         ///< [m/s^2]
   Vec<2> gravity_before{0.0, 0.0};  ///< from which the ramp of the stage starts [m/s^2]
+  Real at_strength_before = 1.0;    ///< at which strengths are at its start, over that of the laws [-]
   Damping damping;
   const Scheme* scheme = nullptr;
   StepFunction step = nullptr;                           ///< of the same copy of the kernels as the laws and the scheme
@@ -46,6 +47,12 @@ struct StepModel {
     if (!(share < 1.0)) return gravity;
     return {gravity_before[0] + share * (gravity[0] - gravity_before[0]),
         gravity_before[1] + share * (gravity[1] - gravity_before[1])};
+  }
+  /// Strengths go from those before to those of the laws linearly: 1 / at = (1 - share) / before + share.
+  Real at_strength(Real time) const
+  {
+    const Real share = at_strength_before == 1.0 ? 1.0 : ramp.share_at(time);
+    return share < 1.0 ? at_strength_before / (1.0 + share * (at_strength_before - 1.0)) : 1.0;
   }
 };
 

@@ -45,7 +45,7 @@ void Statics::find_forces(Real held_share)
     all_.insert(all_.end(), force.begin(), force.end());
     if (!held_.empty())
       for (int d = 0; d < 2; ++d) force[d] -= held_share * held_[all_.size() - 2 + static_cast<std::size_t>(d)];
-    if (model_.with.sides->boundary.at(i) != nullptr) force = model_.with.sides->boundary.free_force(i, force);
+    if (model_.with.sides->boundary.at(i) != nullptr) force = model_.with.sides->boundary.free_force(i, force, 1.0);
     forces_.insert(forces_.end(), force.begin(), force.end());
     sum += std::abs(force[0]) + std::abs(force[1]);
     weight += node.mass * (std::abs(work_.gravity[0]) + std::abs(work_.gravity[1]));

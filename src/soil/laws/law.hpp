@@ -13,6 +13,7 @@
 #include "math/pack.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace terp {
 
@@ -56,11 +57,19 @@ class MaterialOf final : public Material {
   {
     std::array<Real*, n_state> state;
     for (std::size_t k = 0; k < n_state; ++k) state[k] = arrays.law.state(k);
-    if (varying_.empty())
-      for (Index p = 0; p < arrays.n; p += pack_width) update_pack(law_, arrays, state, p);
-    else
-      for (Index p = 0; p < arrays.n; p += pack_width)
-        update_pack(Law<Pack>(parameters_of(arrays, p)), arrays, state, p);
+    const bool is_other = arrays.at_strength != 1.0;
+    if (varying_.empty()) {
+      std::optional<Uniform> other;
+      if (is_other) other.emplace(reduced_values(arrays.at_strength));
+      const Uniform& law = is_other ? *other : law_;
+      for (Index p = 0; p < arrays.n; p += pack_width) update_pack(law, arrays, state, p);
+      return;
+    }
+    for (Index p = 0; p < arrays.n; p += pack_width) {
+      std::array<Pack, n_parameters> parameters = parameters_of(arrays, p);
+      if (is_other) reduce_strengths(arrays.at_strength, parameters);
+      update_pack(Law<Pack>(parameters), arrays, state, p);
+    }
   }
 
   void soften(
@@ -174,6 +183,31 @@ class MaterialOf final : public Material {
       parameter = select(in_use, Pack::load(arrays.law.parameters(k) + p), parameter);
     }
     return parameters;
+  }
+
+  std::array<Real, n_parameters> reduced_values(Real factor) const
+  {
+    std::array<Real, n_parameters> values;
+    for (std::size_t k = 0; k < n_parameters; ++k)
+      values[k] = reduced(Uniform::parameters[k].reduction, values_[k], factor);
+    return values;
+  }
+
+  /// Each lane by itself; most have the value of the one before.
+  static void reduce_strengths(Real factor, std::array<Pack, n_parameters>& parameters)
+  {
+    for (std::size_t k = 0; k < n_parameters; ++k) {
+      const Reduction reduction = Uniform::parameters[k].reduction;
+      if (!is_strength(reduction)) continue;
+      alignas(64) Real lanes[pack_width];
+      parameters[k].store(lanes);
+      Real value = lanes[0], other = reduced(reduction, value, factor);
+      for (Real& lane : lanes) {
+        if (lane != value) value = lane, other = reduced(reduction, value, factor);
+        lane = other;
+      }
+      parameters[k] = Pack::load(lanes);
+    }
   }
 
   /// The law with the parameters of one point.

@@ -3,6 +3,7 @@
 #include "os/instructions.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #define TERP_KERNEL_SET(set) extern "C" const terp::MaterialList* terp_materials_##set();
 TERP_KERNEL_SETS
@@ -27,6 +28,18 @@ const MaterialType* find_material(std::string_view name)
   for (const MaterialType* type : all_materials())
     if (type->name == name) return type;
   return nullptr;
+}
+
+Real reduced(Reduction reduction, Real value, Real factor)
+{
+  constexpr Real degree = std::numbers::pi / 180.0;
+  switch (reduction) {
+    case Reduction::none:
+    case Reduction::zero: return value;
+    case Reduction::divide: return value / factor;
+    case Reduction::divide_tangent: return std::atan(std::tan(value * degree) / factor) / degree;
+  }
+  return value;
 }
 
 std::vector<Real> MaterialType::complete(std::span<const Real> given) const

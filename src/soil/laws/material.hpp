@@ -36,6 +36,8 @@ constexpr Range between(Real low, Real high) { return {low, high, false, false};
 /// 0 at any F, of strength that only fast shearing gives: a slope that stands is at rest.
 enum class Reduction { none, divide, divide_tangent, zero };
 constexpr bool is_strength(Reduction r) { return r == Reduction::divide || r == Reduction::divide_tangent; }
+/// A strength at a factor; other parameters as they are.
+Real reduced(Reduction reduction, Real value, Real factor);
 
 /// Another way to give a parameter: by its ratio to another one of the law, as su_residual = su_peak / sensitivity.
 struct RatioInfo {
@@ -140,8 +142,9 @@ struct StressArrays {
   const Real* softening_scale = nullptr;      ///< h/t_ref of each entry [-]; of laws that are MaterialType::scaled
   Real* plastic_work;                         ///< out: plastic or viscous work of the step per volume [J/m^3]
   Index n;
-  Index n_points;  ///< of the n entries; those beyond are padding, which has no parameters of its own
-  Real dt;         ///< length of the step [s]
+  Index n_points;          ///< of the n entries; those beyond are padding, which has no parameters of its own
+  Real dt;                 ///< length of the step [s]
+  Real at_strength = 1.0;  ///< strengths are those of the parameters divided by this [-]
   const Surroundings<Dim>* around = nullptr;  ///< of laws that look around
 };
 

@@ -91,7 +91,7 @@ TEST(Reach, ATableHasALinePerSection)
       "seconds\n"
       "dike_1,\"dike \"\"1\"\".stix\",High: High,solved,,floods,after strengths were divided by "
       "1.12,stands,yes,no,0.25,"
-      "held until it was at rest: the soil does not stand by itself,4.00,3.50,-0.50,,2.25,3.00,1.110,0.010,"
+      "held at first: the soil does not stand by itself,4.00,3.50,-0.50,,2.25,3.00,1.110,0.010,"
       "\"Bishop 1.004, Spencer 1.085 (design strengths, other section)\",0.5,4000,60,76\n"
       "b,b.stix,,refused,it is no zip file;   Try.,,,,no,,,,,,,,,,,,,0,0,0,0\n");
 }

@@ -12,13 +12,13 @@ Mesh<2> mesh_3x2() { return make_rectangle({0.0, 0.0}, {3.0, 1.0}, {3, 2}); }
 
 Vec<2> constrained(const Boundary& boundary, Index node, Vec<2> v)
 {
-  boundary.constrain(node, mass, dt, v);
+  boundary.constrain(node, mass, {dt}, v);
   return v;
 }
 
 Vec<2> clamped(const Boundary& boundary, Index node, Vec<2> v, Vec<2> reaction = {0.0, 0.0}, Vec<2> v_1 = {0.0, 0.0})
 {
-  boundary.clamp(node, mass, dt, v_1, reaction, v);
+  boundary.clamp(node, mass, {dt}, v_1, reaction, v);
   return v;
 }
 
@@ -155,7 +155,7 @@ TEST(ContactPlane, ActsOnTheRemappedVelocityWithTheStrengthLeftUnused)
       clamped(boundary, 1, {3.0, 4.0}, {-29.0, -24.0}), near(3.0 - 1.0 * dt / mass));  // pulled at: adhesion alone
   EXPECT_THAT(clamped(boundary, 1, {1e-4, 4.0}, {-12.0, 24.0}), near(0.0));            // it stuck, and stays
   Vec<2> v{1e-4, 4.0};
-  boundary.clamp(1, mass, dt, {0.0, 0.0}, {-12.0, 24.0}, v, true);
+  boundary.clamp(1, mass, {dt}, {0.0, 0.0}, {-12.0, 24.0}, v, true);
   EXPECT_THAT(v, ElementsAre(1e-4, 0.0));  // across alone
 }
 
@@ -168,16 +168,16 @@ TEST(ContactPlane, ASeparatingOneThatDidNotPushHoldsNothing)
 TEST(FreePart, LeavesOutWhatTheSidesCarry)
 {
   const Boundary boundary(inclined_mesh(), {on("base", SideKind::contact_bilateral)});
-  const Vec<2> weight{0.0, -10.0}, left = boundary.free_force(2, weight);  // node 2: only the edge of slope 1 : 2
+  const Vec<2> weight{0.0, -10.0}, left = boundary.free_force(2, weight, 1.0);  // node 2: only the edge of slope 1 : 2
   EXPECT_THAT(left, ElementsAre(DoubleNear(-4.0, 1e-14), DoubleNear(-2.0, 1e-14)));
-  EXPECT_THAT(boundary.free_force(4, weight), ElementsAre(0.0, -10.0));
+  EXPECT_THAT(boundary.free_force(4, weight, 1.0), ElementsAre(0.0, -10.0));
 }
 
 TEST(FreePart, IsNothingWhereANodeIsHeldInAllDirections)
 {
   const Boundary fixed(mesh_3x2(), {on("bottom", SideKind::fixed)}),
       corner(mesh_3x2(), {on("bottom", SideKind::roller), on("left", SideKind::roller)});
-  EXPECT_THAT(fixed.free_force(2, {3.0, 4.0}), ElementsAre(0.0, 0.0));
+  EXPECT_THAT(fixed.free_force(2, {3.0, 4.0}, 1.0), ElementsAre(0.0, 0.0));
   EXPECT_THAT(corner.free_velocity(0, {3.0, 4.0}, {3.0, 4.0}), ElementsAre(0.0, 0.0));
 }
 
@@ -191,18 +191,36 @@ TEST(FreePart, IsAllWhereTheSoilPullsOffASeparatingContact)
 TEST(FreePart, OfAForceIsWhatExceedsAdhesionAndFriction)
 {
   const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_bilateral, 30.0, 0.5)});
-  EXPECT_THAT(boundary.free_force(1, {50.0, -24.0}), ElementsAre(DoubleEq(50.0 - 30.0 - 12.0), 0.0));  // 1 m of base
-  EXPECT_THAT(boundary.free_force(1, {-50.0, 24.0}), ElementsAre(DoubleEq(-20.0), 0.0))
+  EXPECT_THAT(
+      boundary.free_force(1, {50.0, -24.0}, 1.0), ElementsAre(DoubleEq(50.0 - 30.0 - 12.0), 0.0));  // 1 m of base
+  EXPECT_THAT(boundary.free_force(1, {-50.0, 24.0}, 1.0), ElementsAre(DoubleEq(-20.0), 0.0))
       << "a pull is not met with friction";
-  EXPECT_THAT(boundary.free_force(1, {41.0, -24.0}), ElementsAre(0.0, 0.0)) << "all is carried";
+  EXPECT_THAT(boundary.free_force(1, {41.0, -24.0}, 1.0), ElementsAre(0.0, 0.0)) << "all is carried";
   EXPECT_THAT(boundary.free_velocity(1, {0.3, -0.2}, {41.0, -24.0}), ElementsAre(0.3, 0.0)) << "a velocity is not";
+}
+
+TEST(Contact, AtAStrengthHasItsAdhesionAndFrictionDividedByIt)
+{
+  const auto sides = [](Real over) {
+    return Boundary(mesh_3x2(), {on("bottom", SideKind::contact_bilateral, 30.0 / over, 0.5 / over)});
+  };
+  const Boundary whole = sides(1.0), half = sides(2.0);
+  EXPECT_EQ(whole.free_force(1, {50.0, -24.0}, 2.0), half.free_force(1, {50.0, -24.0}, 1.0));
+  Vec<2> a{0.3, -0.2}, b = a;
+  whole.constrain(1, mass, {dt, 2.0}, a), half.constrain(1, mass, {dt}, b);
+  EXPECT_EQ(a, b);
+  EXPECT_GT(a[0], 0.0);
+  a = b = {0.3, -0.2};
+  whole.clamp(1, mass, {dt, 2.0}, {}, {-3.0, 24.0}, a), half.clamp(1, mass, {dt}, {}, {-3.0, 24.0}, b);
+  EXPECT_EQ(a, b);
+  EXPECT_GT(a[0], 0.0);
 }
 
 TEST(FreePart, OfAForceIsAllWhereTheSoilLeavesASeparatingContact)
 {
   const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_separating, 30.0)});
-  EXPECT_THAT(boundary.free_force(2, {40.0, 24.0}), ElementsAre(40.0, 24.0));
-  EXPECT_THAT(boundary.free_force(2, {40.0, -24.0}), ElementsAre(DoubleEq(10.0), 0.0));
+  EXPECT_THAT(boundary.free_force(2, {40.0, 24.0}, 1.0), ElementsAre(40.0, 24.0));
+  EXPECT_THAT(boundary.free_force(2, {40.0, -24.0}, 1.0), ElementsAre(DoubleEq(10.0), 0.0));
 }
 
 TEST(Corner, DoesNotDependOnTheOrderOfTheSides)
@@ -292,8 +310,8 @@ TEST(Corner, OfTwoSeparatingBanksHoldsWhatPushesOnBothAndLetsGoWhatLeavesOne)
     const Vec<2> pushed_off =
         constrained(boundary, 1, {1.0, -1.6});  // pushes on both, and the right one turns it off the left one
     EXPECT_THAT(pushed_off, ElementsAre(DoubleNear(0.16, 1e-14), DoubleNear(0.08, 1e-14)));
-    EXPECT_THAT(boundary.free_force(1, {1.0, -20.0}), ElementsAre(0.0, 0.0));
-    EXPECT_THAT(boundary.free_force(1, {3.0, 1.0}), ElementsAre(DoubleNear(2.8, 1e-14), DoubleNear(1.4, 1e-14)));
+    EXPECT_THAT(boundary.free_force(1, {1.0, -20.0}, 1.0), ElementsAre(0.0, 0.0));
+    EXPECT_THAT(boundary.free_force(1, {3.0, 1.0}, 1.0), ElementsAre(DoubleNear(2.8, 1e-14), DoubleNear(1.4, 1e-14)));
   }
 }
 
@@ -345,7 +363,7 @@ TEST(TwoParts, OfAStraightBaseThatAreAlikeAreThatBase)
       EXPECT_EQ(constrained(two, 1, v), constrained(one, 1, v));
       for (const Vec<2> reaction : {Vec<2>{0.0, 0.0}, Vec<2>{900.0, 2e4}, Vec<2>{-1e4, 2e4}})
         EXPECT_EQ(clamped(two, 1, v, reaction), clamped(one, 1, v, reaction));
-      EXPECT_EQ(two.free_force(1, {1e4 * v[0], 1e4 * v[1]}), one.free_force(1, {1e4 * v[0], 1e4 * v[1]}));
+      EXPECT_EQ(two.free_force(1, {1e4 * v[0], 1e4 * v[1]}, 1.0), one.free_force(1, {1e4 * v[0], 1e4 * v[1]}, 1.0));
     }
   }
 }
@@ -378,7 +396,7 @@ TEST(TwoParts, OfWhichOneLetsGoShareThePushAsWell)
     EXPECT_THAT(clamped(boundary, 1, {2.0, -1.5}, {-3000.0, 10000.0}),
         ElementsAre(DoubleNear(2.0 - (3500.0 + 0.3 * 10000.0 - 3000.0) * dt / mass, 1e-14), 0.0));
     EXPECT_THAT(
-        boundary.free_force(1, {9000.0, -10000.0}), ElementsAre(DoubleNear(9000.0 - 3500.0 - 3000.0, 1e-9), 0.0));
+        boundary.free_force(1, {9000.0, -10000.0}, 1.0), ElementsAre(DoubleNear(9000.0 - 3500.0 - 3000.0, 1e-9), 0.0));
   }
 }
 

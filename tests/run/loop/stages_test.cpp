@@ -387,6 +387,42 @@ TEST(Stages, GoOnFromACheckpointWithTheSameBits)
   }
 }
 
+/// At the middle of the ramp strengths are the mean of both: 8 kPa over 1 and over 2 s.
+StageCase weaker()
+{
+  StageCase made = ramped("weaker", 0.3, 0.2);
+  made.changes = {{"at_strength", "2"}};
+  return made;
+}
+constexpr auto halve = [](Case& now) { now.at_strength = 2.0; };
+
+TEST(Stages, LetStrengthsGoOverTheRampLinearly)
+{
+  for (const bool varies : {false, true}) {
+    Case c = column_without_softening("mpm_gp");
+    if (varies) c.materials[0].fields = {{2, [](Vec<2>) { return 8e3; }}, {3, [](Vec<2>) { return 8e3; }}};
+    Simulation s(staged(c, {{stage("whole", 0.3), {}}, {weaker(), halve}}));
+    s.advance_to(0.3);
+    while (s.state.time < 0.58) {
+      s.step(1);
+      const Real share = std::clamp((s.state.time - s.state.stages_done[0].end) / 0.2, 0.0, 1.0);
+      const Real strength = 8e3 * (1.0 - 0.5 * share);
+      Real most = 0.0;
+      for (const Point& p : points_by_id(s.state))
+        most = std::max(most, std::hypot(0.5 * (p.sigma[0] - p.sigma[1]), p.sigma[3]));
+      EXPECT_LE(most, strength * (1.0 + 1e-9)) << s.state.time;
+      EXPECT_GT(most, strength * (1.0 - 1e-3)) << s.state.time;
+    }
+  }
+}
+
+TEST(Stages, WhoseStrengthIsOnItsWayGoOnWithTheSameBitsFromACheckpointAndOnThreads)
+{
+  for (const char* scheme : {"mpm_mixed", "mpm_gp"})
+    expect_same_bits(
+        staged(column(scheme), {{stage("whole", 0.1), {}}, {weaker(), halve}}), {2, 4}, {0.05, 0.1, 0.18, 0.35});
+}
+
 TEST(Stages, ShorterThanAStepAreRefused)
 {
   const Case chain = staged(settling(), {{stage("a", 1.0), {}}, {stage("b", 1e-5), {}}});

@@ -178,6 +178,30 @@ TEST_P(EveryMaterial, GivesTheSameBitsWhenItsParametersComeFromThePoints)
     EXPECT_EQ(from_point.derived(static_cast<int>(k)), uniform.derived(static_cast<int>(k)));
 }
 
+// As in the ramp of a stage: from one step to the next, in all points alike.
+TEST_P(EveryMaterial, AtAStrengthIsTheLawOfReducedParameters)
+{
+  const std::vector<int> varying = all_that_may_vary(type());
+  std::vector<Real> reduced_values = parameters();
+  bool has_strength = false;
+  for (std::size_t k = 0; k < reduced_values.size(); ++k) {
+    const Reduction reduction = type().parameters[k].reduction;
+    has_strength = has_strength || (is_strength(reduction) && reduced_values[k] > 0.0);
+    reduced_values[k] = reduced(reduction, reduced_values[k], 1.6);
+  }
+  Probe uniform = probe(), from_point(type(), parameters(), varying, values_of(varying, parameters()));
+  Probe weak(type(), reduced_values), whole = probe();
+  uniform.at_strength = from_point.at_strength = 1.6;
+  Random random(58);
+  for (int step = 0; step < 50; ++step) {
+    const Stress d_eps = random_tensor(step % 2 ? 0.02 : 0.0005, random);
+    for (Probe* point : {&uniform, &from_point, &weak, &whole}) point->strain(d_eps);
+    ASSERT_EQ(bits_of(uniform), bits_of(weak)) << "step " << step;
+    ASSERT_EQ(bits_of(from_point), bits_of(weak)) << "step " << step;
+  }
+  EXPECT_EQ(bits_of(weak) != bits_of(whole), has_strength);
+}
+
 TEST_P(EveryMaterial, ActsOnEachPointWithItsOwnParameters)  // lanes side by side, of which some may not soften
 {
   const std::vector<int> varying = all_that_may_vary(type());

@@ -24,6 +24,7 @@ class Probe {
   }
 
   Real dt = 1e-3;           ///< length of each step [s]
+  Real at_strength = 1.0;   ///< by which strengths are divided
   Real scale = 1.0;         ///< of softening, h/t_ref; of laws that take one
   Stress sigma{};           ///< [Pa]
   std::vector<Real> state;  ///< in the order of the law's table
@@ -53,7 +54,9 @@ class Probe {
       for (std::size_t s = lanes.n_state; s < lanes.rows.size(); ++s)
         lanes.rows[s][k] = used ? points[k]->own_parameters[s - lanes.n_state] : 0.0;  // as the padding of a block
     }
-    points[0]->law_->update(lanes.arrays(points[0]->dt));
+    StressArrays<2> arrays = lanes.arrays(points[0]->dt);
+    arrays.at_strength = points[0]->at_strength;
+    points[0]->law_->update(arrays);
     for (int k = 0; k < static_cast<int>(d_eps.size()); ++k) {
       for (int c = 0; c < 4; ++c) points[k]->sigma[c] = lanes.sigma[c][k];
       for (std::size_t s = 0; s < lanes.n_state; ++s) points[k]->state[s] = lanes.rows[s][k];
