@@ -277,9 +277,10 @@ class Run:
     @property
     def flood(self):
         """The verdict on the water, as in summary.json: a dictionary with "verdict" ("stands", "damaged",
-        "still_moving" or "floods"; None until the run has ended, unless it floods), "residual_height", "freeboard",
-        "width_at_level" [m], "first_time_below" [s], "stage_moving" (at whose end soil still moved) and
-        others; None without a water level."""
+        "still_moving", "near" or "floods"; None until the run has ended, unless it floods so far), "residual_height",
+        "freeboard", "width_at_level" [m], "first_time_below" [s], "below_for" [s], "below_by" [m],
+        "at_strength_damaged", "at_strength_below", "stage_moving" (at whose end soil still moved) and others; None
+        without a water level."""
         return self.summary.get("flood")
 
     @functools.cached_property

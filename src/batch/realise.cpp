@@ -116,6 +116,8 @@ const OutcomeInfo outcomes[] = {
         of_summary<&Summary::first_slide_time>},
     {{"flood_time", "s", "time of the flood", "first time the ground no longer held the water"},
         [](const Summary& s) { return s.flood ? s.flood->first_time_below.value_or(none) : none; }},
+    {{"near", "-", "near a flood", "1 where the ground was below the water briefly or by little: it counts as F"},
+        [](const Summary& s) { return s.flood && s.flood->verdict == FloodVerdict::near ? 1.0 : 0.0; }},
     {{"still_moves", "-", "still moves", "1 where soil moves so fast at the end that I or F may change"}, nullptr,
         still_moves},
     {{"max_eps_eq_p", "-", "largest eps_eq_p", "at the end"}, of_summary<&Summary::max_eps_eq_p>},
@@ -227,7 +229,8 @@ void read_outcomes(const Simulation& simulation, const EventRule& event, Realisa
         outcome.of_summary != nullptr ? outcome.of_summary(summary) : outcome.of_run(simulation, summary, event));
   r.slid = r.outcomes[outcome_number("slide_volume")] >= event.volume;
   r.judges_flood = summary.flood.has_value();
-  r.flooded = r.judges_flood && summary.flood->verdict == FloodVerdict::floods;
+  r.flooded = r.judges_flood && (summary.flood->verdict == FloodVerdict::floods ||
+                                    summary.flood->verdict == FloodVerdict::near);  // on the safe side
 }
 
 std::optional<Realisation> realise(const Study& study, Index number, const Draw& draw, const std::atomic<bool>& stop)

@@ -104,6 +104,12 @@ std::vector<std::string> remarks_on_realisations(const Study& study, const Study
   };
   if (!adaptive || !of_flood) add_moving(e.n_moving_without_slide, "slide", "P(I)");
   if (!adaptive || of_flood) add_moving(e.n_moving_without_flood, "flood", "P(F)");
+  if (e.n_near > 0)
+    remarks.push_back(
+        fmt::format("{} of the floods {} brief or small: the ground was below the water by little, for less than 2 s, "
+                    "or not to the "
+                    "end. On the safe side {} as F (docs/flood.md).",
+            e.n_near, e.n_near == 1 ? "is" : "are", e.n_near == 1 ? "it counts" : "they count"));
   if (const std::int64_t n = e.counts.flooded - e.counts.flooded_after_slide; n > 0)
     remarks.push_back(
         fmt::format("{} realisation{} flood{} without a slide: ground sinks below the water, and less than {:g} m^2 of "

@@ -54,6 +54,9 @@ void print_summary(const Summary& s, const Model& model, const std::string& fold
     say("  equilibrium      found in {} steps, {} of that time\n", s.search_steps, readable_duration(s.search_s));
   if (s.at_strength != 1.0) say("  strengths        divided by {:g}\n", s.at_strength);
   if (s.flood) say("  water            {}\n                   {}\n", flood_clause(*s.flood) + '.', flood_caution);
+  if (s.flood && s.flood->ravelled_volume.value_or(0.0) > 0.0)
+    say("  ravelled         {:.1f} m^2, from at most {:.1f} m below the ground\n", *s.flood->ravelled_volume,
+        s.flood->ravelled_depth.value_or(0.0));
   say("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("x = {:.2f} m", s.front_x) : "-");
   say("  crest            {}\n", s.crest_x ? fmt::format("x = {:.2f} m", *s.crest_x) : "-");
   say("  second failure   {}\n", optional_number(s.second_failure_time, "s"));

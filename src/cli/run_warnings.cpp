@@ -46,7 +46,7 @@ void warn_of_no_rest(const Summary& s, const Model& model, const std::string& fo
   }
   const bool ends_at_rest = !s.stages.empty() && std::isfinite(s.stages.back().record.fastest);
   const auto& flood = s.flood;
-  if (!flood || !flood->still_moves || flood->verdict == FloodVerdict::floods) return;
+  if (!flood || !flood->still_moves || flood->first_time_below) return;
   if (const bool at_end = flood->moves_at_end(); !at_end || !ends_at_rest)
     say(stderr, "warning: {}: {} {}, so nothing is decided: end {} at rest, or later; see docs/stages.md#at-rest\n",
         folder, moving_when(*flood), motion_words(*flood), at_end ? "the run" : "that stage");
@@ -54,6 +54,11 @@ void warn_of_no_rest(const Summary& s, const Model& model, const std::string& fo
 
 void warn_of_small_margin(const Summary& s, const std::string& folder)
 {
+  if (s.flood && s.flood->verdict == FloodVerdict::near)
+    say(stderr,
+        "warning: {}: the ground was below the water by little, for less than 2 s, or not to the end: finer cells may "
+        "decide; see docs/flood.md#the-verdict\n",
+        folder);
   if (s.flood && s.flood->margin)
     say(stderr,
         "warning: {}: the ground that remains is only {:.2f} m higher than holds the water: finer cells may "

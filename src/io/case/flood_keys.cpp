@@ -33,6 +33,13 @@ std::vector<KeyInfo> flood_keys()
           .range = positive,
           .usual = {1e-4, 1.0},
           .meaning = "plastic strain eps_eq_p below which soil counts as intact"},
+      {.path = "flood.least_depth",
+          .field = [](Case& c, std::size_t) { return &c.flood.least_depth; },
+          .unit = "m",
+          .range = not_negative,
+          .usual = {0.1, 5.0},
+          .meaning = "depth below the first ground from below which soil must come to be a slide or damage; what moves "
+                     "above it ravels"},
       {.path = "flood.river",
           .field = [](Case& c, std::size_t) { return word_field(c.flood.river); },
           .words = river_words,

@@ -86,11 +86,14 @@ void each(FloodSummary& flood, F&& f)
   f("residual_height", flood.residual_height), f("freeboard", flood.freeboard);
   f("width_at_level", flood.width_at_level), f("intact_width", flood.intact_width);
   f("first_time_damaged", flood.first_time_damaged), f("first_time_below", flood.first_time_below);
+  f("below_for", flood.below_for), f("below_by", flood.below_by);
+  f("at_strength_damaged", flood.at_strength_damaged), f("at_strength_below", flood.at_strength_below);
   f("stage_damaged", flood.stage_damaged), f("stage_below", flood.stage_below), f("stage", flood.stage);
   f("fastest_node", flood.fastest_node), f("fastest_x", flood.fastest_x), f("fastest_y", flood.fastest_y);
   f("fastest_soil", flood.fastest_soil), f("still_moves", flood.still_moves);
   f("stage_moving", flood.stage_moving);
-  f("margin", flood.margin);
+  f("margin", flood.margin), f("ravelled_volume", flood.ravelled_volume);
+  f("ravelled_depth", flood.ravelled_depth);
   f("criterion", flood.criterion), f("trigger", flood.trigger);
 }
 

@@ -199,6 +199,7 @@ struct FloodCase {
   Real smallest_freeboard = 0.0;                              ///< height over the water level that must remain [m]
   Real smallest_width = 0.0;  ///< width of the ground at the water level that must remain [m]
   Real intact_below = 0.01;   ///< eps_eq_p below which soil counts as intact [-]
+  Real least_depth = 0.0;     ///< below the first ground; what moved from above it is neither slide nor damage [m]
   RiverSide river = RiverSide::deduced;
 
   bool asks() const { return given || water_level == water_level; }

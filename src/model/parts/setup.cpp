@@ -158,6 +158,16 @@ void check_velocities(const Case& c, const Mesh<2>& mesh)
   }
 }
 
+void check_least_depth(const FloodCase& flood, const Mesh<2>& mesh)
+{
+  const auto [low, high] = std::ranges::minmax(mesh.nodes, {}, [](const Vec<2>& x) { return x[1]; });
+  if (flood.least_depth < high[1] - low[1]) return;
+  throw InputError(Problem{"flood.least_depth", "the least depth is deeper than the section",
+      fmt::format("Got {:g} m; the mesh is {:g} m high. No soil could slide. Give less, 0.5 to 2 m for a dike.",
+          flood.least_depth, high[1] - low[1]),
+      "flood.least_depth", false, {"mesh"}});
+}
+
 std::shared_ptr<const FootingsModel> make_footings(const Case& c)
 {
   FootingsModel footings;
@@ -319,6 +329,7 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
   model.materials = make_materials(description, whole);
   model.method = description.method;
   check_velocities(description, *model.mesh);
+  if (description.flood.asks()) check_least_depth(description.flood, *model.mesh);
   model.with.sides = std::make_shared<const SidesModel>(
       SidesModel{Boundary(*model.mesh, description.sides), make_open_sides(description, *model.mesh)});
   model.with.footings = make_footings(description);

@@ -42,6 +42,8 @@ class Follower {
   /// In a stage that ends with the verdict, as often as its soil is looked at for rest (RestMarks): whether what this
   /// follower asks is known, and nothing more comes. is_first: what was seen at looks before counts no more.
   virtual bool is_answered(const Model&, const State&, bool /*is_first*/) { return false; }
+  /// In such a stage: whether time alone still decides it, so that soil at rest is no end.
+  virtual bool waits(const State&) const { return false; }
   /// At each frame.
   virtual void frame(const Model&, const State&) {}
   /// What the summary says of it.

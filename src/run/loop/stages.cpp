@@ -65,7 +65,8 @@ bool rests_or_is_known(const RestRule& rest, const Model& model, State& state)
   bool known = rests_by_mean(rest, look, ground_of(model), state);
   state.rest_marks.rests = known;
   for (const ActiveFollower& active : state.followers) known |= active.follower->is_answered(model, state, look == 0);
-  return known;
+  const auto waits = [&](const ActiveFollower& active) { return active.follower->waits(state); };
+  return known && std::ranges::none_of(state.followers, waits);
 }
 
 /// Displacement and strain are counted from now on.
@@ -133,6 +134,14 @@ bool is_decided_later(const Case& c, std::size_t number)
   const StageCase& next = c.stages[number + 1];
   return (next.water.empty() || next.water == water) && next.changes.empty() && next.place.empty() &&
          next.remove.empty();
+}
+
+bool holds_soil(const Case& c, std::size_t number)
+{
+  if (number >= c.stages.size()) return false;
+  const Real held = c.stages[number].changed->at_strength;
+  return held < 1.0 && std::any_of(c.stages.begin() + static_cast<std::ptrdiff_t>(number) + 1, c.stages.end(),
+                           [&](const StageCase& later) { return later.changed->at_strength > held; });
 }
 
 void watch_rest(const Model& model, const Workspace& work, State& state)

@@ -21,6 +21,9 @@ bool has_ended(const Model& model, const State& state);
 /// same soil, water and loads. Then it decides nothing that soil still moves at its end.
 bool is_decided_later(const Case& c, std::size_t stage);
 
+/// Whether a stage has more strength than the case gives, for a later one to take it away.
+bool holds_soil(const Case& c, std::size_t stage);
+
 /// After a step: counts how long the soil has been at rest.
 void watch_rest(const Model& model, const Workspace& work, State& state);
 

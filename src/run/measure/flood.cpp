@@ -3,6 +3,7 @@
 
 #include "run/measure/crest.hpp"
 #include "run/measure/followers.hpp"
+#include "run/measure/moved_depth.hpp"
 #include "run/measure/settled_ground.hpp"
 #include "model/water/free_water.hpp"
 #include "model/ground/ground_section.hpp"
@@ -24,6 +25,7 @@ namespace {
 constexpr Real never = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real round_off = 1e-9;   // of heights and widths [m]
 constexpr Real slid_share = 0.05;  // of the square of the relief: a small slide of a toe or a berm
+constexpr Real flood_time = 2.0;   // for which ground must stay below the level; a dip is shorter [s]
 
 std::optional<Real> known(Real value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
@@ -58,7 +60,8 @@ bool is_judged_alike(const Model& a, const Model& b)
   const FloodCase &of_a = a.description.flood, &of_b = b.description.flood;
   return a.flood_level.is_known() && a.flood_level.value == b.flood_level.value &&
          a.flood_level.river == b.flood_level.river && of_a.smallest_freeboard == of_b.smallest_freeboard &&
-         of_a.smallest_width == of_b.smallest_width && of_a.intact_below == of_b.intact_below;
+         of_a.smallest_width == of_b.smallest_width && of_a.intact_below == of_b.intact_below &&
+         of_a.least_depth == of_b.least_depth;
 }
 
 /// Level of the river in the water of a stage [m]; none: the stage has no water of its own, or none of lines.
@@ -84,6 +87,41 @@ std::optional<std::size_t> trigger_stage(const Case& c, std::size_t now)
   return first;
 }
 
+/// at_strength at a time, if that lies in a stage over whose ramp it changes.
+std::optional<Real> at_strength_at(
+    const Case& c, const std::vector<StageSummary>& stages, const std::optional<Real>& time)
+{
+  const std::string name = stage_at(stages, time);
+  const auto stage = std::ranges::find(c.stages, name, &StageCase::name);
+  const auto summary = std::ranges::find(stages, name, &StageSummary::name);
+  if (name.empty() || stage == c.stages.end() || stage == c.stages.begin() || !(stage->ramp > 0.0)) return std::nullopt;
+  const Real before = (stage - 1)->changed->at_strength, now = stage->changed->at_strength;
+  if (before == now) return std::nullopt;
+  const Real share = Ramp{summary->record.start, stage->ramp}.share_at(*time);
+  return 1.0 / ((1.0 - share) / before + share / now);
+}
+
+/// The ground below the level, so far or for the last time.
+struct TimeBelow {
+  bool lasts = false;               ///< in the last row, too
+  Real since = never, until = 0.0;  ///< [s]
+  Real by = 0.0;                    ///< at most [m]
+  bool narrow = false;              ///< in the last row it was too narrow, whatever its height
+
+  void enter(const Barrier& barrier, const FloodCase& flood, Real river, Real time)
+  {
+    const Real depth = river + flood.smallest_freeboard - barrier.height;
+    narrow = barrier.width < flood.smallest_width - round_off;
+    const bool is_below = narrow || depth > round_off;
+    if (is_below && !lasts) since = time, by = 0.0;
+    if (is_below) until = time, by = std::max(by, depth);
+    lasts = is_below;
+  }
+  /// As long as the time alone decides whether it is a dip.
+  bool is_short() const { return lasts && until - since < flood_time - round_off; }
+  bool floods(Real tolerance) const { return lasts && !is_short() && (narrow || by >= tolerance); }
+};
+
 /// Where soil moves fastest.
 struct FastSoil {
   Index stage = -1;                          ///< at the end of which that was; -1: of none
@@ -91,10 +129,10 @@ struct FastSoil {
   Index material = 0;
 };
 
-/// What makes the section fail so far. times: from which on it is damaged and floods; NaN: it does not [s]. moving: a
-/// stage at the end of which soil moved; -1: none.
-std::optional<FloodTrigger> trigger_of(
-    const Case& c, const State& state, std::optional<Facing> river, const std::array<Real, 2>& times, Index moving)
+/// What makes the section fail so far. times: from which on it is damaged and below the level; NaN: it is not [s].
+/// flooded: by stage that has ended, whether it flooded then. moving: a stage at the end of which soil moved; -1: none.
+std::optional<FloodTrigger> trigger_of(const Case& c, const State& state, std::optional<Facing> river,
+    const std::array<Real, 2>& times, const std::vector<std::int64_t>& flooded, Index moving)
 {
   FloodTrigger trigger{.at_strength = c.at_strength};
   if (c.stages.empty()) return c.at_strength != 1.0 ? std::optional(trigger) : std::nullopt;
@@ -107,7 +145,7 @@ std::optional<FloodTrigger> trigger_of(
   if (*first == 0) return trigger;
   const StageRecord& before = state.stages_done[*first - 1];
   if (times[1] <= before.end)
-    trigger.before = FloodVerdict::floods;
+    trigger.before = *first <= flooded.size() && flooded[*first - 1] == 0 ? FloodVerdict::near : FloodVerdict::floods;
   else if (before.at_rest && (moving < 0 || moving >= static_cast<Index>(*first)))
     trigger.before = times[0] <= before.end ? FloodVerdict::damaged : FloodVerdict::stands;
   return trigger;
@@ -147,8 +185,11 @@ class Flood : public Follower {
   Real time_damaged_ = never, time_below_ = never;  ///< the first ones; but for slides [s]
   Real fastest_node_ = never;                       ///< in the last row [m/s]
   Real moved_from_ = never;                         ///< displacement from which on ground counts as moved [m]
+  Section first_;                                   ///< from which depths count; of cases with flood.least_depth
   SettledGround settled_;                           ///< at the last looks of a stage that ends with the verdict
-  FastSoil moving_;  ///< at the end of the first stage but the last in which soil still moved
+  TimeBelow below_;
+  std::vector<std::int64_t> flooded_;  ///< by stage that has ended: 1, it flooded then
+  FastSoil moving_;                    ///< at the end of the first stage but the last in which soil still moved
 
   void start(const Model& model, const State& state) override
   {
@@ -158,13 +199,35 @@ class Flood : public Follower {
     const Section section = first_section(model, state.points, ground_of(model));
     const Real height = relief(section);
     moved_from_ = moved_distance(section);
+    keep_first_ground(model, section);
     settled_.forget();
     settles_ = standing_tolerance(height);
     slides_ = slid_share * height * height;
     river_ = river_side(model.flood_level, ground);
     time_damaged_ = time_below_ = never;
+    below_ = {};
+    flooded_.clear();
     moving_ = {};
     before_.reset();
+  }
+
+  void keep_first_ground(const Model& model, const Section& section)
+  {
+    first_ = model.description.flood.least_depth > 0.0 ? section : Section{};
+  }
+
+  MovedByDepth look_deep(const Model& model, const State& state) const
+  {
+    return moved_by_depth(
+        state.points, state.x_initial, moved_from_, first_, ground_of(model), model.description.flood.least_depth);
+  }
+
+  /// Volume that moved, of a case with a least depth from deeper [m^2].
+  Real moved_of(const LedgerContext& context) const
+  {
+    const bool asks_depth = context.model.description.flood.least_depth > 0.0;
+    return (asks_depth ? look_deep(context.model, context.state).deep() : context.totals.moved.volume) +
+           volume_that_left(context.state);
   }
 
   Barrier look(const Model& model, const State& state, Real level) const
@@ -187,36 +250,49 @@ class Flood : public Follower {
     const auto keep_first = [&](bool so, Real& time) {
       if (so && std::isnan(time)) time = context.state.time;
     };
-    keep_first(
-        judged.height < river + flood.smallest_freeboard - round_off || judged.width < flood.smallest_width - round_off,
-        time_below_);
-    const Real moved = context.totals.moved.volume + volume_that_left(context.state);
-    keep_first(judged.height < first_height_ - settles_ || judged.intact_width < flood.smallest_width - round_off ||
-                   moved > slides_,
+    below_.enter(judged, flood, river, context.state.time);
+    keep_first(below_.lasts, time_below_);
+    const Real moved = moved_of(context);
+    const bool is_deep = !(flood.least_depth > 0.0) || moved > least_deep_volume(first_);
+    const bool is_held = holds_soil(context.model.description, context.model.stage.number);
+    keep_first(!is_held && ((is_deep && judged.height < first_height_ - settles_) ||
+                               judged.intact_width < flood.smallest_width - round_off || moved > slides_),
         time_damaged_);
     end_stage(context.model, context.state);
   }
 
+  /// The model is that of the stage that begins; soil that was held is judged from here on.
   void count_displacement_anew(const Model& model, const State& state) override
   {
-    moved_from_ = moved_distance(first_section(model, state.points, ground_of(model)));
+    if (holds_soil(model.description, model.stage.number - 1))
+      first_height_ = look(model, state, model.flood_level.value).height;
+    const Section section = first_section(model, state.points, ground_of(model));
+    moved_from_ = moved_distance(section);
+    keep_first_ground(model, section);
   }
 
   /// The ground floods since this stage or run began, and what is left of it has settled. Else it is to come to rest.
   bool is_answered(const Model& model, const State& state, bool is_first) override
   {
-    if (is_first) settled_.forget();
-    if (!model.flood_level.is_known() || !(time_below_ > model.time_of(state.stage_start))) return false;
+    if (is_first || !below_.lasts) settled_.forget();
+    if (!model.flood_level.is_known() || !below_.lasts || !(below_.since > model.time_of(state.stage_start)))
+      return false;
     const Barrier barrier = look(model, state, model.flood_level.value);
     const GroundLeft left{barrier.height, barrier.width,
         find_moved(state.points, state.x_initial, moved_from_, ground_of(model)).volume + volume_that_left(state)};
     return settled_.enter(left, resolution_of(left, columns_of_section(*model.mesh).width));
   }
 
+  bool waits(const State&) const override { return below_.is_short(); }
+
   /// What soil that moves at the end of a stage would have done there, a later stage does not show.
   void end_stage(const Model& model, const State& state)
   {
     const Stage& stage = model.stage;
+    if (!stage.name.empty() && std::ssize(state.stages_done) > state.stage) {
+      flooded_.resize(stage.number, 1);
+      flooded_.push_back(below_.floods(settles_));
+    }
     const bool ends = !stage.name.empty() && !stage.is_last() && std::ssize(state.stages_done) > state.stage;
     if (!ends || moving_.stage >= 0 || is_decided_later(model.description, stage.number)) return;
     const bool is_slow = stage.rest.steps > 0 && !stage.rest.by_mean && fastest_node_ < stage.rest.speed;
@@ -265,21 +341,29 @@ class Flood : public Follower {
     f.width_at_level = barrier.width;
     f.intact_width = barrier.intact_width;
     f.first_time_below = known(time_below_);
+    if (f.first_time_below) f.below_for = below_.until - below_.since, f.below_by = below_.by;
     f.first_time_damaged =  // the slopes are asked before
         known(std::fmin(time_damaged_, s.first_slide_time.value_or(never)));
     f.stage_damaged = stage_at(s.stages, f.first_time_damaged);
     f.stage_below = stage_at(s.stages, f.first_time_below);
+    f.at_strength_damaged = at_strength_at(model.description, s.stages, f.first_time_damaged);
+    f.at_strength_below = at_strength_at(model.description, s.stages, f.first_time_below);
     f.stage = s.stages.empty() ? "" : s.stages.back().name;
     f.fastest_node = known(fastest_node_);
     say_what_moves(model, state, f);
-    f.verdict = f.first_time_below     ? FloodVerdict::floods
-                : f.still_moves        ? FloodVerdict::moving
-                : f.first_time_damaged ? FloodVerdict::damaged
-                                       : FloodVerdict::stands;
+    f.verdict = below_.floods(settles_) ? FloodVerdict::floods
+                : f.first_time_below    ? FloodVerdict::near
+                : f.still_moves         ? FloodVerdict::moving
+                : f.first_time_damaged  ? FloodVerdict::damaged
+                                        : FloodVerdict::stands;
+    if (model.description.flood.least_depth > 0.0) {
+      const MovedByDepth moved = look_deep(model, state);
+      f.ravelled_volume = moved.ravelled, f.ravelled_depth = moved.ravelled_depth;
+    }
     const Real margin = f.freeboard - model.description.flood.smallest_freeboard;
     if (f.verdict == FloodVerdict::damaged && margin < settles_) f.margin = margin;
     f.trigger = trigger_of(
-        model.description, state, river_, {f.first_time_damaged.value_or(never), time_below_}, moving_.stage);
+        model.description, state, river_, {f.first_time_damaged.value_or(never), time_below_}, flooded_, moving_.stage);
     f.criterion = criterion_text(model.description.flood, level.value, before_.value_or(river_before_trigger(model)));
   }
 
@@ -296,9 +380,16 @@ class Flood : public Follower {
     arrays.copy("ground", std::vector<Real>{first_height_, settles_, slides_});
     arrays.copy("river", std::vector<std::int64_t>{!river_ ? 0 : static_cast<std::int64_t>(outwards(*river_))});
     arrays.copy("times", std::vector<Real>{time_damaged_, time_below_});
+    arrays.copy("below",
+        std::vector<Real>{below_.lasts ? 1.0 : 0.0, below_.since, below_.until, below_.by, below_.narrow ? 1.0 : 0.0});
+    if (!flooded_.empty()) arrays.copy("flooded", flooded_);
     arrays.copy("speed", std::vector<Real>{fastest_node_});
     arrays.copy("moved_from", std::vector<Real>{moved_from_});
     if (const std::vector<Real> looks = settled_.values(); !looks.empty()) arrays.copy("looks", looks);
+    if (!first_.heights.empty()) {
+      arrays.refer("first_heights", first_.heights);
+      arrays.copy("first_columns", std::vector<Real>{first_.columns.left, first_.columns.width});
+    }
     if (moving_.stage < 0) return;
     arrays.copy("moving", std::vector<Real>{moving_.speed, moving_.x, moving_.y});
     arrays.copy("moving_in", std::vector<std::int64_t>{moving_.stage, moving_.material});
@@ -312,9 +403,18 @@ class Flood : public Follower {
     const std::int64_t river = arrays.wholes("river", 1)[0];
     river_ = river == 0 ? std::nullopt : std::optional(river > 0 ? Facing::right : Facing::left);
     time_damaged_ = times[0], time_below_ = times[1];
+    const std::vector<Real>& below = arrays.reals("below", 5);
+    below_ = {below[0] != 0.0, below[1], below[2], below[3], below[4] != 0.0};
+    flooded_ = arrays.has("flooded") ? arrays.wholes("flooded") : std::vector<std::int64_t>{};
     fastest_node_ = arrays.reals("speed", 1)[0];
     moved_from_ = arrays.reals("moved_from", 1)[0];
     settled_.set_values(arrays.has("looks") ? arrays.reals("looks") : std::vector<Real>{});
+    first_ = {};
+    if (arrays.has("first_heights")) {
+      first_.heights = arrays.reals("first_heights");
+      const std::vector<Real>& columns = arrays.reals("first_columns", 2);
+      first_.columns = {columns[0], columns[1], static_cast<Index>(first_.heights.size())};
+    }
     moving_ = {};
     if (!arrays.has("moving")) return;
     const std::vector<Real>& at = arrays.reals("moving", 3);
@@ -328,9 +428,10 @@ class Flood : public Follower {
   {
     const Real damaged = time_damaged_, below = time_below_;
     const FastSoil moving = moving_;
+    const TimeBelow time_below = below_;
     start(model, first);
     if (!is_judged_alike(before, model)) return;
-    time_damaged_ = damaged, time_below_ = below;
+    time_damaged_ = damaged, time_below_ = below, below_ = time_below;
     moving_ = moving_in(before, model, moving);
   }
 

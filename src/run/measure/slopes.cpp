@@ -5,6 +5,7 @@
 #include "math/errors.hpp"
 #include "run/measure/crest.hpp"
 #include "mpm/points/moved.hpp"
+#include "run/measure/moved_depth.hpp"
 #include "run/measure/slip_surface.hpp"
 #include "run/measure/followers.hpp"
 #include "model/ground/ground_section.hpp"
@@ -27,6 +28,7 @@ struct SlopeFailure {
   CrestHistory crest;             ///< without what the other slope took of it
   std::vector<SlipSurface> slip;  ///< of each slide so far, when its strain grew fastest; one before there is any slide
   std::vector<SlipSurface> onset;  ///< of each slide so far, when it was first seen
+  Real deep_from = std::nan("");   ///< time from which on ground of below least_depth has moved its way [s]
 };
 
 struct Followed {
@@ -34,6 +36,7 @@ struct Followed {
   std::vector<SlopeFailure> slopes;  ///< of the section, in its order
   std::array<Real, 2> extent;        ///< smallest and largest x of the ground at t = 0 [m]
   std::vector<std::uint8_t> ground;  ///< which materials are ground; empty: all
+  Real least_depth = 0.0;            ///< above which soil ravels, and does not slide [m]
   bool alone() const { return slopes.size() == 1; }
 };
 
@@ -134,8 +137,11 @@ std::vector<SlideSummary> slides_of(const Followed& all, const Fronts& fronts, c
   std::vector<SlideSummary> list;
   const Real run_out = run_out_of(all, fronts, slope.crest.slope);
   if (all.slopes.size() > 1 && !(slope.crest.slope.free_toe ? run_out > 0.0 : run_out >= 0.0)) return list;
-  for (const Slide& slide : find_slides(slope.crest))
+  if (all.least_depth > 0.0 && std::isnan(slope.deep_from)) return list;  // it ravels
+  for (Slide slide : find_slides(slope.crest)) {
+    slide.begins = std::fmax(slide.begins, slope.deep_from);
     list.push_back({slide, of_slide(slope.slip, list.size()), of_slide(slope.onset, list.size())});
+  }
   return list;
 }
 
@@ -269,7 +275,8 @@ class Slopes : public Follower {
     all_ = {.section = first_section(model, state.points, ground),
         .slopes = {},
         .extent = extent_in_x(*model.mesh, state.points, ground),
-        .ground = ground};
+        .ground = ground,
+        .least_depth = model.description.flood.least_depth};
     before_.clear();
     find_slopes_of_section();
   }
@@ -320,6 +327,7 @@ class Slopes : public Follower {
     const State& state = context.state;
     const Fronts fronts = find_fronts(context.model, state, all_, context.totals.moved);
     const auto heights = surface_heights(*context.model.mesh, state.points, all_.section.columns, all_.ground);
+    if (all_.least_depth > 0.0) look_deep(state);
     for (std::size_t k = 0; k < all_.slopes.size(); ++k) {
       CrestHistory& crest = all_.slopes[k].crest;
       const Standing standing = find_standing(all_.section, crest.slope, all_.alone(), heights);
@@ -332,6 +340,15 @@ class Slopes : public Follower {
       of_slope[2] = crest_height(all_.section, crest.slope, standing, heights);
       follow_slip(context, k, all_);
     }
+  }
+
+  void look_deep(const State& state)
+  {
+    const MovedByDepth moved = moved_by_depth(
+        state.points, state.x_initial, moved_distance(all_.section), all_.section, all_.ground, all_.least_depth);
+    for (SlopeFailure& slope : all_.slopes)
+      if (std::isnan(slope.deep_from) && moved.deep(slope.crest.slope.facing) > least_deep_volume(all_.section))
+        slope.deep_from = state.time;
   }
 
   void summarise(const Model& model, const State& state, Summary& s) const override
@@ -373,6 +390,7 @@ class Slopes : public Follower {
       of_slope.refer("time", slope.crest.time);
       of_slope.refer("crest", slope.crest.x);
       of_slope.refer("kinetic", slope.crest.kinetic);
+      if (all_.least_depth > 0.0) of_slope.copy("deep_from", std::vector<Real>{slope.deep_from});
       save_surfaces(slope.slip, "slip", of_slope);
       save_surfaces(slope.onset, "onset", of_slope);
     }
@@ -385,7 +403,7 @@ class Slopes : public Follower {
     const bool fits = !heights.empty() && std::isfinite(columns[0]) && std::isfinite(columns[1]) && columns[1] > 0.0;
     if (!fits) throw FileError("the checkpoint does not fit this case: its first surface has no columns");
     all_ = {{{columns[0], columns[1], static_cast<Index>(heights.size())}, heights, columns[2]}, {},
-        {extent[0], extent[1]}, ground_of(model)};
+        {extent[0], extent[1]}, ground_of(model), model.description.flood.least_depth};
     before_ = load_slides(arrays.below("before"));
     find_slopes_of_section();
     for (std::size_t k = 0; k < all_.slopes.size(); ++k) {
@@ -394,6 +412,7 @@ class Slopes : public Follower {
       crest.time = of_slope.reals("time");
       crest.x = of_slope.reals("crest", crest.time.size());
       crest.kinetic = of_slope.reals("kinetic", crest.time.size());
+      if (all_.least_depth > 0.0) all_.slopes[k].deep_from = of_slope.reals("deep_from", 1)[0];
       all_.slopes[k].slip = load_surfaces("slip", of_slope);
       all_.slopes[k].onset = load_surfaces("onset", of_slope);
     }

@@ -20,15 +20,27 @@ std::string trigger_phrase(const std::optional<FloodTrigger>& trigger)
          (trigger->before ? fmt::format(" (before that: {}): ", info_of(*trigger->before).words) : ": ");
 }
 
+/// " at at_strength = 0.82": soil that is released fails where its strengths are divided by that.
+std::string strength_phrase(const std::optional<Real>& at)
+{
+  return at ? fmt::format(" at at_strength = {:.2f}", *at) : "";
+}
+
 /// "; it began in the stage `daily`, before `flood`": a slide in daily water is no flood of the river.
 std::string stage_phrase(const FloodSummary& flood)
 {
   const std::string& began = flood.stage_damaged.empty() ? flood.stage_below : flood.stage_damaged;
   if (began.empty()) return "";
   if (!flood.stage_below.empty() && flood.stage_below != began)
-    return fmt::format("; the damage began in the stage `{}`, the flood in `{}`", began, flood.stage_below);
-  return fmt::format(
-      "; it began in the stage `{}`{}", began, flood.stage != began ? fmt::format(", before `{}`", flood.stage) : "");
+    return fmt::format("; the damage began in the stage `{}`{}, the flood in `{}`{}", began,
+        strength_phrase(flood.at_strength_damaged), flood.stage_below, strength_phrase(flood.at_strength_below));
+  const std::string before = flood.stage != began ? fmt::format(", before `{}`", flood.stage) : "";
+  const bool both = flood.at_strength_damaged && flood.at_strength_below;
+  if (both)
+    return fmt::format("; it began in the stage `{}`{}, the flood{}{}", began,
+        strength_phrase(flood.at_strength_damaged), strength_phrase(flood.at_strength_below), before);
+  return fmt::format("; it began in the stage `{}`{}{}", began,
+      strength_phrase(flood.at_strength_damaged ? flood.at_strength_damaged : flood.at_strength_below), before);
 }
 
 }  // namespace
@@ -61,7 +73,8 @@ void withhold_verdict(FloodSummary& flood)
 
 std::string flood_clause(const FloodSummary& flood)
 {
-  const bool floods = flood.verdict == FloodVerdict::floods;
+  const bool is_near = flood.verdict == FloodVerdict::near;
+  const bool floods = is_near || flood.verdict == FloodVerdict::floods;
   const auto from = [](const char* what, const std::optional<Real>& time) {
     return time ? fmt::format(", {} {:.2f} s on", what, *time) : std::string();
   };
@@ -69,7 +82,10 @@ std::string flood_clause(const FloodSummary& flood)
       trigger_phrase(flood.trigger) +
       std::string(flood.verdict ? info_of(*flood.verdict).words : "no verdict before the end of the run");
   const std::string since =
-      floods ? from("from", flood.first_time_below) : from("damaged from", flood.first_time_damaged);
+      (floods ? from("from", flood.first_time_below) : from("damaged from", flood.first_time_damaged)) +
+      (is_near ? fmt::format(", below by {:.2f} m at most, last for {:.2f} s", flood.below_by.value_or(0.0),
+                     flood.below_for.value_or(0.0))
+               : "");
   if (!std::isfinite(flood.residual_height))
     return fmt::format("{}{}: no ground remains{}", verdict, since, stage_phrase(flood));
   const std::string width = flood.width_at_level > 0.0

@@ -11,15 +11,17 @@
 
 namespace terp {
 
-enum class FloodVerdict { stands, damaged, moving, floods };
+/// near: the ground was below the level, but not by enough, for long enough, or to the end.
+enum class FloodVerdict { stands, damaged, moving, near, floods };
 
 struct FloodVerdictInfo {
   std::string_view name;   ///< in summary.json
   std::string_view words;  ///< for people
 };
 /// In the order of the enum.
-inline constexpr std::array<FloodVerdictInfo, 4> flood_verdicts{{{"stands", "stands"},
-    {"damaged", "damaged, holds the water"}, {"still_moving", "still moving, not decided"}, {"floods", "floods"}}};
+inline constexpr std::array<FloodVerdictInfo, 5> flood_verdicts{
+    {{"stands", "stands"}, {"damaged", "damaged, holds the water"}, {"still_moving", "still moving, not decided"},
+        {"near", "floods briefly or by little, uncertain"}, {"floods", "floods"}}};
 
 inline const FloodVerdictInfo& info_of(FloodVerdict verdict)
 {
@@ -40,20 +42,24 @@ std::string trigger_words(const FloodTrigger& trigger);
 struct FloodSummary {
   static constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 
-  std::optional<FloodVerdict> verdict;     ///< of the run so far; none: the run has not ended, and did not flood
-  Real water_level = none;                 ///< [m]
-  std::string water_level_origin = {};     ///< where it comes from, in words
-  std::optional<Facing> river = {};        ///< the end of the section that the river is at
-  Real residual_height = none;             ///< of the highest ground at the end [m]
-  Real freeboard = none;                   ///< of it over the water level [m]
-  Real width_at_level = none;              ///< of the ground at the water level, at the end [m]
-  Real intact_width = none;                ///< of that, with eps_eq_p below the limit [m]
-  std::optional<Real> first_time_damaged;  ///< [s]
-  std::optional<Real> first_time_below;    ///< of the flood [s]
-  std::string stage_damaged = {};          ///< name of the stage in which the first of these times lies; empty: of none
-  std::string stage_below = {};            ///< of the second
-  std::string stage = {};                  ///< the last one so far, to whose end heights and widths belong
-  std::optional<Real> fastest_node;        ///< at the end, or where `stage_moving` ended [m/s]
+  std::optional<FloodVerdict> verdict;      ///< of the run so far; none: the run has not ended, and did not flood
+  Real water_level = none;                  ///< [m]
+  std::string water_level_origin = {};      ///< where it comes from, in words
+  std::optional<Facing> river = {};         ///< the end of the section that the river is at
+  Real residual_height = none;              ///< of the highest ground at the end [m]
+  Real freeboard = none;                    ///< of it over the water level [m]
+  Real width_at_level = none;               ///< of the ground at the water level, at the end [m]
+  Real intact_width = none;                 ///< of that, with eps_eq_p below the limit [m]
+  std::optional<Real> first_time_damaged;   ///< [s]
+  std::optional<Real> first_time_below;     ///< of the flood [s]
+  std::optional<Real> below_for;            ///< how long the ground was below the level without a break, last [s]
+  std::optional<Real> below_by;             ///< by how much at most in that time [m]
+  std::optional<Real> at_strength_damaged;  ///< at the first of these times, in a stage whose ramp changes it [-]
+  std::optional<Real> at_strength_below;    ///< at the second
+  std::string stage_damaged = {};    ///< name of the stage in which the first of these times lies; empty: of none
+  std::string stage_below = {};      ///< of the second
+  std::string stage = {};            ///< the last one so far, to whose end heights and widths belong
+  std::optional<Real> fastest_node;  ///< at the end, or where `stage_moving` ended [m/s]
   Real fastest_x = none, fastest_y = none;  ///< where soil moves fastest then [m]; NaN: it does not move
   std::string fastest_soil = {};            ///< which soil that is
   /// Where the run or a stage ended: it was to end at rest and did not, or, for as long again, the soil would go far
@@ -62,6 +68,8 @@ struct FloodSummary {
   std::string stage_moving =
       {};  ///< at the end of which it does: the last one, or the first one before; empty: of none
   bool moves_at_end() const { return stage_moving.empty() || stage_moving == stage; }
+  std::optional<Real> ravelled_volume;  ///< that moved from above flood.least_depth; none: it is 0 [m^2]
+  std::optional<Real> ravelled_depth;   ///< of it the deepest first place below the ground [m]
   std::optional<Real> margin;  ///< of damaged ground over what floods, so small that the verdict is not sure [m]
   std::string criterion = {};  ///< by which it floods, in words
   std::optional<FloodTrigger> trigger;  ///< none: the verdict is that of the section as it is

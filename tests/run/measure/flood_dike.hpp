@@ -25,11 +25,11 @@ struct Drawn : Simulation {
 
   explicit Drawn(const Case& description = dike()) : Simulation(description, 1, all_followers()) { look(); }
   void look() { rows.push_back(keep_ledger(model, state, work)); }
-  /// The soil becomes another within 0.2 s and rests for a second, a row every 0.1 s.
+  /// The soil becomes another within 0.2 s and rests for two seconds, a row every 0.1 s.
   Drawn& become(const std::function<Vec<2>(Vec<2>)>& place)
   {
     draw_points(*this, place);
-    for (int k = 0; k < 12; ++k) state.time += 0.1, look();
+    for (int k = 0; k < 24; ++k) state.time += 0.1, look();
     return *this;
   }
   FloodSummary flood() const { return *summarise(model, state).flood; }

@@ -89,6 +89,62 @@ TEST(FloodInStages, AStageThatGoesOnDecidesForTheOneBefore)
   EXPECT_EQ(held.flood().verdict, FloodVerdict::stands);
 }
 
+/// The dike held in a first stage, and released over 4 s from now on.
+struct Released : Drawn {
+  Released()
+  {
+    for (const auto& [name, at] : {std::pair("rise", 0.5), {"release", 1.0}}) {
+      StageCase stage;
+      stage.name = name;
+      auto changed = std::make_shared<Case>();
+      changed->at_strength = at;
+      stage.changed = changed;
+      model.description.stages.push_back(stage);
+    }
+    model.description.stages[1].ramp = 4.0;
+    model.stage.name = "rise", model.stage.n_all = 2;
+  }
+  Released& release()
+  {
+    state.stages_done.push_back({.start = 0.0, .end = state.time, .at_rest = true});
+    model.first_time = state.time;
+    model.stage.name = "release", model.stage.number = 1, state.stage = 1;
+    for (const ActiveFollower& active : state.followers) active.follower->count_displacement_anew(model, state);
+    edit_points(state, [&](const PointBlock<2>& block, Index lane) {
+      const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+      for (int d = 0; d < 2; ++d) state.x_initial[2 * id + d] = block.row(Rows::x + d)[lane];
+    });
+    return *this;
+  }
+};
+
+Vec<2> lower(Vec<2> p) { return {p[0], p[1] > 1.0 ? 1.0 + 0.9 * (p[1] - 1.0) : p[1]}; }
+
+TEST(FloodInStages, SoilThatIsHeldIsNotDamagedByWhatItSettles)
+{
+  Released s;
+  s.become(lower);
+  EXPECT_FALSE(s.flood().first_time_damaged);
+  s.release().look();
+  EXPECT_FALSE(s.flood().first_time_damaged);
+  Released loose;
+  loose.release().become(lower);
+  EXPECT_TRUE(loose.flood().first_time_damaged);
+}
+
+TEST(FloodInStages, SoilThatIsReleasedSaysAtWhichStrengthItFailed)
+{
+  Released s;
+  s.become([](Vec<2> p) { return p; });
+  s.release().become([](Vec<2> p) { return p; }).become([](Vec<2> p) { return Vec<2>{p[0], 0.7 * p[1]}; });
+  const FloodSummary flood = s.flood();  // 2.5 of 4 s after the release began: 3/8 of the strength in excess is left
+  EXPECT_EQ(flood.verdict, FloodVerdict::floods);
+  EXPECT_THAT(flood.at_strength_below, Optional(DoubleNear(1.0 / 1.375, 1e-6)));
+  EXPECT_THAT(flood.at_strength_damaged, Optional(DoubleNear(1.0 / 1.375, 1e-6)));
+  EXPECT_THAT(flood_clause(flood),
+      HasSubstr("; it began in the stage `release` at at_strength = 0.73, the flood at at_strength = 0.73"));
+}
+
 TEST(FloodInStages, ACheckpointRemembersTheStage)
 {
   Staged s, other;

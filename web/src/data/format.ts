@@ -80,11 +80,11 @@ export interface Trigger {
   stage: string; // with which it began
   at_strength: number; // by which strengths were divided
   river: number | null; // m, to which it was brought
-  before: "stands" | "damaged" | "floods" | null; // null: it acts in the whole run
+  before: "stands" | "damaged" | "near" | "floods" | null; // null: it acts in the whole run
 }
 
 export interface Flood {
-  verdict: "stands" | "damaged" | "still_moving" | "floods" | null; // null: the run has not ended, and did not flood
+  verdict: "stands" | "damaged" | "still_moving" | "near" | "floods" | null; // null: not ended, and no flood so far
   water_level?: number | null; // m
   river?: "left" | "right" | null; // end of the section
   residual_height: number | null; // m, of the highest ground at the end
@@ -93,6 +93,12 @@ export interface Flood {
   intact_width: number | null; // m, of that
   first_time_damaged: number | null; // s
   first_time_below: number | null; // s
+  below_for?: number | null; // s, without a break, the last time
+  below_by?: number | null; // m, at most in that time
+  at_strength_damaged?: number | null; // at the first times, where the ramp of a stage changes it
+  at_strength_below?: number | null;
+  ravelled_volume?: number | null; // m^2, that moved from above the least depth
+  ravelled_depth?: number | null; // m
   stage_damaged?: string; // in which it became so; empty: of none
   stage_below?: string;
   stage?: string; // the last one, to whose end the numbers belong

@@ -10,7 +10,7 @@ import { canvasTheme } from "../view/theme";
 import { element } from "../shell/element";
 import { paragraph, table, type Content, type Row } from "./document";
 
-const VERDICTS = ["stands", "damaged", "still_moving", "floods"] as const;
+const VERDICTS = ["stands", "damaged", "still_moving", "near", "floods"] as const;
 const isSolved = ({ state }: ReachSection) => state === "solved";
 const verdictOf = (s: ReachSection) => (isSolved(s) ? s.flood?.verdict ?? null : null);
 const inDutch = () => currentLanguage() === "nl";

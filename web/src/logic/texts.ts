@@ -197,6 +197,7 @@ export const TEXTS = {
   fact_flood_stands: ["stands", "blijft staan"],
   fact_flood_damaged: ["damaged, holds", "beschadigd, keert"],
   fact_flood_still_moving: ["still moving", "beweegt nog"],
+  fact_flood_near: ["floods briefly or by little", "loopt kort over of net"],
   fact_flood_floods: ["floods", "overstroming"],
   fact_flood_running: ["not at its end", "niet aan het einde"],
   fact_height: ["Highest ground that remains", "Resthoogte"],

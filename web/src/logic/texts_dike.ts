@@ -5,6 +5,7 @@ export const DIKE_TEXTS = {
   verdict_stands: ["Stands", "Blijft staan"],
   verdict_damaged: ["Damaged, holds the water", "Beschadigd, keert het water"],
   verdict_still_moving: ["Still moving, not decided", "Beweegt nog, niet beslist"],
+  verdict_near: ["Floods briefly or by little, uncertain", "Loopt kort over of net, onzeker"],
   verdict_floods: ["Floods", "Overstroming"],
   verdict_none: ["No verdict on the water", "Geen oordeel over het water"],
   verdict_running: ["No verdict yet: not at its end", "Nog geen oordeel: niet aan het einde"],
@@ -26,6 +27,14 @@ export const DIKE_TEXTS = {
   floods_below_text: ["It floods from {time} on. At the end the highest ground stands at {height}, {below} below the " +
     "water at {level}.",
   "Overstroming vanaf {time}. Aan het einde ligt de resthoogte op {height}, {below} onder het water op {level}."],
+  near_text: ["The ground was below the water from {time} on: by at most {by}, last for {lasting}. At the end the " +
+    "highest ground stands at {height}, the water at {level}. Smaller cells may decide.",
+  "De grond lag vanaf {time} onder het water: hoogstens {by}, het laatst {lasting} lang. Aan het einde ligt de " +
+    "resthoogte op {height}, het water op {level}. Kleinere cellen kunnen beslissen."],
+  note_ravelled: ["Ravelled: {volume}, from at most {depth} below the ground.",
+    "Afgekruimeld: {volume}, van hoogstens {depth} onder het maaiveld."],
+  at_strength: ["Strengths were then divided by {factor}: that is about the factor of safety.",
+    "De sterktes waren toen gedeeld door {factor}: dat is ongeveer de veiligheidsfactor."],
   floods_text: ["It floods from {time} on. At the end the highest ground stands at {height}, {freeboard} over the " +
     "water at {level}: less than the case demands of height or width.",
   "Overstroming vanaf {time}. Aan het einde ligt de resthoogte op {height}, {freeboard} boven het water op {level}: " +
@@ -68,6 +77,8 @@ export const DIKE_TEXTS = {
   before_trigger_stands: ["As it is, the section stands.", "Zoals zij is, blijft de doorsnede staan."],
   before_trigger_damaged: ["As it is, the section is damaged and holds the water.",
     "Zoals zij is, raakt de doorsnede beschadigd en keert zij het water."],
+  before_trigger_near: ["As it is, the section floods briefly or by little.",
+    "Zoals zij is, loopt de doorsnede kort over of net."],
   before_trigger_floods: ["It floods already as the section is.", "Ook zoals de doorsnede is, stroomt zij over."],
   began_in_stage: ["It began in stage “{stage}”.", "Het begon in fase “{stage}”."],
   began_before_stage: ["It began in stage “{stage}”, before “{last}”.", "Het begon in fase “{stage}”, vóór “{last}”."],

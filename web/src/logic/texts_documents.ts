@@ -52,10 +52,11 @@ export const DOCUMENT_TEXTS = {
   // A reach
   reach_title: ["Sections of a reach", "Doorsneden van een traject"],
   reach_counts: ["Solved: {solved} of {all} sections. Stands: {stands}; damaged, holds the water: {damaged}; still " +
-    "moving: {still_moving}; floods: {floods}; no verdict on the water: {none}; no result: {open}.",
+    "moving: {still_moving}; floods briefly or by little: {near}; floods: {floods}; no verdict on the water: {none}; " +
+    "no result: {open}.",
     "Berekend: {solved} van {all} doorsneden. Blijft staan: {stands}; beschadigd, keert het water: {damaged}; " +
-    "beweegt nog: {still_moving}; overstroming: {floods}; geen oordeel over het water: {none}; zonder resultaat: " +
-    "{open}."],
+    "beweegt nog: {still_moving}; loopt kort over of net: {near}; overstroming: {floods}; geen oordeel over het " +
+    "water: {none}; zonder resultaat: {open}."],
   reach_moving: ["Not at rest at the end: {n}.", "Aan het eind niet in rust: {n}."],
   reach_caution: ["Water that would flow over is not simulated. A verdict after a trigger is not that of the " +
     "section as it is.",

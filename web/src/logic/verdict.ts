@@ -2,13 +2,13 @@
 
 import type { Flood } from "../data/format";
 import type { Run } from "../data/run";
-import { metres } from "./numbers";
+import { fixed, metres } from "./numbers";
 import { restDoubt, sideDoubts } from "./story";
 import { currentLanguage, say } from "./texts";
 
-export type Kind = "running" | "none" | "stands" | "damaged" | "still_moving" | "floods";
+export type Kind = "running" | "none" | "stands" | "damaged" | "still_moving" | "near" | "floods";
 
-/** A run that has not ended has a verdict only where that is for good. */
+/** A run that has not ended has a verdict only where it floods so far. */
 export function kindOf({ meta: { events, finished } }: Run): Kind {
   const verdict = events?.flood?.verdict;
   if (verdict === "floods") return verdict;
@@ -21,8 +21,14 @@ export function doubts(run: Run): string[] {
   const changed = run.meta.changed?.[currentLanguage()]?.length ?? 0;
   const unsaid = kindOf(run) === "still_moving" ? [] : restDoubt(run); // the verdict says so itself
   return [turnsOn(run), ...unsaid, ...sideDoubts(run), changed > 0 ? say("note_changed", { n: changed }) : "",
+    ravelled(run),
     typeof margin === "number" ? say("note_margin", { margin: metres(margin) }) : ""]
     .filter(Boolean);
+}
+
+function ravelled({ meta: { events } }: Run): string {
+  const { ravelled_volume: volume, ravelled_depth: depth } = events?.flood ?? {};
+  return volume ? say("note_ravelled", { volume: fixed(volume, 1, "\u00a0m²"), depth: metres(depth) }) : "";
 }
 
 /** What the outcome turns on, of the inputs that were changed one at a time. */
@@ -39,7 +45,9 @@ export function stageWords(flood: Flood | null | undefined): string {
   const { stage_damaged: damaged, stage_below: below, stage: last } = flood ?? {};
   const began = damaged || below;
   if (!began) return "";
-  if (below && below !== began) return ` ${say("began_in_two_stages", { damaged: began, below })}`;
+  const factor = flood?.at_strength_damaged ?? flood?.at_strength_below;
+  const strength = typeof factor === "number" ? ` ${say("at_strength", { factor: fixed(factor, 2, "") })}` : "";
+  if (below && below !== began) return ` ${say("began_in_two_stages", { damaged: began, below })}${strength}`;
   return ` ${began === last || !last ? say("began_in_stage", { stage: began })
-    : say("began_before_stage", { stage: began, last })}`;
+    : say("began_before_stage", { stage: began, last })}${strength}`;
 }

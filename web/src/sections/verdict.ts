@@ -68,6 +68,9 @@ function sentence(run: Run, kind: Kind): string {
     return say(movedBefore(flood) ? "moved_before_text" : "still_moving_text", { ...values,
       stage: flood.stage_moving ?? "", soil: flood.fastest_soil ?? "", x: metres(flood.fastest_x),
       y: metres(flood.fastest_y), speed: withUnit(flood.fastest_node ?? NaN, "m/s", 2) });
+  if (kind === "near")
+    return say("near_text", { ...values, time: seconds(flood.first_time_below), by: metres(flood.below_by),
+      lasting: seconds(flood.below_for ?? null) });
   const below = flood.freeboard ?? 0;
   return say(below < 0 ? "floods_below_text" : "floods_text",
     { ...values, below: metres(-below), time: seconds(flood.first_time_below) });

@@ -110,7 +110,7 @@ describe("a reach", () => {
   const { sections } = exampleReach().document.data as ReachMeta;
 
   it("counts its verdicts", () => {
-    expect(countsOf(sections)).toBe("Solved: 3 of 4 sections. Stands: 2; damaged, holds the water: 0; still moving: 0; floods: 1; no verdict on the water: 0; no result: 1. Not at rest at the end: 1.");
+    expect(countsOf(sections)).toBe("Solved: 3 of 4 sections. Stands: 2; damaged, holds the water: 0; still moving: 0; floods briefly or by little: 0; floods: 1; no verdict on the water: 0; no result: 1. Not at rest at the end: 1.");
     expect(countsOf([sectionOf("x", "stands", { flood: null })])).toContain("no verdict on the water: 1; no result: 0.");
   });
 

@@ -80,6 +80,19 @@ describe("the verdict", () => {
   });
 });
 
+it("a strength on its way is named with the stage", () => {
+  const flood = { stage_damaged: "release", stage_below: "", stage: "release", at_strength_damaged: 0.8234 } as never;
+  expect(stageWords(flood)).toContain("Strengths were then divided by 0.82: that is about the factor of safety.");
+});
+
+it("ground near a flood has a verdict of its own, and soil that ravelled a note", () => {
+  expect(kindOf(runWith("near", true))).toBe("near");
+  expect(kindOf(runWith("near", false))).toBe("running");
+  const flood = { verdict: "stands", ravelled_volume: 0.62, ravelled_depth: 0.7 };
+  expect(doubts(runWith("stands", true, { events: { slides: [], flood } })).join(" ").replaceAll("\u00a0", " "))
+    .toContain("Ravelled: 0.6 m², from at most 0.70 m below the ground.");
+});
+
 it("retrogression is of the slope that slid first", () => {
   const slide = (facing: string, begins: number) => ({ facing, begins });
   const slides = [slide("right", 1), slide("left", 2), slide("right", 3), slide("left", 4)];
