@@ -341,7 +341,7 @@ class Flood : public Follower {
     f.width_at_level = barrier.width;
     f.intact_width = barrier.intact_width;
     f.first_time_below = known(time_below_);
-    if (f.first_time_below) f.below_for = below_.until - below_.since, f.below_by = below_.by;
+    if (f.first_time_below) f.below_for = below_.until - below_.since, f.below_by = known(below_.by);
     f.first_time_damaged =  // the slopes are asked before
         known(std::fmin(time_damaged_, s.first_slide_time.value_or(never)));
     f.stage_damaged = stage_at(s.stages, f.first_time_damaged);
@@ -380,8 +380,8 @@ class Flood : public Follower {
     arrays.copy("ground", std::vector<Real>{first_height_, settles_, slides_});
     arrays.copy("river", std::vector<std::int64_t>{!river_ ? 0 : static_cast<std::int64_t>(outwards(*river_))});
     arrays.copy("times", std::vector<Real>{time_damaged_, time_below_});
-    arrays.copy("below",
-        std::vector<Real>{below_.lasts ? 1.0 : 0.0, below_.since, below_.until, below_.by, below_.narrow ? 1.0 : 0.0});
+    arrays.copy("below", std::vector<Real>{below_.since, below_.until, below_.by});
+    arrays.copy("below_now", std::vector<std::int64_t>{below_.lasts, below_.narrow});
     if (!flooded_.empty()) arrays.copy("flooded", flooded_);
     arrays.copy("speed", std::vector<Real>{fastest_node_});
     arrays.copy("moved_from", std::vector<Real>{moved_from_});
@@ -403,8 +403,9 @@ class Flood : public Follower {
     const std::int64_t river = arrays.wholes("river", 1)[0];
     river_ = river == 0 ? std::nullopt : std::optional(river > 0 ? Facing::right : Facing::left);
     time_damaged_ = times[0], time_below_ = times[1];
-    const std::vector<Real>& below = arrays.reals("below", 5);
-    below_ = {below[0] != 0.0, below[1], below[2], below[3], below[4] != 0.0};
+    const std::vector<Real>& below = arrays.reals("below", 3);
+    const std::vector<std::int64_t>& below_now = arrays.wholes("below_now", 2);
+    below_ = {below_now[0] != 0, below[0], below[1], below[2], below_now[1] != 0};
     flooded_ = arrays.has("flooded") ? arrays.wholes("flooded") : std::vector<std::int64_t>{};
     fastest_node_ = arrays.reals("speed", 1)[0];
     moved_from_ = arrays.reals("moved_from", 1)[0];

@@ -42,14 +42,14 @@ std::string trigger_words(const FloodTrigger& trigger);
 struct FloodSummary {
   static constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 
-  std::optional<FloodVerdict> verdict;      ///< of the run so far; none: the run has not ended, and did not flood
-  Real water_level = none;                  ///< [m]
-  std::string water_level_origin = {};      ///< where it comes from, in words
-  std::optional<Facing> river = {};         ///< the end of the section that the river is at
-  Real residual_height = none;              ///< of the highest ground at the end [m]
-  Real freeboard = none;                    ///< of it over the water level [m]
-  Real width_at_level = none;               ///< of the ground at the water level, at the end [m]
-  Real intact_width = none;                 ///< of that, with eps_eq_p below the limit [m]
+  std::optional<FloodVerdict> verdict;  ///< of the run so far; none: the run has not ended, and does not flood so far
+  Real water_level = none;              ///< [m]
+  std::string water_level_origin = {};  ///< where it comes from, in words
+  std::optional<Facing> river = {};     ///< the end of the section that the river is at
+  Real residual_height = none;          ///< of the highest ground at the end [m]
+  Real freeboard = none;                ///< of it over the water level [m]
+  Real width_at_level = none;           ///< of the ground at the water level, at the end [m]
+  Real intact_width = none;             ///< of that, with eps_eq_p below the limit [m]
   std::optional<Real> first_time_damaged;   ///< [s]
   std::optional<Real> first_time_below;     ///< of the flood [s]
   std::optional<Real> below_for;            ///< how long the ground was below the level without a break, last [s]
@@ -81,7 +81,7 @@ std::string moving_when(const FloodSummary& flood);
 /// What moves then, how fast and where.
 std::string motion_words(const FloodSummary& flood);
 
-/// A run that has not ended has a verdict only where that is for good: it floods.
+/// A run that has not ended has a verdict only where it floods so far.
 void withhold_verdict(FloodSummary& flood);
 
 /// The verdict, with its numbers, the times at which it was first true and the stage in which that was: a clause,
