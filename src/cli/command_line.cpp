@@ -210,6 +210,15 @@ void declare_viewers(CLI::App& app, CommandLine& line)
   add_output(exported, line.exported.folder, "folder (default: RUN/csv)");
   add_option(exported, "--dxf FILE", line.exported.dxf, "instead: the section at the end (docs/dxf.md)");
   add_option(exported, "--profile FILE", line.exported.profile, "instead: the ground before and after, as a table");
+  add_option(exported, "--stix FILE", line.exported.stix,
+      "instead: the D-Stability file of --template with the\nsection at the end as one more stage\n"
+      "(docs/dstability.md)");
+  add_option(exported, "--template FILE", line.exported.of_stix.path, "of --stix: what the case was imported from");
+  add_number(exported, "--scenario N", line.exported.of_stix.scenario, 1, 100000, "of that file, from 1");
+  add_number(exported, "--stage N", line.exported.of_stix.stage, 1, 100000,
+      "that the new one follows, from 1 (default: the last)");
+  add_number(exported, "--tolerance T", line.exported.tolerance, 1e-3, 1e3,
+      "within which outlines are straightened [m] (default:\nsome half a cell)");
 }
 
 void declare_guides(CLI::App& app, CommandLine& line)

@@ -62,12 +62,6 @@ struct ReportCommand {
   std::string language = "en";    ///< of the page: one of report_languages
 };
 
-struct ExportCommand {
-  std::string run, frames, folder;
-  std::string dxf, profile;  ///< files of the section at the end; empty: none
-  std::vector<std::string> fields;
-};
-
 struct ImportCommand {
   std::string path;    ///< of the .stix, .dxf or .csv file
   std::string slices;  ///< CSV file of computed and stored values; empty: none
@@ -89,6 +83,14 @@ struct ImportCommand {
   std::optional<double> river;          ///< level of the river [m]; none: that of the file
   std::string trigger;                  ///< "strength", "strength=1.2", "water", "water=12.5"; empty: none
   bool print_defaults = false;
+};
+
+struct ExportCommand {
+  std::string run, frames, folder;
+  std::string dxf, profile, stix;  ///< files of the section at the end; empty: none
+  ImportCommand of_stix;           ///< the file that the new one is made of: path, scenario, stage
+  double tolerance = 0.0;          ///< of the outlines in it [m]; 0: the usual one
+  std::vector<std::string> fields;
 };
 
 struct StudyCommand {

@@ -3,6 +3,9 @@
 // are read. It is made as a whole in memory, and an earlier page stays until the new one is complete.
 
 #include "cli/commands.hpp"
+#include "cli/import_options.hpp"
+#include "import/dstability/read_stix.hpp"
+#include "import/dstability/stix_export.hpp"
 #include "io/case/case_file.hpp"
 #include "io/case/printable.hpp"
 #include "io/files/files.hpp"
@@ -45,6 +48,24 @@ void refuse_other_files(const std::string& path)
         fmt::format("error: {} is there already, and it is no page\n  Choose another name: -o report.html\n", path)));
 }
 
+void write_stix(const ExportCommand& command)
+{
+  const ImportCommand& of = command.of_stix;
+  if (of.path.empty())
+    refuse_import("--stix needs the file that the case was imported from",
+        "Its soils, and all that the run does not know, come from there: --template section.stix.");
+  try {
+    const FolderOptions place = folder_options(read_stix(of.path), of);
+    const StixExport made = export_stix(read_run(command.run),
+        {.original = of.path, .scenario = place.scenario, .stage = place.stage, .tolerance = command.tolerance});
+    write_file_atomically(command.stix, made.bytes);
+    for (const std::string& note : made.notes) say(stderr, "warning: {}\n", note);
+    say("section at t = {:.4g} s, {} layers, in {}\n", made.time, made.n_layers, command.stix);
+  } catch (const InputError& error) {
+    refuse_import(of.path, error);
+  }
+}
+
 }  // namespace
 
 int report_runs(const ReportCommand& command)
@@ -67,6 +88,10 @@ int report_runs(const ReportCommand& command)
 
 int export_run(const ExportCommand& command)
 {
+  if (!command.stix.empty()) {
+    write_stix(command);
+    if (command.dxf.empty() && command.profile.empty()) return solved;
+  }
   if (!command.dxf.empty() || !command.profile.empty()) {
     const SectionExport section = export_section(read_run(command.run));
     for (const auto& [path, text] :

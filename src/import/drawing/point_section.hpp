@@ -15,11 +15,19 @@ struct PointSection {
   Real ground_at(Real x) const;
 };
 
+struct OutlineOptions {
+  /// Within which outlines are straightened [m]; 0: three quarters of the boxes that they follow.
+  Real tolerance = 0.0;
+  /// They follow ninths of boxes, each of the material of its point, and lie nowhere below `ground`: for a caller that
+  /// cuts them there.
+  bool reaches_above = false;
+};
+
 /// places [m], volumes [m^2] and materials of the points, shape [n_points]. In a box of the top the ground is as high
 /// as the points fill it, at an end of the soil over the width that they have there; boxes filled by less than a
 /// twentieth do not count. A box has the material with most volume in it, if points fill half of it. Outlines are
-/// straightened within three quarters of a box.
-PointSection section_of_points(
-    std::span<const Vec<2>> places, std::span<const Real> volumes, std::span<const int> materials);
+/// straightened.
+PointSection section_of_points(std::span<const Vec<2>> places, std::span<const Real> volumes,
+    std::span<const int> materials, const OutlineOptions& options = {});
 
 }  // namespace terp

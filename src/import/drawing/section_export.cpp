@@ -12,21 +12,25 @@ namespace {
 
 PointSection section_of_frame(const Frames& frames, std::size_t k)
 {
-  const std::vector<Real> x = frames.places(k), material = frames.read("material", k),
-                          volume = frames.read("volume", k);
-  std::vector<Vec<2>> places;
-  std::vector<Real> volumes;
-  std::vector<int> materials;
-  for (std::size_t p = 0; p < material.size(); ++p) {
-    if (!is_soil(x, p)) continue;
-    places.push_back({x[2 * p], x[2 * p + 1]});
-    volumes.push_back(volume[p]);
-    materials.push_back(static_cast<int>(material[p]));
-  }
-  return section_of_points(places, volumes, materials);
+  const SoilPoints points = soil_points(frames, k);
+  return section_of_points(points.places, points.volumes, points.materials);
 }
 
 }  // namespace
+
+SoilPoints soil_points(const Frames& frames, std::size_t frame)
+{
+  const std::vector<Real> x = frames.places(frame), material = frames.read("material", frame),
+                          volume = frames.read("volume", frame);
+  SoilPoints points;
+  for (std::size_t p = 0; p < material.size(); ++p) {
+    if (!is_soil(x, p)) continue;
+    points.places.push_back({x[2 * p], x[2 * p + 1]});
+    points.volumes.push_back(volume[p]);
+    points.materials.push_back(static_cast<int>(material[p]));
+  }
+  return points;
+}
 
 SectionExport export_section(const RunResults& run)
 {

@@ -7,6 +7,14 @@
 
 namespace terp {
 
+/// The soil of a frame, point by point: places [m], volumes [m^2], numbers of materials.
+struct SoilPoints {
+  std::vector<Vec<2>> places;
+  std::vector<Real> volumes;
+  std::vector<int> materials;
+};
+SoilPoints soil_points(const Frames& frames, std::size_t frame);
+
 struct SectionExport {
   std::string dxf;  ///< layers ground_start, ground_end, and one for each material: its outlines at the end
   std::vector<std::array<Real, 3>> profile;  ///< x, ground at the start and at the end [m]; NaN where no soil was

@@ -137,4 +137,30 @@ std::string ZipMembers::text(std::size_t number)
   return text;
 }
 
+std::string zip_of(const std::vector<std::pair<std::string, std::string>>& members)
+{
+  constexpr time_t first_day = 315532800;  // 1980-01-01: a zip file knows none before
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* const source = zip_source_buffer_create(nullptr, 0, 0, &error);
+  zip_t* const zip = source == nullptr ? nullptr : zip_open_from_source(source, ZIP_TRUNCATE, &error);
+  zip_error_fini(&error);
+  if (zip == nullptr) throw FileError("no zip file can be made");
+  zip_source_keep(source);
+  for (const auto& [name, contents] : members) {
+    const zip_int64_t number =
+        zip_file_add(zip, name.c_str(), zip_source_buffer(zip, contents.data(), contents.size(), 0), ZIP_FL_ENC_UTF_8);
+    if (number >= 0) zip_file_set_mtime(zip, static_cast<zip_uint64_t>(number), first_day, 0);
+  }
+  if (zip_close(zip) != 0) throw FileError("no zip file can be made");
+  zip_stat_t info;
+  zip_source_stat(source, &info);
+  std::string bytes(info.size, '\0');
+  zip_source_open(source);
+  zip_source_read(source, bytes.data(), bytes.size());
+  zip_source_close(source);
+  zip_source_free(source);
+  return bytes;
+}
+
 }  // namespace terp

@@ -37,4 +37,8 @@ class ZipMembers {
   std::unique_ptr<Archive> archive_;
 };
 
+/// The bytes of a zip file of these members: name, contents. All have one date, so that the same members give the same
+/// bytes.
+std::string zip_of(const std::vector<std::pair<std::string, std::string>>& members);
+
 }  // namespace terp

@@ -6,7 +6,6 @@
 #include "support/paths.hpp"
 
 #include <nlohmann/json.hpp>
-#include <zip.h>
 
 namespace terp::test {
 
@@ -32,26 +31,6 @@ inline Members compact_sample(const std::string& name)
   for (auto& [member, text] : members)
     if (member.ends_with(".json")) text = nlohmann::ordered_json::parse(text).dump();
   return members;
-}
-
-inline std::string zip_of(const Members& members)
-{
-  zip_error_t error;
-  zip_error_init(&error);
-  zip_source_t* const target = zip_source_buffer_create(nullptr, 0, 0, &error);
-  zip_source_keep(target);
-  zip_t* const zip = zip_open_from_source(target, ZIP_TRUNCATE, &error);
-  for (const auto& [name, text] : members)
-    zip_file_add(zip, name.c_str(), zip_source_buffer(zip, text.data(), text.size(), 0), ZIP_FL_ENC_UTF_8);
-  zip_close(zip);
-  zip_stat_t info;
-  zip_source_stat(target, &info);
-  std::string bytes(info.size, '\0');
-  zip_source_open(target);
-  zip_source_read(target, bytes.data(), bytes.size());
-  zip_source_close(target);
-  zip_source_free(target);
-  return bytes;
 }
 
 /// The members with `from` replaced by `to` in one of them, once. Fails the test if `from` is not there.
