@@ -161,6 +161,7 @@ TEST(Reader, FillsTheWater)
   EXPECT_EQ((Numbers{c.water.unit_weight, c.water.suction, c.materials[0].k0, c.materials[1].undrained_poisson_ratio}),
       (Numbers{9905.0, 5000.0, 0.625, 0.4875}));
   EXPECT_TRUE(c.materials[1].stores_effective());
+  EXPECT_FALSE(c.water.follow_soil);
 }
 
 TEST(Reader, AWaterSituationTakesWhatItLeavesOutFromTheStart)
