@@ -18,6 +18,7 @@ namespace terp {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
 void add_place(std::vector<float>& line, Vec<2> x)
 {
@@ -156,22 +157,42 @@ std::optional<Real> corner_near(std::span<const float> outline, Real x, Real rea
   return best ? std::optional((*best)[0]) : std::nullopt;
 }
 
-std::vector<float> water_in_moved_soil(
-    std::span<const float> first_ground, std::span<const float> ground, std::span<const float> water)
+std::vector<float> water_in_moved_soil(const std::vector<Real>& first, const std::vector<Real>& now,
+    std::span<const float> line, const SurfaceColumns& columns)
 {
-  constexpr Real shallow = 0.1;  // m; the surface of points is no sharper
-  const std::vector<Vec<2>> first = places_of(first_ground), now = places_of(ground), table = places_of(water);
-  if (first.empty() || now.empty()) return {water.begin(), water.end()};
-  std::vector<float> out;
-  const auto enter = [&](Real x, Real level) {
-    const bool was_free = level > interpolate(first, x) + shallow;
-    add_place(out, {x, was_free ? level : std::min(level, interpolate(now, x))});
+  struct Column {
+    Real ground = -infinity, table = -infinity;  // of the soil there now; of the wet part of it [m]
+    bool has_moved = false;
   };
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    enter(table[k][0], table[k][1]);
-    for (const Vec<2>& place : now)
-      if (k + 1 < table.size() && place[0] > table[k][0] && place[0] < table[k + 1][0])
-        enter(place[0], interpolate(table, place[0]));
+  const std::vector<Vec<2>> drawn = places_of(line);
+  if (drawn.empty()) return {};
+  const std::vector<Vec<2>> ground = places_of(surface_line(first, columns));
+  std::map<long, Column> soil;
+  for (std::size_t p = 0; p < now.size() / 2; ++p) {
+    if (!is_soil(now, p) || !is_soil(first, p)) continue;
+    const Real x = now[2 * p], y = now[2 * p + 1];
+    Column& column = soil[std::lround(std::floor(x / columns.width))];
+    column.has_moved |= std::hypot(x - first[2 * p], y - first[2 * p + 1]) > 0.25 * columns.width;
+    column.ground = std::max(column.ground, y + columns.half_point);
+    const Real level = interpolate(drawn, first[2 * p]);
+    if (first[2 * p + 1] <= level)
+      column.table = std::max(column.table, std::min(y + columns.half_point, y + level - first[2 * p + 1]));
+  }
+  std::vector<float> out;
+  const auto enter = [&](Vec<2> x) {
+    constexpr Real shallow = 0.1;  // m; the surface of points is no sharper
+    const auto column = soil.find(std::lround(std::floor(x[0] / columns.width)));
+    const bool is_free = !ground.empty() && x[1] > interpolate(ground, x[0]) + shallow;
+    const bool stays = column == soil.end() || !column->second.has_moved || (is_free && x[1] > column->second.ground);
+    if (!stays && column->second.table == -infinity) return;  // no wet soil
+    add_place(out, stays ? x : Vec<2>{x[0], column->second.table});
+  };
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    enter(drawn[k]);
+    for (const auto& [number, column] : soil)
+      if (const Real x = (static_cast<Real>(number) + 0.5) * columns.width;
+          column.has_moved && k + 1 < drawn.size() && x > drawn[k][0] && x < drawn[k + 1][0])
+        enter({x, interpolate(drawn, x)});
   }
   return out;
 }

@@ -39,9 +39,9 @@ std::vector<Vec<2>> places_of(std::span<const float> line);
 /// the edge of a column, and its true edge is a corner of the drawing near by. outline: as of first_outline.
 std::optional<Real> corner_near(std::span<const float> outline, Real x, Real reach);
 
-/// The phreatic line in soil that has moved: free water where it was free at t = 0, elsewhere at most the ground as it
-/// is. Lines: x, y [m], shape [n, 2].
-std::vector<float> water_in_moved_soil(
-    std::span<const float> first_ground, std::span<const float> ground, std::span<const float> water);
+/// The phreatic line where soil has moved by more than a quarter of a column: the top of the highest soil that lay
+/// below it at t = 0. Free water stays. first, now: places of all points; line: x, y [m], shape [n, 2].
+std::vector<float> water_in_moved_soil(const std::vector<Real>& first, const std::vector<Real>& now,
+    std::span<const float> line, const SurfaceColumns& columns);
 
 }  // namespace terp

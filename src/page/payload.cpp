@@ -236,26 +236,33 @@ struct LinesOfFrames {
   Json json(Chunks& chunks) const { return {{"chunk", chunks.add(places)}, {"offsets", offsets}}; }
 };
 
+SurfaceColumns columns_of(const Source& source, const ShownRun& shown)
+{
+  const Real share = static_cast<Real>(shown.ids.size()) / static_cast<Real>(std::max<std::int64_t>(1, shown.n_points));
+  return {source.mesh ? typical_cell_size(*source.mesh) : 4.0 * shown.point_size,
+      0.5 * shown.point_size * std::sqrt(share)};
+}
+
 LinesOfFrames surfaces_of(const Source& source, const ShownRun& shown)
 {
-  const Frames& frames = source.frames;
-  const Real share = static_cast<Real>(shown.ids.size()) / static_cast<Real>(std::max<std::int64_t>(1, shown.n_points));
-  const SurfaceColumns columns{source.mesh ? typical_cell_size(*source.mesh) : 4.0 * shown.point_size,
-      0.5 * shown.point_size * std::sqrt(share)};
   LinesOfFrames surfaces;
-  for (const std::size_t k : shown.frames) surfaces.add(surface_line(frames.places(k), columns));
+  for (const std::size_t k : shown.frames)
+    surfaces.add(surface_line(source.frames.places(k), columns_of(source, shown)));
   return surfaces;
 }
 
-std::optional<LinesOfFrames> water_of(const Source& source, const ShownRun& shown, const LinesOfFrames& surfaces)
+std::optional<LinesOfFrames> water_of(const Source& source, const ShownRun& shown)
 {
   if (!source.mesh || !source.case_read->values.water.is_given()) return std::nullopt;
+  const Case& values = source.case_read->values;
+  const std::vector<Real> first = source.frames.places(shown.frames.front());
   LinesOfFrames lines;
   for (std::size_t k = 0; k < shown.times.size(); ++k) {
-    const std::vector<float> drawn = phreatic_line(
-        source.case_read->values, source.run.summary.values.stages, *source.mesh, shown.times.front(), shown.times[k]);
-    const bool follows = source.case_read->values.water.follow_soil;
-    lines.add(follows ? water_in_moved_soil(surfaces.first(), surfaces.line(k), drawn) : drawn);
+    const std::vector<float> drawn =
+        phreatic_line(values, source.run.summary.values.stages, *source.mesh, shown.times.front(), shown.times[k]);
+    lines.add(values.water.follow_soil
+                  ? water_in_moved_soil(first, source.frames.places(shown.frames[k]), drawn, columns_of(source, shown))
+                  : drawn);
   }
   return lines;
 }
@@ -398,7 +405,7 @@ Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   json["outline"] = {{"chunk", chunks.add(outline)}, {"count", outline.size() / 2}};
   const LinesOfFrames surfaces = surfaces_of(source, shown);
   json["surfaces"] = surfaces.json(chunks);
-  const std::optional<LinesOfFrames> water = water_of(source, shown, surfaces);
+  const std::optional<LinesOfFrames> water = water_of(source, shown);
   json["water"] = water ? water->json(chunks) : Json();
   json["layers"] = layers_json(chunks, source, shown);
   json["loads"] = loads_json(chunks, source, shown);

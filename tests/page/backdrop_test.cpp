@@ -101,14 +101,19 @@ TEST(Backdrop, AStepOfThePhreaticLineIsVertical)
   EXPECT_EQ(phreatic_line(c, {}, mesh, 0.0, 0.0), (std::vector<float>{0, 1, 1, 1, 1, 0.5, 3, 0.5}));
 }
 
-// A dike from x = 2 to 8 m, whose right half has come down by 2 m; the river is to the left.
-TEST(Backdrop, NoWaterStandsWhereGroundSlidAwayBelowThePhreaticLine)
+// Two columns of three points, 2 m wide; the river stands above the first, the line runs through the second.
+TEST(Backdrop, ThePhreaticLineGoesWithTheSoil)
 {
-  const std::vector<float> first{0, 0, 2, 0, 4, 4, 6, 4, 8, 0, 10, 0}, slid{0, 0, 2, 0, 4, 4, 5, 4, 6, 2, 8, 0, 10, 0};
-  const std::vector<float> river{0, 3, 4, 3, 6, 2.8f, 10, -1};
-  EXPECT_EQ(water_in_moved_soil(first, first, river), (std::vector<float>{0, 3, 2, 3, 4, 3, 6, 2.8f, 8, 0.9f, 10, -1}));
-  EXPECT_EQ(
-      water_in_moved_soil(first, slid, river), (std::vector<float>{0, 3, 2, 3, 4, 3, 5, 2.9f, 6, 2, 8, 0.9f, 10, -1}));
+  const SurfaceColumns columns{2.0, 0.5};
+  const std::vector<Real> first{1.0, 0.5, 3.0, 0.5, 3.0, 1.5, 3.0, 2.5};
+  const std::vector<float> line{0, 2, 4, 2};
+  EXPECT_EQ(water_in_moved_soil(first, first, line, columns), line);
+  const std::vector<Real> slid{1.0, 0.5, 5.0, 0.5, 5.0, 1.5, 5.0, 2.5};  // its line with it; none where it was
+  EXPECT_EQ(water_in_moved_soil(first, slid, {std::array{0.0f, 2.0f, 6.0f, 2.0f}}, columns),
+      (std::vector<float>{0, 2, 5, 2, 6, 2}));
+  const std::vector<Real> spread{1.0, 0.5, 3.0, 0.5, 5.0, 0.5, 5.0, 1.5};
+  EXPECT_EQ(water_in_moved_soil(first, spread, {std::array{0.0f, 2.0f, 6.0f, 2.0f}}, columns),
+      (std::vector<float>{0, 2, 5, 1, 6, 2}));
 }
 
 }  // namespace backdrop_test
