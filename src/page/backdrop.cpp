@@ -10,6 +10,7 @@
 #include "model/water/water_pressure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -178,19 +179,32 @@ std::vector<float> water_in_moved_soil(const std::vector<Real>& first, const std
     if (first[2 * p + 1] <= level)
       column.table = std::max(column.table, std::min(y + columns.half_point, y + level - first[2 * p + 1]));
   }
+  constexpr Real shallow = 0.1;  // m; the surface of points is no sharper
+  const auto is_free = [&](Real x) {
+    return !ground.empty() && interpolate(drawn, x) > interpolate(ground, x) + shallow;
+  };
+  // The river ends at the highest ground that is left: what lay below it beyond that has none.
+  const auto top = std::ranges::max_element(soil, {}, [](const auto& column) { return column.second.ground; });
+  const auto x_of = [&](long column) { return (static_cast<Real>(column) + 0.5) * columns.width; };
+  std::array<Real, 2> beyond{infinity, -infinity};
+  const bool from_left = is_free(drawn.front()[0]);
+  if (top != soil.end() && from_left != is_free(drawn.back()[0]) && is_free(x_of(top->first))) {
+    beyond = {x_of(top->first), x_of(top->first)};
+    for (long k = top->first; soil.contains(k) && is_free(x_of(k)); k += from_left ? 1 : -1)
+      beyond[from_left ? 1 : 0] = x_of(k);
+  }
   std::vector<float> out;
   const auto enter = [&](Vec<2> x) {
-    constexpr Real shallow = 0.1;  // m; the surface of points is no sharper
     const auto column = soil.find(std::lround(std::floor(x[0] / columns.width)));
-    const bool is_free = !ground.empty() && x[1] > interpolate(ground, x[0]) + shallow;
-    const bool stays = column == soil.end() || !column->second.has_moved || (is_free && x[1] > column->second.ground);
+    const bool is_river = is_free(x[0]) && !(x[0] > beyond[0] && x[0] < beyond[1]);
+    const bool stays = column == soil.end() || !column->second.has_moved || (is_river && x[1] > column->second.ground);
     if (!stays && column->second.table == -infinity) return;  // no wet soil
     add_place(out, stays ? x : Vec<2>{x[0], column->second.table});
   };
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     enter(drawn[k]);
     for (const auto& [number, column] : soil)
-      if (const Real x = (static_cast<Real>(number) + 0.5) * columns.width;
+      if (const Real x = x_of(number);
           column.has_moved && k + 1 < drawn.size() && x > drawn[k][0] && x < drawn[k + 1][0])
         enter({x, interpolate(drawn, x)});
   }

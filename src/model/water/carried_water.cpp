@@ -145,33 +145,46 @@ class SoilColumns {
 /// By columns.
 using Elevations = std::vector<Real>;
 
+/// The first and the last column of a stretch.
+struct Stretch {
+  Index first, last;
+};
+
+/// Where the river at an end of the section stops: at the highest ground that is left, as water that flows over is not
+/// simulated. Not where the whole section is drawn below water. from: a stretch that is drawn below water.
+Stretch reach_of_river(Stretch from, const Elevations& ground)
+{
+  const auto n = static_cast<Index>(ground.size());
+  const bool left = from.first == 0, right = from.last == n - 1;
+  if (left == right) return {0, n - 1};  // a pond, or all
+  const auto highest = [&](Index first, Index last) {
+    return static_cast<Index>(std::max_element(ground.begin() + first, ground.begin() + last + 1) - ground.begin());
+  };
+  return left ? Stretch{0, highest(0, n - 1)} : Stretch{highest(0, n - 1), n - 1};
+}
+
 /// Free water stands where it is drawn above the drawn ground, and beside that as far as the ground has come down below
-/// its level: the river as far as the highest ground that is left before the other end, as water that flows over is not
-/// simulated. A sloping line has the level of its lowest place. Minus infinity: none.
+/// its level. A sloping line has the level of its lowest place there. Minus infinity: none.
 Elevations free_water(const Elevations& level, const Elevations& drawn_ground, const Elevations& ground)
 {
   const auto n = static_cast<Index>(level.size());
   Elevations free(level.size(), nowhere);
   const auto is_drawn = [&](Index k) { return level[k] > drawn_ground[k] + least_free_depth; };
-  const auto spread = [&](Index from, int by, Index highest, Real at) {
-    for (Index k = from; k >= 0 && k < n && ground[k] < at; k += by) {
-      free[k] = std::max(free[k], at);
-      if (k == highest) break;
-    }
-  };
   for (Index a = 0; a < n; ++a) {
     if (!is_drawn(a)) continue;
     Index b = a;
     Real lowest = level[a];
     for (; b + 1 < n && is_drawn(b + 1); ++b) lowest = std::min(lowest, level[b + 1]);
-    for (Index k = a; k <= b; ++k)
-      if (ground[k] < level[k]) free[k] = std::max(free[k], level[k]);
-    const auto begin = ground.begin();
-    const Index none = -1;
-    const Index to_right = a > 0 ? none : static_cast<Index>(std::max_element(begin + b, ground.end()) - begin);
-    const Index to_left = b < n - 1 ? none : static_cast<Index>(std::max_element(begin, begin + a + 1) - begin);
-    if (to_right != b) spread(b + 1, 1, to_right, lowest);
-    if (to_left != a) spread(a - 1, -1, to_left, lowest);
+    const Stretch reach = reach_of_river({a, b}, ground);
+    const auto enter = [&](Index k, Real at) {
+      if (k < reach.first || k > reach.last || !(ground[k] < at)) return false;
+      free[k] = std::max(free[k], at);
+      return true;
+    };
+    for (Index k = a; k <= b; ++k) enter(k, level[k]);
+    for (Index k = b + 1; k < n && enter(k, lowest);) ++k;
+    for (Index k = a; k-- > 0 && enter(k, lowest);) {
+    }
     a = b;
   }
   return free;

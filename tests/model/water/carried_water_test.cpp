@@ -98,6 +98,14 @@ TEST(CarriedWater, TheRiverEndsAtTheHighestGroundThatIsLeft)
   const auto lower = [](Vec<2> x) { return Vec<2>{x[0], x[0] > 4.0 && x[0] < 8.0 ? 0.5 * x[1] : x[1]}; };
   EXPECT_NEAR(pressure_after(c, lower, {2.0, 1.0}), gamma_w * 2.0, 1e-6);
   EXPECT_LE(pressure_after(c, lower, {12.0, 1.0}), 1e-6);
+  // The highest ground that is left lies below what was drawn as the river: behind it there is none.
+  Case wide = c;
+  wide.water.start.phreatic_line = {{0.0, 3.0}, {7.0, 3.0}, {8.0, 0.0}};
+  wide.bodies[1].polygon = {{4.0, 0.0}, {8.0, 0.0}, {8.0, 4.0}, {7.0, 4.0}, {4.0, 1.0}};
+  const auto slid = [](Vec<2> x) { return Vec<2>{x[0], x[0] > 5.0 && x[0] < 8.0 ? 0.2 * x[1] : x[1]}; };
+  EXPECT_NEAR(pressure_after(wide, slid, {4.0, 1.0}), gamma_w * 2.0, 0.01 * gamma_w);
+  EXPECT_LE(pressure_after(wide, slid, {6.0, 2.5}), 0.0);
+  EXPECT_NEAR(pressure_after(wide, unmoved, {5.5, 2.5}), gamma_w * 0.5, 1e-6);
 }
 
 TEST(CarriedWater, TheWeightThatCapsTheWaterIsThatOfTheSoilAsItLies)
