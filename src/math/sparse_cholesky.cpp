@@ -15,13 +15,23 @@ namespace terp {
 using Vector = Eigen::Map<const Eigen::VectorXd>;
 
 struct SparseCholesky::Factor {
+  Eigen::SparseMatrix<Real> matrix;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<Real>, Eigen::Lower> of;
 };
 
-SparseCholesky::SparseCholesky(Index n, const std::vector<MatrixEntry>& entries) : factor_(std::make_unique<Factor>())
+static bool has_places_of(const Eigen::SparseMatrix<Real>& a, const Eigen::SparseMatrix<Real>& b)
+{
+  return a.rows() == b.rows() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
+SparseCholesky::SparseCholesky() : factor_(std::make_unique<Factor>()) {}
+
+void SparseCholesky::factor(Index n, const std::vector<MatrixEntry>& entries)
 {
   std::vector<Eigen::Triplet<Real>> lower;
-  lower.reserve(entries.size() / 2 + static_cast<std::size_t>(n));
+  lower.reserve(entries.size());
   bool is_finite = true;  // Eigen takes a pivot that is no number for a good one
   for (const MatrixEntry& e : entries) {
     is_finite = is_finite && std::isfinite(e.value);
@@ -29,7 +39,10 @@ SparseCholesky::SparseCholesky(Index n, const std::vector<MatrixEntry>& entries)
   }
   Eigen::SparseMatrix<Real> matrix(n, n);
   matrix.setFromTriplets(lower.begin(), lower.end());
-  factor_->of.compute(matrix);
+  const bool is_known = has_places_of(factor_->matrix, matrix);
+  factor_->matrix = std::move(matrix);
+  if (!is_known) factor_->of.analyzePattern(factor_->matrix);
+  factor_->of.factorize(factor_->matrix);
   factored_ = is_finite && factor_->of.info() == Eigen::Success;
 }
 

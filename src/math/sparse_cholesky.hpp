@@ -1,5 +1,5 @@
 // Symmetric positive definite equations K x = b with few numbers in each row: factored once, solved many times.
-// Not for: equations that change from solution to solution. The factor is that of Eigen; the same bits on any machine.
+// The factor is that of Eigen; the same bits on any machine.
 #pragma once
 
 #include "math/types.hpp"
@@ -17,9 +17,13 @@ struct MatrixEntry {
 
 class SparseCholesky {
  public:
-  /// n: unknowns. Entries at the same place add up; those above the diagonal are not looked at.
-  SparseCholesky(Index n, const std::vector<MatrixEntry>& entries);
+  SparseCholesky();
+  SparseCholesky(Index n, const std::vector<MatrixEntry>& entries) : SparseCholesky() { factor(n, entries); }
   ~SparseCholesky();
+
+  /// n: unknowns. Entries at the same place add up; those above the diagonal are not looked at. A matrix with entries
+  /// at the places of the one before has its order of elimination.
+  void factor(Index n, const std::vector<MatrixEntry>& entries);
 
   /// False: the matrix is not positive definite, or holds a number that is not finite.
   bool is_factored() const { return factored_; }

@@ -122,7 +122,7 @@ bool same_water(const WaterSituation& a, const WaterSituation& b)
     return one.head == other.head && one.head_bottom == other.head_bottom && one.places == other.places;
   };
   return a.phreatic_line == b.phreatic_line && a.formula_text == b.formula_text && a.grid_file == b.grid_file &&
-         std::ranges::equal(a.head_lines, b.head_lines, same_head) &&
+         a.seepage == b.seepage && std::ranges::equal(a.head_lines, b.head_lines, same_head) &&
          std::ranges::equal(a.reference_lines, b.reference_lines, same_reference);
 }
 
@@ -170,7 +170,8 @@ bool is_hydrostatic(const WaterCase& water)
 void check_parts(const Case& values, Findings& findings)
 {
   for (const MaterialCase& material : values.materials) {
-    if (material.zone == Zone::below && values.water.start.phreatic_line.empty())
+    if (material.zone == Zone::below && values.water.start.phreatic_line.empty() &&
+        values.water.kind == WaterKind::lines)
       findings.problems.push_back(
           {join_path("material", material.soil), "soil below and above the phreatic line needs that line",
               "Give [water] with phreatic_line = [[x, y], ...], or one density and one model.", "water", true});
@@ -194,6 +195,75 @@ void check_parts(const Case& values, Findings& findings)
   }
 }
 
+/// Keys of the other kind of water in a table of [water].
+void check_kind(const Node& table, const std::string& path, WaterKind kind, Problems& problems)
+{
+  const bool computed = kind == WaterKind::seepage;
+  const auto keys = computed
+                        ? std::vector<const char*>{"phreatic_line", "head_lines", "reference_lines", "pressure", "head"}
+                        : std::vector<const char*>{"river", "ponds", "boundary", "suction_band"};
+  for (const char* key : keys)
+    if (find_item(table, key) != nullptr)
+      problems.push_back({path + '.' + key,
+          computed ? fmt::format("`{}` does not go with computed water", key)
+                   : fmt::format("`{}` is for computed water", key),
+          computed
+              ? "With model = \"seepage\" the water follows from permeabilities, river, ponds and boundary. Remove "
+                "one of the two."
+              : "Give model = \"seepage\" in [water], and a permeability to each soil.",
+          "water.model", true, {"water.model"}});
+}
+
+/// Two conditions at one place, and levels that nothing follows from.
+void check_computed(const WaterSituation& situation, const std::string& path, Findings& findings)
+{
+  const SeepageCase& of = situation.seepage;
+  if (!of.river && of.ponds.empty() && of.boundary.empty())
+    findings.warnings.push_back({path, "no water enters the soil",
+        "There is no river, no pond and no head at a side, so all soil is dry. Give river = { side = \"left\", level = "
+        "4.5 }.",
+        "water.river", true, {"water"}});
+  for (std::size_t a = 0; a < of.ponds.size(); ++a)
+    for (std::size_t b = a + 1; b < of.ponds.size(); ++b)
+      if (of.ponds[a].from < of.ponds[b].to && of.ponds[b].from < of.ponds[a].to)
+        findings.problems.push_back({fmt::format("{}.ponds[{}]", path, b), "two ponds lie at one place",
+            fmt::format("From {:g} to {:g} m and from {:g} to {:g} m. Give each its own stretch.", of.ponds[a].from,
+                of.ponds[a].to, of.ponds[b].from, of.ponds[b].to),
+            "water.ponds"});
+  for (std::size_t a = 0; a < of.boundary.size(); ++a)
+    for (std::size_t b = a + 1; b < of.boundary.size(); ++b) {
+      const SideHead &one = of.boundary[a], &other = of.boundary[b];
+      if (one.side == other.side && one.from < other.to && other.from < one.to)
+        findings.problems.push_back({fmt::format("{}.boundary[{}]", path, b), "two heads are given at one place",
+            "Give each part of a side its own from and to, in m.", "water.boundary"});
+    }
+}
+
+void check_soils_of_flow(const Case& values, Findings& findings)
+{
+  Real least = std::numeric_limits<Real>::infinity(), most = 0.0;
+  std::string least_of, most_of;
+  for (const MaterialCase& material : values.materials) {
+    const Permeability& k = material.permeability;
+    if (!k.is_given()) continue;
+    const std::string path = material_path(material) + ".permeability";
+    if (k.vertical > k.horizontal || k.vertical < 1e-3 * k.horizontal)
+      findings.warnings.push_back({path, "the vertical permeability is unusual",
+          fmt::format("It is {:.3g} of the horizontal one; layers give 0.01 to 1.", k.vertical / k.horizontal),
+          "material.permeability"});
+    if (std::min(k.horizontal, k.vertical) < least)
+      least = std::min(k.horizontal, k.vertical), least_of = material.name;
+    if (std::max(k.horizontal, k.vertical) > most) most = std::max(k.horizontal, k.vertical), most_of = material.name;
+  }
+  if (most > 1e9 * least)
+    findings.warnings.push_back({"water.model", "permeabilities differ by more than a thousand million",
+        fmt::format(
+            "`{}` has {:.3g} m/s and `{}` {:.3g} m/s. Small heads are large flows then; the balance of the flow "
+            "is less exact.",
+            most_of, most, least_of, least),
+        "material.permeability", false, {"material." + most_of, "material." + least_of}});
+}
+
 }  // namespace
 
 void check_water(const Node& root, const Case& values, Findings& findings)
@@ -208,9 +278,19 @@ void check_water(const Node& root, const Case& values, Findings& findings)
   if (!water.is_given() && read)
     findings.problems.push_back({"water", "[water] has no `phreatic_line`",
         "Give phreatic_line = [[x, y], ...] in m, or pressure = \"a formula of x, y and t\" in Pa.", "water", true});
-  if (!water.is_given()) return;
-  check_situation(water.start, table, "water", findings);
   const Node* list = find_item(*table, "situation");
+  check_kind(*table, "water", water.kind, findings.problems);
+  for (std::size_t k = 0; list != nullptr && k < list->items.size(); ++k)
+    check_kind(list->items[k], fmt::format("water.situation[{}]", k), water.kind, findings.problems);
+  if (!water.is_given()) return;
+  if (water.kind == WaterKind::seepage) {
+    check_computed(water.start, "water", findings);
+    for (std::size_t k = 0; k < water.situations.size(); ++k)
+      if (!(water.situations[k].seepage == water.start.seepage))
+        check_computed(water.situations[k], fmt::format("water.situation[{}]", k), findings);
+    check_soils_of_flow(values, findings);
+  }
+  check_situation(water.start, table, "water", findings);
   for (std::size_t k = 0; k < water.situations.size(); ++k)
     check_situation(water.situations[k], list != nullptr ? &list->items[k] : nullptr,
         fmt::format("water.situation[{}]", k), findings);

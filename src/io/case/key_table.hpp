@@ -25,6 +25,10 @@ std::vector<KeyInfo> method_keys();
 std::vector<KeyInfo> motion_keys();
 /// Those of water (water_keys.cpp).
 std::vector<KeyInfo> water_keys();
+/// Those of computed water, of one of its situations, and of the soil that it flows through (seepage_keys.cpp).
+std::vector<KeyInfo> seepage_keys();
+std::vector<KeyInfo> seepage_keys_of_situation(const std::string& section, WaterSituation& (*of)(Case&, std::size_t));
+std::vector<KeyInfo> flow_keys_of_material();
 std::vector<KeyInfo> force_keys();      ///< of [forces] and [initial]
 std::vector<KeyInfo> flood_keys();      ///< of [flood]
 std::vector<KeyInfo> reference_keys();  ///< of [reference]

@@ -39,7 +39,7 @@ OwnForm color_field(std::string& color)
 
 std::vector<KeyInfo> material_keys()
 {
-  return {
+  std::vector<KeyInfo> keys{
       {.path = "material.NAME.model",
           .field = [](Case& c, std::size_t i) { return &c.materials[i].model; },
           .words = material_model_names,
@@ -95,6 +95,8 @@ std::vector<KeyInfo> material_keys()
           .meaning = "of the soil in pictures, red, green and blue in hexadecimal digits: \"#d9b98a\"",
           .default_text = "by the name of the soil: sand, clay, peat, loam, gravel, dike; else one of eight"},
   };
+  for (KeyInfo& key : flow_keys_of_material()) keys.push_back(std::move(key));
+  return keys;
 }
 
 std::vector<KeyInfo> softening_keys()

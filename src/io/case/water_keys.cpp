@@ -286,7 +286,13 @@ std::vector<KeyInfo> water_keys()
       .unit = "s",
       .range = positive,
       .meaning = "when this situation is reached; from the one before the pressure runs there linearly"});
-  for (KeyInfo& key : situation_keys("water.situation[]", other_of)) keys.push_back(std::move(key));
+  const auto add = [&](std::vector<KeyInfo> more) {
+    for (KeyInfo& key : more) keys.push_back(std::move(key));
+  };
+  add(situation_keys("water.situation[]", other_of));
+  add(seepage_keys());
+  add(seepage_keys_of_situation("water", start_of));
+  add(seepage_keys_of_situation("water.situation[]", other_of));
   return keys;
 }
 
@@ -294,6 +300,10 @@ void complete_situations(WaterCase& water)
 {
   const WaterSituation& start = water.start;
   for (WaterSituation& situation : water.situations) {
+    SeepageCase& seepage = situation.seepage;
+    if (!seepage.river) seepage.river = start.seepage.river;
+    if (seepage.ponds.empty()) seepage.ponds = start.seepage.ponds;
+    if (seepage.boundary.empty()) seepage.boundary = start.seepage.boundary;
     if (!situation.is_given()) {
       situation.phreatic_line = start.phreatic_line;
       situation.formula = start.formula;

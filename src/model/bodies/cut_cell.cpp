@@ -15,17 +15,6 @@ namespace {
 /// the mesh but for the round-off of coordinates far from the origin.
 constexpr Real round_off_share = 1e-9;
 
-std::array<Vec<2>, 4> corners_of_part(const Lattice& lattice, std::array<Index, 2> part)
-{
-  std::array<Vec<2>, 4> corners;
-  for (int k = 0; k < 4; ++k) {
-    const Index column = part[0] + (k == 1 || k == 2), row = part[1] + (k == 2 || k == 3);
-    const Vec<2> local{2.0 * column / lattice.n[0] - 1.0, 2.0 * row / lattice.n[1] - 1.0};
-    corners[k] = Quad4::offset_from_centre(lattice.cell.map, local);
-  }
-  return corners;
-}
-
 bool is_cut(const Overlay& overlay, const std::array<Vec<2>, 4>& corners)
 {
   const BoundingBox box = box_around(corners);
@@ -101,6 +90,17 @@ void merge_small_pieces(const Overlay& overlay, Index body, std::vector<Piece>& 
 }
 
 }  // namespace
+
+std::array<Vec<2>, 4> corners_of_part(const Lattice& lattice, std::array<Index, 2> part)
+{
+  std::array<Vec<2>, 4> corners;
+  for (int k = 0; k < 4; ++k) {
+    const Index column = part[0] + (k == 1 || k == 2), row = part[1] + (k == 2 || k == 3);
+    const Vec<2> local{2.0 * column / lattice.n[0] - 1.0, 2.0 * row / lattice.n[1] - 1.0};
+    corners[k] = Quad4::offset_from_centre(lattice.cell.map, local);
+  }
+  return corners;
+}
 
 Vec<2> middle_of_part(const Lattice& lattice, std::array<Index, 2> part)
 {

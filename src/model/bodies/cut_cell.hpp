@@ -31,6 +31,9 @@ struct Lattice {
 /// Middle of a part in local coordinates.
 Vec<2> middle_of_part(const Lattice& lattice, std::array<Index, 2> part);
 
+/// Corners of a part, relative to the cell's centre [m].
+std::array<Vec<2>, 4> corners_of_part(const Lattice& lattice, std::array<Index, 2> part);
+
 /// Volume of a part [m^2]. Exact: detJ is linear in xi and eta, so its value in the middle is its mean.
 Real volume_of_part(const Lattice& lattice, std::array<Index, 2> part);
 

@@ -10,6 +10,7 @@
 #include "model/case/parameter_field.hpp"
 #include "model/case/time_case.hpp"
 #include "soil/libraries/library_case.hpp"
+#include "model/seepage/permeability.hpp"
 #include "model/water/water_case.hpp"
 
 #include <algorithm>
@@ -98,8 +99,10 @@ struct MaterialCase {
   Drainage drainage = Drainage::by_law;
   Real undrained_poisson_ratio = 0.495;                           ///< nu_u of Drainage::undrained_effective [-]
   Real water_stiffness = std::numeric_limits<Real>::quiet_NaN();  ///< K_w/n instead [Pa]; NaN: it follows from nu_u
-  Real k0 = std::numeric_limits<Real>::quiet_NaN();               ///< instead of initial.k0 [-]; NaN: that
-  std::string soil = {};  ///< of one of two parts: the name that bodies use; else empty
+  Permeability permeability = {};
+  Storage storage = {};
+  Real k0 = std::numeric_limits<Real>::quiet_NaN();  ///< instead of initial.k0 [-]; NaN: that
+  std::string soil = {};                             ///< of one of two parts: the name that bodies use; else empty
   Zone zone = Zone::all;
   bool ground = true;                  ///< false: water, or a load on the soil; not what a slope or a dike is made of
   std::vector<RatioCase> ratios = {};  ///< by the number of the parameter that follows from one; for the record

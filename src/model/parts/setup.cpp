@@ -22,6 +22,7 @@
 #include "model/parts/initial.hpp"
 #include "mpm/step/kernels.hpp"
 #include "model/loads/loads.hpp"
+#include "model/seepage/computed_water.hpp"
 #include "model/water/nodal_water.hpp"
 #include "model/soils/overburden.hpp"
 #include "model/loads/check_placed_bodies.hpp"
@@ -388,7 +389,7 @@ Model build_model(const Case& description, int threads)
 
 Model build_model(const Case& description, SharedMesh mesh, int threads)
 {
-  return build(description, std::move(mesh), threads, 0, nullptr);
+  return build(with_computed_water(description, mesh), mesh, threads, 0, nullptr);
 }
 
 Model build_stage(const Model& of_run, std::size_t number)

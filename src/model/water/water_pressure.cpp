@@ -63,7 +63,7 @@ Real water_pressure(const WaterCase& water, const WaterSituation& situation, Vec
 
 Real level_at(Real x, Real ground, const WaterCase& water, const WaterSituation& situation)
 {
-  if (!situation.formula) return elevation_at(situation.phreatic_line, x);
+  if (!situation.phreatic_line.empty()) return elevation_at(situation.phreatic_line, x);
   return ground + unlimited_pressure(water, situation, {x, ground}, 0.0) / water.unit_weight;
 }
 
@@ -87,7 +87,7 @@ Real highest_water(const WaterCase& water, const WaterSituation& situation, Real
 
 std::vector<Vec<2>> water_table(const WaterCase& water, const WaterSituation& situation, Vec<2> low, Vec<2> high)
 {
-  if (!situation.formula) return situation.phreatic_line;
+  if (!situation.phreatic_line.empty() || !situation.formula) return situation.phreatic_line;
   if (situation.formula_changes) return {};
   constexpr int n = 200;
   std::vector<Vec<2>> line;

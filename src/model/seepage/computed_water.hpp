@@ -1,0 +1,71 @@
+// Water that follows from permeabilities, river, ponds and heads at the sides: the steady flow of each situation of a
+// case. docs/methods.md, "Seepage". Not for: lines (water_pressure.hpp), the equations (free_surface.hpp).
+#pragma once
+
+#include "model/parts/model.hpp"
+#include "model/seepage/flow_surface.hpp"
+#include "model/seepage/free_surface.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// The soil of a case at t = 0 as water sees it.
+struct SeepageSection {
+  std::vector<BodyOutline> outlines;
+  std::vector<FlowMaterial> materials;  ///< by outline
+  std::vector<SoilEdge> edges;          ///< surface of the soil
+  Real cell = 0.0;                      ///< typical size [m]
+};
+
+/// Throws InputError where a soil has no permeability, or no outline.
+SeepageSection seepage_section(const Case& whole, const SharedMesh& mesh);
+
+/// The elevation of the free water over a place of the ground [m]; minus infinity: none.
+class FreeWaterLevels {
+ public:
+  FreeWaterLevels(const SeepageSection& section, const SeepageCase& of);
+
+  struct Stretch {
+    Real from, to, level;  ///< [m]
+    Index part;
+  };
+  const std::vector<Stretch>& stretches() const { return stretches_; }
+  Real level_over(Real x) const;
+
+ private:
+  std::vector<Stretch> stretches_;
+};
+
+/// Names of what water passes: seepage faces, river, ponds, then the heads at the sides.
+std::vector<std::string> names_of_parts(const SeepageCase& of);
+
+/// Conditions of a situation on the surface of the soil. Throws InputError where a stretch or a side has no soil.
+std::vector<SurfacePlace> surface_conditions(
+    const Mesh<2>& mesh, const SeepageSection& section, const SeepageCase& of, const std::string& path);
+
+/// The water of a situation.
+struct ComputedWater {
+  FlowSoil soil;
+  FlowResult flow;
+  std::vector<Vec<2>> table;  ///< the phreatic line, with the levels of free water [m]
+};
+
+/// Steady. path: of the keys of the situation, "water" or "water.situation[0]". Throws InputError where flows do not
+/// balance.
+ComputedWater compute_water(
+    const Mesh<2>& mesh, const SeepageSection& section, const SeepageCase& of, Real band, const std::string& path);
+
+/// The phreatic line of heads at nodes, with the levels of free water [m].
+std::vector<Vec<2>> table_of(
+    const Mesh<2>& mesh, const SeepageSection& section, const FreeWaterLevels& free, std::span<const Real> heads);
+
+/// Height of the band over which soil dries [m].
+Real suction_band_of(const WaterCase& water, const SeepageSection& section);
+
+/// The case with the heads and the phreatic line of each situation that is to be computed. Others stay as they are.
+Case with_computed_water(const Case& whole, const SharedMesh& mesh);
+
+}  // namespace terp

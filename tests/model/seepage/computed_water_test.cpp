@@ -1,0 +1,93 @@
+// From a case with permeabilities to the pressure at a place.
+#include "model/seepage/computed_water.hpp"
+#include "model/parts/setup.hpp"
+#include "model/water/water_pressure.hpp"
+#include "model/meshes/setup_mesh.hpp"
+#include "support/cases.hpp"
+
+namespace computed_water_test {
+
+/// A dam of 10 m by 12 m: river 10 m, pond of 2 m on land 20 m wide behind it.
+Case dam(Real cell = 0.5)
+{
+  Case c;
+  c.name = "dam";
+  c.scheme = "mpm_gp";
+  c.mesh.size = {30.0, 13.0};
+  c.mesh.cell = {cell, cell};
+  c.materials = {elastic(2e6, 0.3, 2000.0)};
+  c.materials[0].permeability = {1e-5, 1e-5};
+  c.bodies = {body("rock", {10.0, 0.0}, {20.0, 12.0})};
+  c.time.end = 1.0;
+  c.forces.gravity = {0.0, -9.81};
+  c.water.kind = WaterKind::seepage;
+  c.water.start.seepage.river = RiverCase{SectionSide::left, 10.0};
+  c.water.start.seepage.ponds = {{"polder", 20.0, 30.0, 2.0}};
+  return c;
+}
+
+SharedMesh mesh_of(const Case& c) { return std::make_shared<const Mesh<2>>(build_mesh(c)); }
+
+TEST(ComputedWater, ADamOfACaseLetsThroughWhatDupuitSays)
+{
+  const Case c = dam();
+  const SharedMesh mesh = mesh_of(c);
+  const SeepageSection section = seepage_section(c, mesh);
+  const ComputedWater water = compute_water(*mesh, section, c.water.start.seepage, 0.25, "water");
+  EXPECT_THAT(names_of_parts(c.water.start.seepage), ElementsAre("seepage faces", "river", "polder"));
+  EXPECT_NEAR(water.flow.outflow[1], -4.8e-5, 3e-3 * 4.8e-5);
+  EXPECT_NEAR(water.flow.outflow[0] + water.flow.outflow[2], 4.8e-5, 3e-3 * 4.8e-5);
+  EXPECT_GT(water.flow.outflow[0], 0.2e-5);  // above the polder water comes out of the face
+}
+
+TEST(ComputedWater, BecomesTheHeadsAndTheLineOfItsSituation)
+{
+  const Model model = build_model(dam(), 1);
+  const WaterCase& water = model.description.water;
+  EXPECT_NEAR(elevation_at(water.start.phreatic_line, 0.0), 10.0, 1e-9);  // of the free water
+  EXPECT_NEAR(elevation_at(water.start.phreatic_line, 10.0), 10.0, 0.05);
+  const Real inside = elevation_at(water.start.phreatic_line, 15.0);
+  EXPECT_GT(inside, 6.0);
+  EXPECT_LT(inside, 9.5);
+  EXPECT_NEAR(water_pressure(water, water.start, {10.5, 1.0}, 0.0), 9810.0 * 8.9, 9810.0 * 0.4);
+  EXPECT_EQ(water_pressure(water, water.start, {15.0, 11.0}, 0.0), 0.0);
+  EXPECT_LT(unlimited_pressure(water, water.start, {15.0, 11.0}, 0.0), -1e3);  // drier than that
+}
+
+TEST(ComputedWater, EverySoilNeedsAPermeability)
+{
+  Case c = dam();
+  c.materials[0].permeability = {};
+  EXPECT_THAT(test::refusal<InputError>([&] { build_model(c, 1); }), HasSubstr("`rock` has no permeability"));
+}
+
+TEST(ComputedWater, ASideWithoutSoilIsRefused)
+{
+  Case c = dam();
+  c.water.start.seepage.boundary = {{"", SectionSide::left, 12.5, 13.0, {{0.0, 1.0}}, 0.0}};
+  EXPECT_THAT(
+      test::refusal<InputError>([&] { build_model(c, 1); }), HasSubstr("no soil lies at this part of the side"));
+}
+
+TEST(ComputedWater, AnAquiferThatGoesOnHasTheHeadOfItsLeakageLength)
+{
+  // 10 m of sand below 2 m of clay; the first mode decays by 45.10 m, so that the end at 30 m has 2 exp(-x/45.1).
+  Case c = dam(1.0);
+  c.mesh.origin = {0.0, -12.0}, c.mesh.size = {30.0, 14.0};
+  c.materials.push_back(c.materials[0]);
+  c.materials[1].name = "clay";
+  c.materials[0].permeability = {1e-4, 1e-4}, c.materials[1].permeability = {1e-6, 1e-6};
+  c.bodies[0].polygon = {{0.0, -12.0}, {30.0, -12.0}, {30.0, -2.0}, {0.0, -2.0}};
+  c.bodies.push_back(c.bodies[0]);
+  c.bodies[1].material = "clay";
+  c.bodies[1].polygon = {{0.0, -2.0}, {30.0, -2.0}, {30.0, 0.0}, {0.0, 0.0}};
+  c.water.start.seepage = {};
+  c.water.start.seepage.ponds = {{"polder", 0.0, 30.0, 1e-9}};
+  c.water.start.seepage.boundary = {{"river", SectionSide::left, -12.0, -2.0, {{0.0, 2.0}}, 0.0},
+      {"land", SectionSide::right, -12.0, -2.0, {{0.0, 0.0}}, 44.72}};
+  const SharedMesh mesh = mesh_of(c);
+  const ComputedWater water = compute_water(*mesh, seepage_section(c, mesh), c.water.start.seepage, 0.5, "water");
+  EXPECT_NEAR(*head_at(*mesh, water.flow.heads, {20.0, -7.0}), 2.0 * std::exp(-20.0 / 45.09), 5e-3);
+}
+
+}  // namespace computed_water_test
