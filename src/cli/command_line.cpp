@@ -101,6 +101,27 @@ void declare_stability(CLI::App& app, CommandLine& line)
   add_quiet(stability, line.options);
 }
 
+void declare_seepage(CLI::App& app, SeepageCommand& command)
+{
+  CLI::App* seepage = add_command(app, "seepage", "Solve",
+      "the water of a case with water.model = \"seepage\", without a run\nFlows, uplift, phreatic line, heads, a "
+      "picture "
+      "with flow lines\n(docs/seepage.md).",
+      "  terp seepage dike.toml\n"
+      "  terp seepage dike.toml --levels wave.csv --step 0.5 --at 24\n");
+  add_case(seepage, command.run);
+  add_option(seepage, "--levels FILE", command.levels,
+      "follow levels over hours: CSV with the columns hours,\nriver, and names of ponds and heads");
+  add_number(seepage, "--step H", command.step, 1e-4, 1e5, "longest step in time [h] (default 1)");
+  add_number(seepage, "--at H,H", command.at, 0.0, 1e7, "hours at which the water is written for a run")
+      ->delimiter(',');
+  add_number(seepage, "--along X,Y,X,Y", command.along, -1e7, 1e7, "heads along a line [m] as along.csv")
+      ->delimiter(',');
+  add_output(seepage, command.run.output, "folder of the results (default: runs/NAME_seepage)");
+  add_set(seepage, command.run);
+  add_quiet(seepage, command.run, "print no numbers; warnings stay");
+}
+
 void declare_converge(CLI::App& app, ConvergeOptions& options)
 {
   CLI::App* converge = add_command(app, "converge", "Solve",
@@ -293,6 +314,7 @@ void declare(CLI::App& app, CommandLine& line)
              exit_statuses);
   declare_solvers(app, line);
   declare_stability(app, line);
+  declare_seepage(app, line.seepage);
   declare_converge(app, line.converge);
   declare_study(app, line.study);
   declare_watch(app, line.watch);

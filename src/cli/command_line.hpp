@@ -21,6 +21,7 @@ struct CommandLine {
   ReportCommand report;
   ExportCommand exported;
   WatchCommand watch;
+  SeepageCommand seepage;
   ImportCommand imported;
   AssessCommand assess;
 };

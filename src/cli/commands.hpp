@@ -116,6 +116,14 @@ struct AssessCommand {
   std::string language = "en";     ///< of the pages
 };
 
+struct SeepageCommand {
+  RunOptions run;             ///< the case; folder of the results, empty: runs/NAME_seepage
+  std::string levels;         ///< CSV file of levels over hours; empty: steady
+  double step = 1.0;          ///< longest step in time [h]
+  std::vector<double> at;     ///< moments that are written as water of a case [h]
+  std::vector<double> along;  ///< x and y of both ends of a line [m]; empty: none
+};
+
 struct WatchCommand {
   std::string run;
   double every = 2.0;  ///< [s]
@@ -149,5 +157,6 @@ int watch_run(const WatchCommand& command);
 int import_file(const ImportCommand& command);
 int assess_reach(AssessCommand command);
 int import_stix(const ImportCommand& command);
+int compute_seepage(const SeepageCommand& command);
 
 }  // namespace terp

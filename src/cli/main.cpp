@@ -57,6 +57,7 @@ int call(const CLI::App& app, const terp::CommandLine& line)
   if (app.got_subcommand("stability")) return terp::find_stability(line.options, line.stability, line.stability_cells);
   if (app.got_subcommand("converge")) return terp::converge_case(line.converge);
   if (app.got_subcommand("study")) return terp::study_case(line.study);
+  if (app.got_subcommand("seepage")) return terp::compute_seepage(line.seepage);
   if (app.got_subcommand("check")) return terp::check_case(line.options);
   if (app.got_subcommand("report")) return terp::report_runs(line.report);
   if (app.got_subcommand("compare")) return terp::compare_folders(line.report);

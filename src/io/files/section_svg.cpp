@@ -46,6 +46,7 @@ class SectionDrawing : SectionWater {
     bodies();
     first_water();
     if (!is_result_) heads_and_later_water();
+    curves();
     shades();
     if (!is_result_) mesh_lines();
     sides();
@@ -302,6 +303,15 @@ class SectionDrawing : SectionWater {
             static_cast<Real>(level + 1) / n_levels);
   }
 
+  void curves()
+  {
+    for (const SectionOverlay::Curves& curve : overlay_.curves) {
+      std::string path;
+      for (const Side& piece : curve.pieces) path += line(piece);
+      put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1\"/>", path, curve.colour);
+    }
+  }
+
   void slip_line()
   {
     if (overlay_.line.empty()) return;
@@ -366,6 +376,8 @@ class SectionDrawing : SectionWater {
               soil.density * weight_of_a_mass));
     }
     water_legend(!is_result_, entry);
+    for (const SectionOverlay::Curves& curve : overlay_.curves)
+      entry(fmt::format("<path d=\"M0 0H24\" stroke=\"{}\"/>", curve.colour), curve.words);
     if (!overlay_.line.empty())
       entry(fmt::format("<path d=\"M0 0H24\" stroke=\"{}\" stroke-width=\"2.4\"/>", line_colour), overlay_.of_line);
     std::size_t k = 0;

@@ -2,6 +2,7 @@
 // Not for: results of a run (the report page, python/terp).
 #pragma once
 
+#include "model/bodies/body_outline.hpp"
 #include "model/parts/model.hpp"
 #include "run/loop/state.hpp"
 
@@ -20,7 +21,12 @@ struct SectionOverlay {
   struct Arrow {
     Vec<2> from{0.0, 0.0}, along{0.0, 0.0};  ///< [m]
   };
+  struct Curves {
+    std::vector<Side> pieces = {};
+    std::string colour = {}, words = {};  ///< of them and for the legend
+  };
   std::string subtitle;
+  std::vector<Curves> curves = {};
   std::vector<Shade> shades;
   std::vector<Arrow> arrows;
   std::vector<Vec<2>> line;                   ///< [m]

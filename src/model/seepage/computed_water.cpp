@@ -258,15 +258,18 @@ std::vector<Vec<2>> table_of(
   return table;
 }
 
-ComputedWater compute_water(
-    const Mesh<2>& mesh, const SeepageSection& section, const SeepageCase& of, Real band, const std::string& path)
+ComputedWater compute_water(const Mesh<2>& mesh, const SeepageSection& section, const SeepageCase& of,
+    const WaterOptions& given, const std::string& path)
 {
   ComputedWater water;
-  water.soil = make_flow_soil(mesh, section.outlines, section.materials, surface_conditions(mesh, section, of, path));
+  water.soil = make_flow_soil(
+      mesh, section.outlines, section.materials, surface_conditions(mesh, section, of, path), given.stores);
   FlowOptions options;
-  options.band.width = band;
+  options.band.width = given.band;
+  if (given.step) options.tolerance = 1e-6;
   const std::vector<std::string> names = names_of_parts(of);
-  water.flow = find_flow(mesh, water.soil, names.size(), options);
+  water.flow = find_flow(
+      mesh, water.soil, names.size(), options, given.step ? given.step->heads : std::span<const Real>(), given.step);
   const FlowResult& flow = water.flow;
   if (!flow.counts) {
     std::string flows;
@@ -276,7 +279,7 @@ ComputedWater compute_water(
         fmt::format(
             "After {} iterations heads still change by {:.2g} of the height of the soil, and {:.2g} of the flow "
             "is out of balance.\nOut of the soil, in m2/s: {}. Give a wider water.suction_band; it is {:.3g} m.",
-            flow.iterations, flow.change, flow.imbalance, flows, band),
+            flow.iterations, flow.change, flow.imbalance, flows, given.band),
         "water.suction_band", false, {"water"}});
   }
   const FreeWaterLevels free(section, of);
@@ -288,6 +291,15 @@ ComputedWater compute_water(
   return water;
 }
 
+void set_computed(WaterSituation& situation, const SharedMesh& mesh, const ComputedWater& water)
+{
+  situation.phreatic_line = water.table;
+  situation.formula = [mesh, heads = std::make_shared<const std::vector<Real>>(water.flow.heads)](
+                          Vec<2> x, Real) { return head_at(*mesh, *heads, x).value_or(x[1]); };
+  situation.formula_gives_head = true;
+  situation.formula_text = "computed";
+}
+
 Case with_computed_water(const Case& whole, const SharedMesh& mesh)
 {
   Case solved = whole;
@@ -296,13 +308,8 @@ Case with_computed_water(const Case& whole, const SharedMesh& mesh)
   const auto solve = [&](WaterSituation& situation, const std::string& path) {
     if (situation.formula) return;  // it was
     if (!section) section = seepage_section(whole, mesh);
-    ComputedWater water =
-        compute_water(*mesh, *section, situation.seepage, suction_band_of(whole.water, *section), path);
-    situation.phreatic_line = std::move(water.table);
-    situation.formula = [mesh, heads = std::make_shared<const std::vector<Real>>(std::move(water.flow.heads))](
-                            Vec<2> x, Real) { return head_at(*mesh, *heads, x).value_or(x[1]); };
-    situation.formula_gives_head = true;
-    situation.formula_text = "computed";
+    set_computed(situation, mesh,
+        compute_water(*mesh, *section, situation.seepage, {.band = suction_band_of(whole.water, *section)}, path));
   };
   solve(solved.water.start, "water");
   for (std::size_t k = 0; k < solved.water.situations.size(); ++k) {

@@ -53,10 +53,18 @@ struct ComputedWater {
   std::vector<Vec<2>> table;  ///< the phreatic line, with the levels of free water [m]
 };
 
-/// Steady. path: of the keys of the situation, "water" or "water.situation[0]". Throws InputError where flows do not
-/// balance.
-ComputedWater compute_water(
-    const Mesh<2>& mesh, const SeepageSection& section, const SeepageCase& of, Real band, const std::string& path);
+struct WaterOptions {
+  Real band = 0.0;                              ///< as in suction_band_of [m]
+  bool stores = false;                          ///< places are fine enough for what soil stores
+  std::optional<FlowStep> step = std::nullopt;  ///< in time; none: steady
+};
+
+/// path: of the keys of the situation, "water" or "water.situation[0]". Throws InputError where flows do not balance.
+ComputedWater compute_water(const Mesh<2>& mesh, const SeepageSection& section, const SeepageCase& of,
+    const WaterOptions& options, const std::string& path);
+
+/// A situation takes over what was computed for it.
+void set_computed(WaterSituation& situation, const SharedMesh& mesh, const ComputedWater& water);
 
 /// The phreatic line of heads at nodes, with the levels of free water [m].
 std::vector<Vec<2>> table_of(

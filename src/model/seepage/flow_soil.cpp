@@ -62,6 +62,20 @@ void add_gauss_places(const Mesh<2>& mesh, Index cell, const FlowPlace& like, Re
   }
 }
 
+void add_fine_places(const Mesh<2>& mesh, Index cell, const FlowPlace& like, FlowSoil& soil)
+{
+  constexpr std::array at{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
+  constexpr std::array weight{0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
+  const Quad4::Map& map = mesh.geometry(cell).map;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      FlowPlace place = like;
+      place.x = place_in_cell(mesh, cell, {at[i], at[j]});
+      place.weight = weight[i] * weight[j] * Quad4::determinant(Quad4::jacobian(map, std::array{at[i], at[j]}));
+      soil.places.push_back(place);
+    }
+}
+
 /// The part of a cell that a body has.
 struct CellShare {
   Index body;
@@ -141,15 +155,18 @@ Conductivity mixed(
                                                    : Conductivity{series.xx, side_by_side.yy, 0.0};
 }
 
-void add_cell(const Drawing& drawing, Index cell, std::span<const FlowMaterial> materials, FlowSoil& soil)
+void add_cell(const Drawing& drawing, Index cell, std::span<const FlowMaterial> materials, bool is_fine, FlowSoil& soil)
 {
   const Overlay overlay = draw_cell(drawing, cell);
   const auto like = [&](Index body) {
     return FlowPlace{cell, {}, 0.0, conductivity(materials[body].k), materials[body].storage};
   };
   const Mesh<2>& mesh = drawing.mesh;
+  const auto add_whole = [&](Index body) {
+    is_fine ? add_fine_places(mesh, cell, like(body), soil) : add_gauss_places(mesh, cell, like(body), 1.0, soil);
+  };
   if (overlay.rings.empty()) {
-    if (overlay.ground >= 0) add_gauss_places(mesh, cell, like(overlay.ground), 1.0, soil);
+    if (overlay.ground >= 0) add_whole(overlay.ground);
     return;
   }
   const std::vector<Part> parts = parts_in(drawing, overlay, cell);
@@ -158,8 +175,7 @@ void add_cell(const Drawing& drawing, Index cell, std::span<const FlowMaterial> 
   Real filled = 0.0;
   for (const CellShare& share : shares) filled += share.area;
   if (filled < least_part * area) return;
-  if (shares.size() == 1 && filled > (1.0 - 1e-9) * area)
-    return add_gauss_places(mesh, cell, like(shares[0].body), 1.0, soil);
+  if (shares.size() == 1 && filled > (1.0 - 1e-9) * area) return add_whole(shares[0].body);
   const bool is_mixed = shares.size() > 1 && most_ratio(shares, materials) > mixes_from;
   const Conductivity one = is_mixed ? mixed(mesh, cell, shares, materials) : Conductivity{};
   for (const Part& part : parts) {
@@ -197,12 +213,12 @@ std::vector<CellSoil> soil_of_cells(const Mesh<2>& mesh, const FlowSoil& soil)
 }  // namespace
 
 FlowSoil make_flow_soil(const Mesh<2>& mesh, std::span<const BodyOutline> bodies,
-    std::span<const FlowMaterial> materials, std::vector<SurfacePlace> surface)
+    std::span<const FlowMaterial> materials, std::vector<SurfacePlace> surface, bool is_fine)
 {
   const Drawing drawing = make_drawing(mesh, bodies);
   FlowSoil soil;
   soil.surface = std::move(surface);
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) add_cell(drawing, cell, materials, soil);
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) add_cell(drawing, cell, materials, is_fine, soil);
   complete_flow_soil(mesh, soil);
   return soil;
 }

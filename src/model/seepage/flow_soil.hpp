@@ -66,8 +66,9 @@ struct FlowMaterial {
 /// The soil of outlines, the last one on top; materials: by outline. Cells that outlines cut are cut exactly. Soils
 /// that share a cell and differ by more than ten have one permeability there: that of layers with a border along the
 /// cell, else that of layers in series in every direction. surface: conditions with place, normal, weight and cell.
+/// is_fine: whole cells have 4 x 4 places, as what soil stores over a band narrower than a cell needs.
 FlowSoil make_flow_soil(const Mesh<2>& mesh, std::span<const BodyOutline> bodies,
-    std::span<const FlowMaterial> materials, std::vector<SurfacePlace> surface);
+    std::span<const FlowMaterial> materials, std::vector<SurfacePlace> surface, bool is_fine = false);
 
 /// What follows from places and permeabilities: shapes, the empty parts of cut cells, fluxes and penalties.
 void complete_flow_soil(const Mesh<2>& mesh, FlowSoil& soil);

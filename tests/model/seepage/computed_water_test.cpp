@@ -33,7 +33,7 @@ TEST(ComputedWater, ADamOfACaseLetsThroughWhatDupuitSays)
   const Case c = dam();
   const SharedMesh mesh = mesh_of(c);
   const SeepageSection section = seepage_section(c, mesh);
-  const ComputedWater water = compute_water(*mesh, section, c.water.start.seepage, 0.25, "water");
+  const ComputedWater water = compute_water(*mesh, section, c.water.start.seepage, {.band = 0.25}, "water");
   EXPECT_THAT(names_of_parts(c.water.start.seepage), ElementsAre("seepage faces", "river", "polder"));
   EXPECT_NEAR(water.flow.outflow[1], -4.8e-5, 3e-3 * 4.8e-5);
   EXPECT_NEAR(water.flow.outflow[0] + water.flow.outflow[2], 4.8e-5, 3e-3 * 4.8e-5);
@@ -86,7 +86,8 @@ TEST(ComputedWater, AnAquiferThatGoesOnHasTheHeadOfItsLeakageLength)
   c.water.start.seepage.boundary = {{"river", SectionSide::left, -12.0, -2.0, {{0.0, 2.0}}, 0.0},
       {"land", SectionSide::right, -12.0, -2.0, {{0.0, 0.0}}, 44.72}};
   const SharedMesh mesh = mesh_of(c);
-  const ComputedWater water = compute_water(*mesh, seepage_section(c, mesh), c.water.start.seepage, 0.5, "water");
+  const ComputedWater water =
+      compute_water(*mesh, seepage_section(c, mesh), c.water.start.seepage, {.band = 0.5}, "water");
   EXPECT_NEAR(*head_at(*mesh, water.flow.heads, {20.0, -7.0}), 2.0 * std::exp(-20.0 / 45.09), 5e-3);
 }
 
