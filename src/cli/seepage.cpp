@@ -9,7 +9,7 @@
 #include "io/files/run_folder.hpp"
 #include "io/files/section_svg.hpp"
 #include "model/meshes/setup_mesh.hpp"
-#include "model/parts/setup.hpp"
+#include "model/parts/stage_case.hpp"
 #include "model/seepage/seepage_in_time.hpp"
 #include "model/seepage/seepage_results.hpp"
 #include "model/water/water_pressure.hpp"
@@ -77,7 +77,7 @@ class SeepageCommandRun {
     std::string uplift = "situation,x_m,base_y_m,ground_y_m,total_stress_Pa,pore_pressure_Pa,factor,gradient\n";
     std::string along = "situation,x_m,y_m,head_m,pore_pressure_Pa\n";
     for (std::size_t k = 0; k < n; ++k) {
-      Case of = with_shared_water(solved);
+      Case of = section_alone(solved);
       of.water.standing = k;
       const Simulation simulation(of, 1);
       const WaterSituation& situation = situation_of(simulation.model.description.water, k);
@@ -147,8 +147,17 @@ class SeepageCommandRun {
     wave.levels.insert(wave.levels.begin() + static_cast<std::ptrdiff_t>(k), std::move(levels));
   }
 
-  /// All stages have the computed water, too.
-  Case with_shared_water(const Case& solved) const { return with_computed_water(solved, mesh_); }
+  /// The soil at t = 0 without what strength and stress take time for.
+  static Case section_alone(const Case& solved)
+  {
+    Case of = case_of_stage(solved, 0);
+    of.water = solved.water;
+    of.stages.clear();
+    of.initial.stress = InitialStress::none;
+    for (MaterialCase& material : of.materials) material.fields.clear();
+    for (BodyCase& body : of.bodies) body.points_per_cell = {1, 1};
+    return of;
+  }
 
   void write(const std::string& name, std::string_view text) const
   {

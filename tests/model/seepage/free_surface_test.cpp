@@ -216,4 +216,76 @@ TEST_P(ThroughCells, ADikeOfSandLeaksAsOnFineCells)
   EXPECT_NEAR(of.flow.outflow[1], 0.6486, 0.6486 * 2.5e-3);
 }
 
+/// Soil of 10 m whose head was 5 m too high everywhere gives its water off at the top.
+TEST(SeepageInTime, ALayerGivesOffItsExcessAsTerzaghiSays)
+{
+  const Real k = 1e-7, S = 1e-3, H = 10.0, dT = 0.005;
+  Mesh<2> mesh = cells_over({0.0, 0.0}, {0.5, H}, 0.5, Cells::along);
+  const std::vector<BodyOutline> outline{{{{0.0, 0.0}, {0.5, 0.0}, {0.5, H}, {0.0, H}}, {2, 2}}};
+  const std::vector<FlowMaterial> material{{{k, k}, {0.0, S}}};
+  std::vector<SurfacePlace> places;
+  for (const SoilEdge& edge : surface_of(mesh, outline))
+    if (middle_y(edge) > H - 1e-6) add_places(mesh, edge, fed(H, 0), places);
+  const FlowSoil soil = make_flow_soil(mesh, outline, material, std::move(places), true);
+  FlowOptions options = saturated();
+  options.tolerance = 1e-9;
+  std::vector<Real> heads(mesh.nodes.size(), H + 5.0);
+  Real stored = 0.0;
+  for (int n = 1; n <= 100; ++n) {
+    const std::vector<Real> before = heads;
+    const FlowStep step{dT * H * H * S / k, before};
+    const FlowResult flow = find_flow(mesh, soil, 1, options, before, step);
+    ASSERT_TRUE(flow.counts);
+    heads = flow.heads;
+    stored += flow.outflow[0] * step.dt;
+    if (n != 20 && n != 100) continue;
+    const Real T = n * dT;
+    Real exact = 0.0;
+    for (int j = 1; j < 400; j += 2)
+      exact += 5.0 * 4.0 / (std::numbers::pi * j) * std::sin(j * std::numbers::pi / 2.0) *
+               std::exp(-std::pow(j * std::numbers::pi / 2.0, 2) * T);
+    EXPECT_NEAR(*head_at(mesh, heads, {0.25, 1e-6}) - H, exact, 0.005 * 5.0);
+  }
+  // What came out is what is no longer stored.
+  Real left = 0.0;
+  for (const FlowPlace& place : soil.places) left += place.weight * S * (*head_at(mesh, heads, place.x) - H);
+  EXPECT_NEAR(stored, 5.0 * S * H * 0.5 - left, 1e-6 * 5.0 * S * H);
+}
+
+/// A river that rises at once by 0.4 m beside a level table: 0.4 erfc(x/(2 sqrt(k D t/S_y))).
+TEST(SeepageInTime, ARiverThatRisesIsFollowedAsBoussinesqSays)
+{
+  const Real k = 1e-4, yield = 0.2, end = 86400.0, size = 1.0;
+  Mesh<2> mesh = cells_over({0.0, 0.0}, {100.0, 10.0}, size, Cells::along);
+  const std::vector<BodyOutline> outline{{{{0.0, 0.0}, {100.0, 0.0}, {100.0, 10.0}, {0.0, 10.0}}, {2, 2}}};
+  std::vector<SurfacePlace> places;
+  for (const SoilEdge& edge : surface_of(mesh, outline)) {
+    if (edge.kind != EdgeKind::left) continue;
+    if (middle_y(edge) < 8.0) add_places(mesh, edge, fed(8.4, 0), places);
+    if (middle_y(edge) < 8.0 || middle_y(edge) > 9.0) continue;
+    add_places(mesh,
+        part_of(edge,
+            edge.a[1] < 8.4 && edge.b[1] < edge.a[1] ? 0.0
+            : edge.a[1] < edge.b[1]                  ? 0.0
+                                                     : 0.6,
+            edge.a[1] < edge.b[1] ? 0.4 : 1.0),
+        fed(8.4, 0), places);
+  }
+  const FlowSoil soil =
+      make_flow_soil(mesh, outline, std::vector<FlowMaterial>{{{k, k}, {yield, 1e-5}}}, std::move(places), true);
+  FlowOptions options = band(0.5 * size);
+  options.tolerance = 1e-8;
+  std::vector<Real> heads(mesh.nodes.size(), 8.0);
+  for (int n = 0; n < 12; ++n) {
+    const std::vector<Real> before = heads;
+    const FlowResult flow = find_flow(mesh, soil, 1, options, before, FlowStep{end / 12.0, before});
+    ASSERT_TRUE(flow.counts);
+    heads = flow.heads;
+  }
+  for (const Real x : {5.0, 10.0, 20.0})
+    EXPECT_NEAR(
+        (*head_at(mesh, heads, {x, 7.9}) - 8.0) / 0.4, std::erfc(x / (2.0 * std::sqrt(k * 8.2 / yield * end))), 0.035)
+        << x;
+}
+
 }  // namespace free_surface_test
