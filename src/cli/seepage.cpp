@@ -299,6 +299,7 @@ int compute_seepage(const SeepageCommand& command)
   const FolderLock lock(folder);
   try {
     SeepageCommandRun run(command, file, folder);
+    write_file_atomically(path_in(folder, "case.toml"), file.text);
     command.levels.empty() ? run.steady() : run.in_time();
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));

@@ -28,7 +28,7 @@ _QUANTITY |= dict.fromkeys(("unit", "source", "shown", "red", "regression", "as"
 _QUANTITY |= {"name": _LABEL, "kind": KINDS, "reduce": REDUCTIONS, "at": "place", "runs": _TEXTS, "red_runs": _TEXTS,
               "differences": _FLAG}
 _RUN = {"name": _LABEL, "case": _TEXT, "schemes": _TEXTS, "set": _TEXTS, "constants": _TABLE, "long": "long",
-        "stability": "bracket", "seconds": "number", "least_depth": "number"}
+        "stability": "bracket", "seconds": "number", "least_depth": "number", "seepage": "place"}
 _FILE = {"title": _TEXT, "constants": _TABLE, "run": "tables", "quantity": "tables"}
 _RENAMED = {"from": "start", "to": "stop", "as": "alias"}  # words of Python
 

@@ -3,6 +3,7 @@
 Errors never leave this file: they become the fault of a finding, or of the whole run. Not for: verdicts (judge).
 """
 
+import csv
 import json
 import math
 import re
@@ -120,6 +121,8 @@ def read_bounds(scope, finding):
 def _solve_and_measure(job, program, folder):
     if job.run.stability:
         return _find_factor(job, program, folder)
+    if job.run.seepage:
+        return _find_flow(job, program, folder)
     program("run", *_words(job, folder), "--exact-fields")
     numbers = RunNumbers(folder)
     scope = _make_scope(job, numbers.run.case, {"dt": numbers.numbers["dt"]})
@@ -144,6 +147,28 @@ def _find_factor(job, program, folder):
         scope.constants.update(measured)
         return measure(q, scope, None)
     return _find(job, result["scheme"], scope, measure_factor)
+
+
+def _find_flow(job, program, folder):
+    """`terp seepage` takes the place of the run: flows out of the soil at the start by name, and a head."""
+    x, y = job.run.seepage
+    program("seepage", job.file.path.parent / job.run.case, "-o", folder, "-q", "--along", f"{x},{y},{x},{y}",
+            *(word for change in job.run.set for word in ("--set", change)))
+    case = tomllib.loads((folder / "case.toml").read_text(encoding="utf-8"))
+    scope = _make_scope(job, case, {})
+    with open(folder / "seepage.csv", encoding="utf-8", newline="") as file:
+        measured = {"out_" + re.sub(r"\W+", "_", row["part"]): float(row["outflow_m2_per_s"])
+                    for row in csv.DictReader(file) if row["situation"] == "start"}
+    with open(folder / "along.csv", encoding="utf-8", newline="") as file:
+        measured["head"] = next((float(row["head_m"]) for row in csv.DictReader(file)), math.nan)
+
+    def measure_flow(q):
+        if q.kind != "formula":
+            q.place.refuse("a run of `terp seepage` has quantities of kind `formula` only",
+                           "They may name out_NAME of each part, and head.")
+        scope.constants.update(measured)
+        return measure(q, scope, None)
+    return _find(job, case.get("scheme", "mpm_gp"), scope, measure_flow)
 
 
 def _words(job, folder):
