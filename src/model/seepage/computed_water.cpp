@@ -138,6 +138,25 @@ Real FreeWaterLevels::level_over(Real x) const
   return no_level;
 }
 
+SeepageCase between(const SeepageCase& from, const SeepageCase& to, Real share)
+{
+  SeepageCase now = to;
+  const auto run = [share](Real a, Real& b) { b = std::lerp(a, b, share); };
+  if (from.river && now.river && from.river->side == now.river->side) run(from.river->level, now.river->level);
+  if (from.ponds.size() == now.ponds.size())
+    for (std::size_t k = 0; k < now.ponds.size(); ++k)
+      if (from.ponds[k].from == now.ponds[k].from && from.ponds[k].to == now.ponds[k].to)
+        run(from.ponds[k].level, now.ponds[k].level);
+  if (from.boundary.size() == now.boundary.size())
+    for (std::size_t k = 0; k < now.boundary.size(); ++k) {
+      const SideHead& a = from.boundary[k];
+      SideHead& b = now.boundary[k];
+      if (a.side != b.side || a.from != b.from || a.to != b.to || a.head.size() != b.head.size()) continue;
+      for (std::size_t i = 0; i < b.head.size(); ++i) run(a.head[i][1], b.head[i][1]);
+    }
+  return now;
+}
+
 std::vector<std::string> names_of_parts(const SeepageCase& of)
 {
   std::vector<std::string> names{"seepage faces"};
@@ -147,6 +166,39 @@ std::vector<std::string> names_of_parts(const SeepageCase& of)
   for (std::size_t k = 0; k < of.boundary.size(); ++k)
     names.push_back(of.boundary[k].name.empty() ? fmt::format("boundary {}", k + 1) : of.boundary[k].name);
   return names;
+}
+
+std::vector<SurfacePlace> side_conditions(
+    const Mesh<2>& mesh, const SeepageSection& section, const SeepageCase& of, const std::string& path)
+{
+  std::vector<SurfacePlace> places;
+  Index number = 1 + (of.river ? 1 : 0) + static_cast<Index>(of.ponds.size());
+  for (std::size_t k = 0; k < of.boundary.size(); ++k, ++number) {
+    const SideHead& side = of.boundary[k];
+    const bool is_base = side.side == SectionSide::bottom;
+    const std::array limits{side.from, side.to};
+    const std::size_t before = places.size();
+    for (const SoilEdge& edge : section.edges) {
+      if (edge.kind != kind_of(side.side)) continue;
+      const auto add = [&](const SoilEdge& part) {
+        const Real at = middle_of(part)[is_base ? 0 : 1];
+        if (!(at > side.from && at < side.to)) return;
+        add_places(mesh, part,
+            {side.leakage_length > 0.0 ? FlowCondition::leak : FlowCondition::head, side.head[0][1],
+                side.leakage_length, number},
+            places);
+      };
+      is_base ? for_each_part(edge, limits, {}, add) : for_each_part(edge, {}, limits, add);
+    }
+    if (places.size() == before)
+      throw InputError(Problem{fmt::format("{}.boundary[{}]", path, k), "no soil lies at this part of the side",
+          is_base ? "At the bottom from and to are x, in m. Leave them out for the whole bottom."
+                  : "At the left and the right side from and to are elevations, in m.",
+          "water.boundary"});
+    if (is_base)
+      for (std::size_t q = before; q < places.size(); ++q) places[q].head = interpolate(side.head, places[q].x[0]);
+  }
+  return places;
 }
 
 std::vector<SurfacePlace> surface_conditions(
@@ -178,32 +230,8 @@ std::vector<SurfacePlace> surface_conditions(
           }
         add_places(mesh, part, condition, places);
       });
-  Index number = 1 + (of.river ? 1 : 0) + static_cast<Index>(of.ponds.size());
-  for (std::size_t k = 0; k < of.boundary.size(); ++k, ++number) {
-    const SideHead& side = of.boundary[k];
-    const bool is_base = side.side == SectionSide::bottom;
-    const std::array limits{side.from, side.to};
-    const std::size_t before = places.size();
-    for (const SoilEdge& edge : section.edges) {
-      if (edge.kind != kind_of(side.side)) continue;
-      const auto add = [&](const SoilEdge& part) {
-        const Real at = middle_of(part)[is_base ? 0 : 1];
-        if (!(at > side.from && at < side.to)) return;
-        add_places(mesh, part,
-            {side.leakage_length > 0.0 ? FlowCondition::leak : FlowCondition::head, side.head[0][1],
-                side.leakage_length, number},
-            places);
-      };
-      is_base ? for_each_part(edge, limits, {}, add) : for_each_part(edge, {}, limits, add);
-    }
-    if (places.size() == before)
-      throw InputError(Problem{fmt::format("{}.boundary[{}]", path, k), "no soil lies at this part of the side",
-          is_base ? "At the bottom from and to are x, in m. Leave them out for the whole bottom."
-                  : "At the left and the right side from and to are elevations, in m.",
-          "water.boundary"});
-    if (is_base)
-      for (std::size_t q = before; q < places.size(); ++q) places[q].head = interpolate(side.head, places[q].x[0]);
-  }
+  const std::vector<SurfacePlace> sides = side_conditions(mesh, section, of, path);
+  places.insert(places.end(), sides.begin(), sides.end());
   return places;
 }
 

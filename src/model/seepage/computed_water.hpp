@@ -39,10 +39,17 @@ class FreeWaterLevels {
   std::vector<Stretch> stretches_;
 };
 
+/// Conditions on the way from one situation to another: levels run linearly where both have the same places.
+SeepageCase between(const SeepageCase& from, const SeepageCase& to, Real share);
+
 /// Names of what water passes: seepage faces, river, ponds, then the heads at the sides.
 std::vector<std::string> names_of_parts(const SeepageCase& of);
 
-/// Conditions of a situation on the surface of the soil. Throws InputError where a stretch or a side has no soil.
+/// The heads that a situation gives at the ends and the base of the soil. Throws InputError where a side has no soil.
+std::vector<SurfacePlace> side_conditions(
+    const Mesh<2>& mesh, const SeepageSection& section, const SeepageCase& of, const std::string& path);
+
+/// All conditions of a situation on the surface of the soil. Throws InputError where a stretch or a side has no soil.
 std::vector<SurfacePlace> surface_conditions(
     const Mesh<2>& mesh, const SeepageSection& section, const SeepageCase& of, const std::string& path);
 

@@ -6,7 +6,10 @@
 #include "model/water/carried_water.hpp"
 
 #include "model/ground/ground_section.hpp"
+#include "model/seepage/computed_water.hpp"
+#include "model/seepage/frozen_field.hpp"
 #include "model/water/nodal_water.hpp"
+#include "mpm/mesh/locate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +22,7 @@ constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
 constexpr Real begins = 0.125;       // of the width of a column: motion from which on the soil carries its water
 constexpr Real between_looks = 0.5;  // the same, of the fastest soil from look to look
+constexpr Real renews_after = 0.25;  // the same, after which the heads of computed water are found anew
 constexpr int layers_per_cell = 8;   // in which a column counts its soil
 constexpr Real least_steps = 8.0, most_steps = 64.0;
 
@@ -225,21 +229,28 @@ void keep_places(StepState& state, WaterState& water)
   });
 }
 
-/// The steps to the next look: those in which the fastest soil goes half the width of a column.
-Real steps_to_next_look(const Model& model, const StepState& state)
+/// [m/s]
+Real fastest_soil(const StepState& state)
 {
   Real square = 0.0;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const Real vx = block.row(Rows::v)[lane], vy = block.row(Rows::v + 1)[lane];
     square = std::max(square, vx * vx + vy * vy);
   });
-  const Real width = model.nodal_water->drawn()->columns.width;
-  return std::round(std::clamp(between_looks * width / (std::sqrt(square) * model.dt), least_steps, most_steps));
+  return std::sqrt(square);
 }
 
-/// What soil that goes on for a while as it moves now will carry [s]. Empty: none has moved.
-CarriedWater see(
-    const Model& model, const StepState& state, const WaterState& water, const Elevations& ground_now, Real ahead)
+/// Those in which the fastest soil goes half the width of a column.
+Real steps_to_next_look(const Model& model, Real fastest)
+{
+  const Real width = model.nodal_water->drawn()->columns.width;
+  return std::round(std::clamp(between_looks * width / (fastest * model.dt), least_steps, most_steps));
+}
+
+/// What soil that goes on for a while as it moves now will carry [s]. Empty: none has moved. known_heads: of computed
+/// water, which hold on; nullptr: they are found.
+CarriedWater see(const Model& model, const StepState& state, const WaterState& water, const Elevations& ground_now,
+    Real ahead, const std::vector<Real>* known_heads)
 {
   const DrawnWater& drawn = *model.nodal_water->drawn();
   const WaterWay way = water_way(model, state.time);
@@ -248,6 +259,13 @@ CarriedWater see(
   SoilColumns soil(*model.mesh, drawn.columns);
   const auto first_place = [&](const PointBlock<2>& block, Index lane) {
     return &water.places[2 * static_cast<std::size_t>(block.row(Rows::id)[lane])];
+  };
+  const bool has_line = !from.phreatic_line.empty() && !to.phreatic_line.empty();
+  const auto wet_part = [&](const Real* place, Real volume) {
+    if (!has_line) return 1.0;
+    const Real line =
+        std::lerp(elevation_at(from.phreatic_line, place[0]), elevation_at(to.phreatic_line, place[0]), way.share);
+    return std::clamp((line - place[1]) / std::sqrt(volume) + 0.5, 0.0, 1.0);
   };
   const auto place_ahead = [&](const PointBlock<2>& block, Index lane) {
     return Vec<2>{block.row(Rows::x)[lane] + ahead * block.row(Rows::v)[lane],
@@ -266,7 +284,9 @@ CarriedWater see(
     const Real change = had && has ? std::abs(ground_now[k] - water.ground[k]) : had == has ? 0.0 : -nowhere;
     share[k] = share_of_motion(std::max(soil.moved(static_cast<Index>(k)), change), drawn.columns.width);
   }
-  if (std::ranges::none_of(share, [](Real part) { return part > 0.0; })) return {};
+  const auto most_moved = std::ranges::max_element(share);
+  if (most_moved == share.end() || !(*most_moved > 0.0)) return {};
+  if (model.nodal_water->section() != nullptr) std::ranges::fill(share, Real(*most_moved));  // it is one flow
 
   // The nodes beside a column that has moved ask the one on its other side, too.
   const auto counts = [&](Real x) {
@@ -281,15 +301,9 @@ CarriedWater see(
     if (counts(block.row(Rows::x)[lane])) soil.enter_volume(block.row(Rows::x)[lane], -volume);
     if (!counts(x[0])) return;
     const Real* place = first_place(block, lane);
-    const Real size = std::sqrt(volume);
-    Real wet = 1.0;  // of a formula
-    if (!from.formula && !to.formula) {
-      const Real line =
-          std::lerp(elevation_at(from.phreatic_line, place[0]), elevation_at(to.phreatic_line, place[0]), way.share);
-      wet = std::clamp((line - place[1]) / size + 0.5, 0.0, 1.0);
-    }
+    const Real wet = wet_part(place, volume);
     soil.enter_volume(x[0], volume);
-    soil.enter_soil(x, block.row(Rows::mass)[lane], size, wet);
+    soil.enter_soil(x, block.row(Rows::mass)[lane], std::sqrt(volume), wet);
   });
   Elevations level(n), table(n);
   for (std::size_t k = 0; k < n; ++k)
@@ -299,7 +313,34 @@ CarriedWater see(
   const Elevations free = free_water(level, drawn.ground, ground);
   for (std::size_t k = 0; k < n; ++k)
     table[k] = std::max(free[k], ground[k] > nowhere ? soil.table(static_cast<Index>(k), ground[k]) : nowhere);
-  return at_nodes(*model.mesh, drawn.columns, soil, share, table, ground);
+  CarriedWater carried = at_nodes(*model.mesh, drawn.columns, soil, share, table, ground);
+  if (model.nodal_water->section() == nullptr) return carried;
+  if (known_heads != nullptr) {
+    carried.head = *known_heads;
+    return carried;
+  }
+  const auto at_columns = [&](const Elevations& of) {
+    return [&of, &drawn](Real x) {
+      const auto k = static_cast<Index>(std::floor((x - drawn.columns.left) / drawn.columns.width));
+      return of[std::clamp(k, Index{0}, drawn.columns.n - 1)];
+    };
+  };
+  const AboveSoil above{at_columns(ground), at_columns(free)};
+  std::vector<WetPoint> points;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const Vec<2> x = place_ahead(block, lane);
+    const Location at = locate(*model.mesh, x, block.cell);
+    const Real volume = block.row(Rows::volume)[lane];
+    const Real wet = above.free_water(x[0]) > above.ground(x[0]) ? 1.0 : wet_part(first_place(block, lane), volume);
+    if (at.inside && wet > 0.0)
+      points.push_back({x, at.cell, wet * volume, model.description.materials[block.material].permeability});
+  });
+  carried.head = frozen_heads(*model.mesh, points, above,
+      side_conditions(
+          *model.mesh, *model.nodal_water->section(), between(from.seepage, to.seepage, way.share), "water"));
+  for (std::size_t i = 0; i < carried.head.size(); ++i)
+    if (std::isnan(carried.head[i])) carried.head[i] = carried.table[i];
+  return carried;
 }
 
 }  // namespace
@@ -313,9 +354,12 @@ void look_at_soil(const Model& model, StepState& state)
   keep_places(state, water);
   const Elevations ground = standing_ground(model, state.points, 0.0).heights;
   if (water.ground.empty()) water.ground = ground;
-  const Real steps = steps_to_next_look(model, state);
+  const Real fastest = fastest_soil(state), steps = steps_to_next_look(model, fastest);
   water.before = std::move(water.last);
-  water.last = see(model, state, water, ground, steps * model.dt);
+  water.way += fastest * steps * model.dt;
+  const bool holds = !water.before.head.empty() && water.way < renews_after * model.nodal_water->drawn()->columns.width;
+  water.last = see(model, state, water, ground, steps * model.dt, holds ? &water.before.head : nullptr);
+  if (!holds) water.way = 0.0;
   water.looked = state.step;
   water.next = state.step + static_cast<std::int64_t>(steps);
 }

@@ -4,6 +4,7 @@
 #include "model/water/nodal_water.hpp"
 
 #include "model/ground/ground_section.hpp"
+#include "model/seepage/computed_water.hpp"
 #include "model/soils/overburden.hpp"
 #include "mpm/step/step_state.hpp"
 #include "mpm/features/loads.hpp"
@@ -32,6 +33,9 @@ NodalWater::NodalWater(const Model& model)
   if (std::ranges::any_of(model.description.bodies, changes))
     sections_[1] = section_of(Overburden::before_stage(model), has_weight);
   if (water_.follow_soil && overburden.is_known()) drawn_ = draw_water(overburden);
+  if (drawn_ && water_.kind == WaterKind::seepage)
+    section_ = std::make_shared<const SeepageSection>(
+        seepage_section(model.whole ? *model.whole : model.description, model.mesh));
   for (std::size_t k = 0; k <= water_.situations.size(); ++k) fields_.push_back(field_of(situation_of(water_, k), 0.0));
   for (const Load& load : loads_of(model)) {
     stretches_.push_back({load.from, load.to});
@@ -102,10 +106,10 @@ Real NodalWater::carried_pressure(
     std::size_t node, const CarriedPlace& place, const Head& head, Real gravity, std::span<const Real> loads) const
 {
   const Vec<2>& x = mesh_->nodes[node];
-  if (x[1] > place.ground) return water_.unit_weight * (place.table - x[1]);
+  if (x[1] > place.ground && !place.head) return water_.unit_weight * (place.table - x[1]);
   const Real free_water = water_.unit_weight * std::max(place.table - place.ground, 0.0);
-  const Real most = with_loads(gravity * place.mass, x[0], loads) + free_water;
-  return std::min(water_.unit_weight * (head.at(place.table) - x[1]), most);
+  const Real most = x[1] > place.ground ? infinity : with_loads(gravity * place.mass, x[0], loads) + free_water;
+  return std::min(water_.unit_weight * (place.head.value_or(head.at(place.table)) - x[1]), most);
 }
 
 void NodalWater::set(const WaterMoment& moment, std::span<const Real> loads, Real bodies, const WaterState* carried,
@@ -138,7 +142,8 @@ void NodalWater::set(const WaterMoment& moment, std::span<const Real> loads, Rea
         .share = std::lerp(from_share, to_share, way),
         .table = std::lerp(a.table[i], b.table[i], way),
         .ground = std::lerp(a.ground[i], b.ground[i], way),
-        .mass = std::lerp(a.mass[i], b.mass[i], way)};
+        .mass = std::lerp(a.mass[i], b.mass[i], way),
+        .head = a.head.empty() || b.head.empty() ? std::nullopt : std::optional(std::lerp(a.head[i], b.head[i], way))};
   };
   const bool changes = !sections_[1].ground.empty() && bodies < 1.0;
   for (std::size_t i = 0; i < n; ++i) {

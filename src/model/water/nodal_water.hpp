@@ -21,6 +21,7 @@ struct CappedWater {
 };
 
 class Overburden;
+struct SeepageSection;
 
 class NodalWater : public WaterModel {
  public:
@@ -33,6 +34,9 @@ class NodalWater : public WaterModel {
 
   /// The section as the stage draws it; nullptr: the water does not follow the soil.
   const DrawnWater* drawn() const { return drawn_ ? &*drawn_ : nullptr; }
+
+  /// The section as computed water sees it; nullptr: the water is drawn, or does not follow the soil.
+  const SeepageSection* section() const { return section_.get(); }
 
   /// Over all situations, at the given nodes, under gravity in full and the loads of t = 0.
   CappedWater find_capped(std::span<const Index> nodes) const;
@@ -57,6 +61,7 @@ class NodalWater : public WaterModel {
   struct CarriedPlace {
     bool is_carried = false;  // in the look before or the last one
     Real share = 0.0, table = 0.0, ground = 0.0, mass = 0.0;
+    std::optional<Real> head = std::nullopt;
   };
 
   /// What lies above each node, shape [n_nodes].
@@ -85,6 +90,7 @@ class NodalWater : public WaterModel {
   std::vector<Stretch> stretches_;
   std::vector<Real> first_loads_;  // pressures at t = 0 [Pa]
   std::optional<DrawnWater> drawn_;
+  std::shared_ptr<const SeepageSection> section_;
   Real gravity_;  // in full, downwards [m/s^2]
 };
 

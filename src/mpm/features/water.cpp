@@ -27,6 +27,7 @@ void save_array(const ArrayWriter& arrays, const char* name, const CarriedWater&
   below.refer("table", carried.table);
   below.refer("ground", carried.ground);
   below.refer("mass", carried.mass);
+  below.refer("head", carried.head);
 }
 
 CarriedWater read_array(const ArrayReader& arrays, const char* name)
@@ -37,6 +38,7 @@ CarriedWater read_array(const ArrayReader& arrays, const char* name)
   carried.table = below.reals("table", n);
   carried.ground = below.reals("ground", n);
   carried.mass = below.reals("mass", n);
+  if (below.has("head")) carried.head = below.reals("head");  // a checkpoint of before has none
   return carried;
 }
 
@@ -46,6 +48,7 @@ void save_water(const StepState& state, ArrayWriter& all)
   const WaterState& water = *state.with.water;
   ArrayWriter arrays = all.below("water");
   arrays.copy("looks", std::vector<std::int64_t>{water.looked, water.next});
+  arrays.copy("way", std::vector<Real>{water.way});
   arrays.refer("places", water.places);
   arrays.refer("ground_at_start", water.ground);
   save_array(arrays, "before", water.before);
@@ -59,6 +62,7 @@ void load_water(const StepModel&, const ArrayReader& all, StepState& state)
   WaterState water;
   const std::vector<std::int64_t>& looks = arrays.wholes("looks", 2);
   water.looked = looks[0], water.next = looks[1];
+  if (arrays.has("way")) water.way = arrays.reals("way", 1)[0];
   water.places = arrays.reals("places", state.x_initial.size());
   water.ground = arrays.reals("ground_at_start");
   water.before = read_array(arrays, "before");

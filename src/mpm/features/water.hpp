@@ -40,6 +40,7 @@ struct CarriedWater {
   std::vector<Real> table = {};  ///< elevation to which its water rises [m]
   std::vector<Real> ground = {};  ///< elevation of the surface of the soil [m]
   std::vector<Real> mass = {};    ///< of the soil above, per area [kg/m^2]
+  std::vector<Real> head = {};    ///< of water that was computed [m]; empty: the water stands still below its table
 
   bool is_empty() const { return share.empty(); }
 };
@@ -48,6 +49,7 @@ struct CarriedWater {
 /// the last one did.
 struct WaterState {
   std::int64_t looked = 0, next = 0;  ///< steps of the last look and of the next
+  Real way = 0.0;                     ///< of the fastest soil since heads were found [m]
   CarriedWater before, last;
   std::vector<Real> places;  ///< for which the lines are drawn: of the points at the start, by id, shape [n_points, 2]
                              ///< [m]; NaN: not there yet
