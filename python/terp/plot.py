@@ -33,7 +33,7 @@ def field(run, name, time=None, panel=None, limits=None):
     with style.house_style():
         place = {"ax": panel, "shrink": 0.6}
         if panel is None:
-            panel, bar = section_page(window_of([frame, run.frame(0)]))
+            panel, bar = section_page(window_around([frame.x[frame.soil], run.first_places]))
             place = {"cax": bar}
         outlines(panel, run.case)
         squares(panel, frame, name, norm)
@@ -56,7 +56,7 @@ def ledger(run, columns, panel=None):
     """Columns of ledger.csv over time, e.g. ["kinetic", "elastic", "plastic"]; all of one unit."""
     columns = [columns] if isinstance(columns, str) else list(columns)
     for column in columns:
-        _check_column(column, run.ledger, run.folder / "ledger.csv")
+        _check_column(column, run.ledger, run.place("ledger.csv"))
     if len({run.unit(column) for column in columns}) > 1:
         raise RunError("columns of one picture have one unit, not "
                        + ", ".join(f"{column} [{run.unit(column)}]" for column in columns))
@@ -92,8 +92,7 @@ def section_page(window):
 def squares(panel, frame, name, norm):
     """The soil: every material point as a square of about the lattice spacing, coloured by a field; grey where it has
     none."""
-    first = frame.run.frame(0)
-    spacing = lattice_spacing(first.x[first.soil])
+    spacing = lattice_spacing(frame.run.first_places)
     x_begin, x_end = panel.get_xlim()
     width = panel.get_position().width * panel.figure.get_size_inches()[0] * 72.0  # [pt]
     values, x = frame.scalar(name)[frame.soil], frame.x[frame.soil]
@@ -114,7 +113,7 @@ def outlines(panel, case):
 
 def history_lines(panel, run, column, names):
     """A column of history.csv over time, a line for each of the points `names`."""
-    _check_column(column, run.history, run.folder / "history.csv")
+    _check_column(column, run.history, run.place("history.csv"))
     for name, (colour, dashes) in zip(names, style.lines_of(names)):
         rows = run.history_of(name)
         panel.plot(rows["time"], style.in_print(run.unit(column))[0] * rows[column], color=colour, ls=dashes,
@@ -167,8 +166,13 @@ def body_outlines(case):
 
 def window_of(frames):
     """Limits around the soil of every frame [m]: x0, y0, x1, y1; outward to half metres in x, tenths in y."""
+    return window_around([frame.x[frame.soil] for frame in frames])
+
+
+def window_around(places):
+    """The same around places, shape [n, 2] each."""
     steps = np.array([0.5, 0.1])
-    x = np.concatenate([frame.x[frame.soil] for frame in frames])
+    x = np.concatenate(places)
     low, high = x.min(axis=0), x.max(axis=0)
     return (*np.floor(low / steps) * steps, *np.ceil(high / steps + (0.2, 0.5)) * steps)
 
