@@ -40,7 +40,8 @@ class Case(Mapping[str, Any]):
             raise CaseError("a path has one line; terp.Case.from_text takes the text of a case")
         given = dict(changes or {})
         if isinstance(source, Case):
-            self._set(source._source, source._path, {**source._changes, **given})
+            self._set(source.source, source.path, {**source.changes, **given})
+            self.is_file = source.is_file
         elif isinstance(source, (str, os.PathLike)):
             self._set(None, os.fspath(source), given)
         elif isinstance(source, Mapping):
@@ -57,13 +58,21 @@ class Case(Mapping[str, Any]):
         """source: None: that of the file."""
         words = [f"{key}={toml_value(value)}" for key, value in changes.items()]
         self._file = _core.read_case(path, words) if source is None else _core.read_case_text(source, path, words)
-        self._source = pathlib.Path(self._file.path).read_text(encoding="utf-8") if source is None else source
-        self._path, self._changes = self._file.path, changes
+        self.is_file = source is None  # in this process: a pickled one may have been changed since
+        self.source = pathlib.Path(self._file.path).read_text(encoding="utf-8") if source is None else source
+        self.path, self.changes = self._file.path, changes
         self._keys: dict[str, Any] = tomllib.loads(self._file.text)
 
     def changed(self, changes: Mapping[str, Any]) -> Case:
         """The same case with further changes; this one stays as it is."""
         return Case(self, changes)
+
+    @property
+    def unchanged(self) -> Case:
+        """The same without its changes."""
+        case = _case_of(self.source, self.path, {})
+        case.is_file = self.is_file
+        return case
 
     def __getitem__(self, key: str) -> Any:
         """What the case says of a key, as it stands there; KeyError where it leaves the key to its default. A file has
@@ -99,7 +108,7 @@ class Case(Mapping[str, Any]):
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _case_of, (self._source, os.path.abspath(self._path), self._changes)
+        return _case_of, (self.source, os.path.abspath(self.path), self.changes)
 
     def __repr__(self) -> str:
         return f"<terp case {self._file.name}: {self.title}>" if self.title else f"<terp case {self._file.name}>"
@@ -121,7 +130,7 @@ class Case(Mapping[str, Any]):
     @property
     def folder(self) -> pathlib.Path:
         """Where the files lie that it names."""
-        return pathlib.Path(self._file.path).parent
+        return pathlib.Path(self.path).parent
 
     @property
     def names_files(self) -> bool:

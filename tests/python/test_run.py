@@ -22,7 +22,8 @@ class Convergence(unittest.TestCase):
             with self.assertRaisesRegex(terp.RunError, "give the folder that `terp converge` wrote"):
                 terp.convergence(folder)
             path = pathlib.Path(folder) / "convergence.json"
-            path.write_text('{"sequences": [{"name": "as given"}]}', encoding="utf-8")
+            path.write_text('{"sequences": [{"name": "as given", "answer": "depends", "quantities": []}]}',
+                            encoding="utf-8")
             self.assertEqual(terp.convergence(folder)["sequences"][0]["name"], "as given")
             path.write_text("{", encoding="utf-8")
             with self.assertRaisesRegex(terp.RunError, "cannot be read"):
