@@ -100,20 +100,31 @@ def section(simulation, panel=None):
 
 def fragility(study, events=("F_after_I",), panel=None):
     """Probabilities over the level of the load, with their bounds: of "I" (a slide), "F" (a flood), "F_after_I" (a
-    flood where it slides)."""
+    flood where it slides). Of a study without a load, and as a line through the levels of one that is a water level:
+    P(F|I) by the ground that the slides left (docs/probability.md)."""
+    events = [events] if isinstance(events, str) else list(events)
+    has_load = "levels" in study.results
+    if not has_load and events != ["F_after_I"]:
+        raise RunError(f"{study.folder} has no load: only F_after_I is known at other levels of the water")
     with style.house_style():
         panel = panel or chart_page()
-        levels = study.levels
         for event, (colour, dashes) in zip(events, style.lines_of(events)):
-            if f"P_{event}" not in (levels.dtype.names or ()):
-                raise unknown(event, [name[2:] for name in levels.dtype.names if name in EVENTS], "event", "the study")
-            known = np.isfinite(levels[f"P_{event}"])
-            bounds = [levels[f"P_{event}_{end}"][known] for end in ("low", "high")]
-            panel.fill_between(levels["level"][known], *bounds, color=colour, alpha=0.15, linewidth=0)
-            panel.plot(levels["level"][known], levels[f"P_{event}"][known], "o", color=colour, ls=dashes, ms=3,
-                       label=EVENTS[f"P_{event}"])
-        panel.set(xlabel=study.results.get("load", "level"), ylabel="probability", ylim=(-0.03, 1.03))
-        panel.legend(**BESIDE)
+            if f"P_{event}" not in EVENTS:
+                raise unknown(event, [name[2:] for name in EVENTS], "event", study.folder)
+            look = {"color": colour, "ls": dashes, "label": EVENTS[f"P_{event}"]}
+            if event == "F_after_I" and study.results.get("flood_after_slide_over_level"):
+                curve = study.over_level
+                panel.fill_between(curve["level"], curve["low"], curve["high"], color=colour, alpha=0.15, linewidth=0)
+                panel.plot(curve["level"], curve["P"], **look)
+                look = {"color": colour, "ls": "none"}
+            if has_load:
+                levels = study.levels[np.isfinite(study.levels[f"P_{event}"])]
+                p, low, high = (levels[f"P_{event}{end}"] for end in ("", "_low", "_high"))
+                panel.errorbar(levels["level"], p, [p - low, high - p], marker="o", ms=3, elinewidth=0.6, **look)
+        panel.set(xlabel=study.results["load"] if has_load else "level of the water (m)", ylabel="probability",
+                  ylim=(-0.03, 1.03))
+        if panel.get_legend_handles_labels()[1]:
+            panel.legend(**BESIDE)
     return panel
 
 

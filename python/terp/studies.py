@@ -93,8 +93,14 @@ class Study:
         """fragility.csv as a structured array, a row per level. Raises RunError if the study has no load."""
         return self._table("fragility.csv")
 
+    @property
+    def over_level(self):
+        """flood_after_slide.csv as a structured array: P(F|I) and its bounds over the level of the water [m], from the
+        ground that the slides left. Raises RunError if nothing slid, or no water is judged."""
+        return self._table("flood_after_slide.csv")
+
     def plot(self, events=("F_after_I",), panel=None):
-        """Probabilities over the level of the load: terp.plot.fragility."""
+        """Probabilities over the level of the load, or P(F|I) over that of the water: terp.plot.fragility."""
         from terp import plot
         return plot.fragility(self, events, panel)
 
