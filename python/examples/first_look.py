@@ -39,7 +39,7 @@ if "su" in run.fields:
 # 4. One point: the one nearest to a place, followed through all frames.
 x_middle, y_middle = np.median(run.frame(0).x[run.frame(0).soil], axis=0)
 row = run.nearest(x_middle, y_middle, time=0.0)
-path = run.series("x", row)  # [n_frames, 2]
+path = run.series("position", row)  # [n_frames, 2]
 print(f"the point nearest to ({x_middle:.2f}, {y_middle:.2f}) m is row {row}; "
       f"it ends at ({path[-1, 0]:.2f}, {path[-1, 1]:.2f}) m")
 

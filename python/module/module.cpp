@@ -5,15 +5,22 @@
 #include "io/case/case_file.hpp"
 #include "io/case/case_record.hpp"
 #include "io/files/summary_json.hpp"
+#include "free_parameters.hpp"
+#include "row_keeper.hpp"
 #include "run_files.hpp"
 #include "run/loop/simulation.hpp"
 #include "run/loop/stages.hpp"
+#include "run/report/frame_fields.hpp"
+#include "model/soils/strength_profile.hpp"
 #include "run/findings/setup_warnings.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <map>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <unordered_map>
 
 namespace py = pybind11;
 
@@ -32,7 +39,7 @@ py::array_t<double> as_array(std::vector<Real>&& values, int n_components)
 
 py::array read_only(py::array array)
 {
-  array.attr("setflags")(py::arg("write") = false);
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
   return array;
 }
 
@@ -69,11 +76,12 @@ class PythonSimulation {
     alone([&] {
       if (mesh_of != nullptr) check_same_mesh(*file_, *mesh_of->file_, *mesh_of->run_->model.mesh);
       run_ = mesh_of == nullptr
-                 ? std::make_unique<Simulation>(file_->values, threads, all_followers())
-                 : std::make_unique<Simulation>(file_->values, mesh_of->run_->model.mesh, threads, all_followers());
+                 ? std::make_shared<Simulation>(file_->values, threads, all_followers())
+                 : std::make_shared<Simulation>(file_->values, mesh_of->run_->model.mesh, threads, all_followers());
       if (!output.empty()) files_ = std::make_unique<RunFiles>(*file_, *run_, output, force);
     });
     if (files_) run_->observers = files_->observers();
+    run_->observers.push_back(&tables_);
     run_->observers.push_back(&watch_);
   }
 
@@ -115,8 +123,9 @@ class PythonSimulation {
     alone([&] { answer([&] { run_->set_field(name, copy); }); });
   }
 
-  /// Views of a row of the points, one for each block, in the order of cells.
-  std::vector<py::array> blocks(const std::string& name)
+  /// Views of a row of the points, one for each block, in the order of cells. Those that are as they were are made
+  /// once: a step moves few points to other blocks.
+  py::list blocks(const std::string& name)
   {
     const MyTurn turn(in_use_);
     const RowInfo* row = nullptr;
@@ -126,16 +135,42 @@ class PythonSimulation {
       names += (names.empty() ? "" : ", ") + entry.name;
     }
     if (row == nullptr) throw CaseError("points carry no row `" + name + "`\n  They carry: " + names + ".");
-    std::vector<py::array> views;
+    if (!memory_)
+      memory_ =
+          py::capsule(new std::shared_ptr(run_), [](void* p) { delete static_cast<std::shared_ptr<Simulation>*>(p); });
+    std::unordered_map<const Real*, View>& kept = views_[row->first];
+    if (kept.size() > 2 * run_->state.points.occupied().size()) kept.clear();
+    py::list views;
     for_each_block(run_->state.points, [&](const PointBlock<2>& block) {
       if (!row->is_of(block.material)) return;
-      const py::capsule owner(new Viewed{views_, py::cast(this)}, [](void* p) { delete static_cast<Viewed*>(p); });
-      std::vector<py::ssize_t> shape{block.n}, strides{sizeof(Real)};
-      if (row->n > 1)
-        shape.push_back(row->n), strides.push_back(block.capacity * static_cast<py::ssize_t>(sizeof(Real)));
-      views.push_back(read_only(py::array_t<double>(shape, strides, block.row(row->first), owner)));
+      View& view = kept[block.data];
+      if (view.n != block.n || view.capacity != block.capacity) view = {block.n, block.capacity, view_of(block, *row)};
+      views.append(view.array);
     });
     return views;
+  }
+
+  /// Name, unit and number of components of all fields; of a parameter of a law that points have values of their own
+  /// of, "parameter".
+  std::vector<std::tuple<std::string, std::string, int, bool>> fields()
+  {
+    const MyTurn turn(in_use_);
+    std::vector<std::tuple<std::string, std::string, int, bool>> list{{"position", "m", 2, false}};
+    for (const FrameField& field : frame_fields(run_->model, run_->state))
+      list.emplace_back(field.name, field.unit, field.n_components, is_parameter(field.name));
+    return list;
+  }
+
+  std::vector<RowKeeper::Column> table(const std::string& name)
+  {
+    const MyTurn turn(in_use_);
+    return tables_.table(name);
+  }
+
+  std::vector<ProfileRow> profile(Real x)
+  {
+    const MyTurn turn(in_use_);
+    return strength_profile(run_->model, run_->state, x);
   }
 
   StateImage save()
@@ -145,11 +180,13 @@ class PythonSimulation {
   }
   void restore(const StateImage& image)
   {
-    if (views_.use_count() > 1)
+    views_.clear();
+    if (memory_ && memory_.ref_count() > 1)
       throw py::buffer_error("views from blocks() are still in use: delete them before restore()");
     if (files_)  // rows and frames after the saved state would stay in them
       throw CaseError("this run writes files, which do not go back: restore() a Simulation without `output`");
     alone([&] { run_->restore(image); });
+    tables_.go_back(run_->state.time, run_->state.step == 0);
     has_fault_ = false;
   }
 
@@ -213,6 +250,15 @@ class PythonSimulation {
     }
   };
 
+  bool is_parameter(const std::string& name) const
+  {
+    return std::ranges::any_of(run_->model.description.materials, [&](const MaterialCase& material) {
+      return std::ranges::any_of(material.fields, [&](const ParameterField& field) {
+        return row_of_parameter(material.type()->parameters[field.parameter]).name == name;
+      });
+    });
+  }
+
   bool ended() const { return run_->model.stage.is_last() && terp::has_ended(run_->model, run_->state); }
 
   /// What is wrong with what Python asked for, which is no fault of the case.
@@ -254,19 +300,27 @@ class PythonSimulation {
     if (files_ && has_ended()) finish();
   }
 
-  /// What a view of the points' memory keeps alive.
-  struct Viewed {
-    std::shared_ptr<int> count;
-    py::object simulation;
+  struct View {
+    Index n = -1, capacity = -1;
+    py::object array;
   };
 
+  py::array view_of(const PointBlock<2>& block, const RowInfo& row) const
+  {
+    std::vector<py::ssize_t> shape{block.n}, strides{sizeof(Real)};
+    if (row.n > 1) shape.push_back(row.n), strides.push_back(block.capacity * static_cast<py::ssize_t>(sizeof(Real)));
+    return read_only(py::array_t<double>(std::move(shape), std::move(strides), block.row(row.first), memory_));
+  }
+
   std::shared_ptr<const CaseFile> file_;
-  std::unique_ptr<Simulation> run_;
+  std::shared_ptr<Simulation> run_;
   std::unique_ptr<RunFiles> files_;
   SignalWatch watch_;
+  RowKeeper tables_;
   std::atomic<bool> in_use_ = false;
-  bool has_fault_ = false;                                 // the run stopped itself
-  std::shared_ptr<int> views_ = std::make_shared<int>(0);  // shared by views of the points' memory
+  bool has_fault_ = false;                                      // the run stopped itself
+  py::object memory_;                                           // of the points; views share it and keep it
+  std::map<int, std::unordered_map<const Real*, View>> views_;  // by first row and block
 };
 
 /// A view of what never changes, kept alive by the mesh that it is of.
@@ -308,7 +362,9 @@ void bind_case(py::module_& module)
       .def_readonly("path", &CaseFile::path)
       .def_property_readonly("title", [](const CaseFile& file) { return file.values.title; })
       .def_property_readonly("name", [](const CaseFile& file) { return file.values.name; })
-      .def_property_readonly("warnings", [](const CaseFile& file) { return render_warnings(file); });
+      .def_property_readonly("warnings", [](const CaseFile& file) { return render_warnings(file); })
+      .def_property_readonly("names_files", [](const CaseFile& file) { return !file.inputs.empty(); })
+      .def("changes_to_vary", &changes_to_vary);
   module.def("read_case", [](const std::string& path, const std::vector<std::string>& changes) {
     return std::make_shared<CaseFile>(read_case(path, changes));
   });
@@ -335,6 +391,26 @@ void bind_simulation(py::module_& module)
       .def("field", &S::field)
       .def("set_field", &S::set_field)
       .def("blocks", &S::blocks)
+      .def("fields", &S::fields)
+      .def("table",
+          [](S& s, const std::string& name) {
+            py::list columns;
+            for (RowKeeper::Column& column : s.table(name))
+              columns.append(py::make_tuple(column.name, column.unit,
+                  column.is_text ? py::cast(column.texts) : py::object(as_array(std::move(column.values), 1))));
+            return columns;
+          })
+      .def("profile",
+          [](S& s, double x) {
+            py::list rows;
+            for (const ProfileRow& row : s.profile(x)) {
+              py::dict strengths;
+              for (const ProfileStrength& strength : row.strengths) strengths[py::str(strength.name)] = strength.value;
+              rows.append(py::make_tuple(row.depth, row.x[1], row.material, row.stress, row.pore, row.last_stress,
+                  row.yield_stress, row.shear, strengths));
+            }
+            return rows;
+          })
       .def("save", &S::save)
       .def("restore", &S::restore)
       .def("finish", &S::finish)

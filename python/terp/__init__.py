@@ -20,7 +20,6 @@ Described in docs/python.md. The paper's figures: `python3 -m terp.figures`; a f
 `python3 -m terp.sections`; runs compared in numbers: the program itself, `terp compare`.
 """
 
-import json
 import pathlib
 import pkgutil
 import sys
@@ -32,13 +31,19 @@ except ModuleNotFoundError as missing:
     raise ModuleNotFoundError(f"{missing.name} is missing in {sys.executable}; Debian's package python3-{missing.name} "
                               "is for /usr/bin/python3", name=missing.name) from None
 
+from terp.answers import Check, Comparison, Convergence, Reach, Section, Stability
+from terp.commands import (assess, check, compare, converge, explain, import_stix, open_stability, read_json, stability,
+                           study)
 from terp.errors import CaseError, RunError, SolveError
-from terp.run import Frame, Mesh, Run
-from terp.study import Event, Study
+from terp.results import Frame
+from terp.run import Mesh, Run
+from terp.studies import Event, Study
 from terp.tables import to_pandas
 
-__all__ = ["Case", "CaseError", "Event", "Frame", "Mesh", "Run", "RunError", "Simulation", "SolveError", "Study",
-           "convergence", "depends", "open", "open_study", "to_pandas"]
+__all__ = ["Case", "CaseError", "Check", "Comparison", "Convergence", "Event", "Frame", "Mesh", "Reach", "Run",
+           "RunError", "Section", "Simulation", "SolveError", "Stability", "Study", "animate", "assess", "check",
+           "compare", "converge", "convergence", "depends", "explain", "import_stix", "open", "open_stability",
+           "open_study", "stability", "study", "to_pandas"]
 __path__ = pkgutil.extend_path(__path__, __name__)  # the compiled part may lie in a build folder
 
 
@@ -66,21 +71,18 @@ def open_study(folder):
 
 
 def convergence(folder):
-    """What `terp converge` found in `folder`: its convergence.json (docs/formats.md) as a dictionary. Raises RunError
-    if there is none."""
-    return _read_json(pathlib.Path(folder) / "convergence.json")
+    """What `terp converge` found in `folder`, as a terp.Convergence, which is a dictionary of its convergence.json
+    (docs/formats.md), too. Raises RunError if there is none."""
+    return Convergence(read_json(pathlib.Path(folder) / "convergence.json", "converge"))
 
 
 def depends(folder):
     """What `terp converge --what-decides` found in `folder`: its depends.json (docs/formats.md) as a dictionary, with
     `turns_on`, the names of the inputs that give another outcome. Raises RunError if there is none."""
-    return _read_json(pathlib.Path(folder) / "depends.json")
+    return read_json(pathlib.Path(folder) / "depends.json", "converge")
 
 
-def _read_json(path):
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError as error:
-        raise RunError(f"{path} is not there: give the folder that `terp converge` wrote") from error
-    except ValueError as error:
-        raise RunError(f"{path} cannot be read: {error}") from error
+def animate(run, field, file=None, **options):
+    """Frames of a run as a film: terp.plot.animate."""
+    from terp import plot
+    return plot.animate(run, field, file, **options)

@@ -5,9 +5,13 @@
 The paper's figures are put together from the same parts (sections.py, curves.py).
 """
 
+import pathlib
+
 import numpy as np
 from matplotlib import patheffects
+from matplotlib.animation import FuncAnimation, writers
 from matplotlib.cm import ScalarMappable
+from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
 
 from terp import style
@@ -19,6 +23,8 @@ QUANTILE = 0.75        # of the strain of the sheared points in the last frame, 
 OUTLIERS = 0.01        # share of the points at either end of any other field that the colour scale leaves out
 SIDES = (2.0, 1.15)    # of a square over the lattice spacing: the large ones lie below, in the gaps of stretched soil
 BESIDE = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)}  # of the legend
+SOILS = ("#d8c08a", "#9c8f7a", "#7a5c43", "#b7b08c", "#a9746e", "#8fa3ad", "#c7a27c", "#6f7f5f")
+EVENTS = {"P_I": "P(I), a slide", "P_F": "P(F), a flood", "P_F_after_I": "P(F|I), a flood\nwhere it slides"}
 SAMPLE = 200           # points whose neighbours are measured to find the lattice spacing
 
 
@@ -33,7 +39,7 @@ def field(run, name, time=None, panel=None, limits=None):
     with style.house_style():
         place = {"ax": panel, "shrink": 0.6}
         if panel is None:
-            panel, bar = section_page(window_of([frame, run.frame(0)]))
+            panel, bar = section_page(window_around([frame.x[frame.soil], run.first_places]))
             place = {"cax": bar}
         outlines(panel, run.case)
         squares(panel, frame, name, norm)
@@ -56,7 +62,7 @@ def ledger(run, columns, panel=None):
     """Columns of ledger.csv over time, e.g. ["kinetic", "elastic", "plastic"]; all of one unit."""
     columns = [columns] if isinstance(columns, str) else list(columns)
     for column in columns:
-        _check_column(column, run.ledger, run.folder / "ledger.csv")
+        _check_column(column, run.ledger, run.place("ledger.csv"))
     if len({run.unit(column) for column in columns}) > 1:
         raise RunError("columns of one picture have one unit, not "
                        + ", ".join(f"{column} [{run.unit(column)}]" for column in columns))
@@ -71,6 +77,127 @@ def ledger(run, columns, panel=None):
     return panel
 
 
+def section(simulation, panel=None):
+    """The section of a run in memory: soils by colour, the cells of the mesh, outlines of the bodies."""
+    names = list(simulation.case["material"])
+    soil = simulation.soil
+    numbers, x = simulation.field("material")[soil].astype(int), simulation.field("position")[soil]
+    with style.house_style():
+        panel = panel or section_page(window_around([simulation.nodes]), bar=False)[0]
+        corners = simulation.nodes[simulation.cells]
+        panel.add_collection(PolyCollection(corners, facecolors="none", edgecolors=style.GREY, linewidths=0.15,
+                                            zorder=3))
+        side = SIDES[0] * lattice_spacing(x) * points_per_metre(panel)
+        for number in np.unique(numbers):
+            here = numbers == number
+            panel.scatter(*x[here].T, s=side**2, marker="s", linewidths=0, color=SOILS[number % len(SOILS)],
+                          rasterized=True, zorder=2, label=names[number] if number < len(names) else str(number))
+        outlines(panel, simulation.case)
+        panel.set(xlabel="x (m)", ylabel="y (m)", title=simulation.case.title)
+        panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncol=6, markerscale=4 / max(side, 1e-3))
+    return panel
+
+
+def fragility(study, events=("F_after_I",), panel=None):
+    """Probabilities over the level of the load, with their bounds: of "I" (a slide), "F" (a flood), "F_after_I" (a
+    flood where it slides). Of a study without a load, and as a line through the levels of one that is a water level:
+    P(F|I) by the ground that the slides left (docs/probability.md)."""
+    events = [events] if isinstance(events, str) else list(events)
+    has_load = "levels" in study.results
+    if not has_load and events != ["F_after_I"]:
+        raise RunError(f"{study.folder} has no load: only F_after_I is known at other levels of the water")
+    with style.house_style():
+        panel = panel or chart_page()
+        for event, (colour, dashes) in zip(events, style.lines_of(events)):
+            if f"P_{event}" not in EVENTS:
+                raise unknown(event, [name[2:] for name in EVENTS], "event", study.folder)
+            look = {"color": colour, "ls": dashes, "label": EVENTS[f"P_{event}"]}
+            if event == "F_after_I" and study.results.get("flood_after_slide_over_level"):
+                curve = study.over_level
+                panel.fill_between(curve["level"], curve["low"], curve["high"], color=colour, alpha=0.15, linewidth=0)
+                panel.plot(curve["level"], curve["P"], **look)
+                look = {"color": colour, "ls": "none"}
+            if has_load:
+                levels = study.levels[np.isfinite(study.levels[f"P_{event}"])]
+                p, low, high = (levels[f"P_{event}{end}"] for end in ("", "_low", "_high"))
+                panel.errorbar(levels["level"], p, [p - low, high - p], marker="o", ms=3, elinewidth=0.6, **look)
+        panel.set(xlabel=study.results["load"] if has_load else "level of the water (m)", ylabel="probability",
+                  ylim=(-0.03, 1.03))
+        if panel.get_legend_handles_labels()[1]:
+            panel.legend(**BESIDE)
+    return panel
+
+
+def convergence(sequences, quantity, panel=None):
+    """A quantity over the size of the cells, a line for each sequence of convergence.json; dashed: its limit."""
+    with style.house_style():
+        panel = panel or chart_page()
+        for sequence, (colour, dashes) in zip(sequences, style.lines_of([s["name"] for s in sequences])):
+            for found in sequence["quantities"]:
+                if found["name"] != quantity:
+                    continue
+                sizes = [run["size"] for run in sequence["runs"]]
+                panel.plot(sizes, np.array(found["values"], float), "o", color=colour, ls=dashes, ms=3,
+                           label=sequence["name"])
+                if found["limit"] is not None:
+                    panel.axhline(found["limit"], color=colour, ls="--", lw=0.6)
+                unit = "" if found["unit"] == "-" else f" ({found['unit']})"
+                panel.set(xlabel="size of the cells (m)", ylabel=found["label"] + unit)
+        panel.set_xlim(left=0)
+        panel.legend(**BESIDE)
+    return panel
+
+
+def animate(run, name, file=None, limits=None, every=1, per_second=10, dpi=120):
+    """The frames of a run as a film of a field, with one colour bar for all.
+
+    file: a path that ends in .gif (by python3-pil) or .mp4 (by ffmpeg); without it the film shows itself in a
+    notebook. limits: as of field(). every: of the frames only each so many; per_second: frames of the film.
+    """
+    frames = [run.frame(k) for k in range(0, len(run.times), every)]
+    if not frames:
+        raise RunError(f"{run.place()} holds no frame")
+    norm = norm_of_limits(run, name, limits) if limits else colour_norm(frames, name)
+    with style.house_style():
+        panel, bar = section_page(window_of(frames))
+        colour_bar(panel.figure, norm, frames, name, cax=bar)
+        outlines(panel, run.case)
+        panel.set(xlabel="x (m)", ylabel="y (m)")
+    moving = []
+
+    def draw(frame):
+        for artist in moving:
+            artist.remove()
+        before = set(panel.collections)
+        squares(panel, frame, name, norm)
+        moving[:] = [artist for artist in panel.collections if artist not in before]
+        panel.set_title(f"$t$ = {frame.time:.2f} s")
+        return moving
+
+    film = Film(panel.figure, draw, frames=frames, interval=1000.0 / per_second, blit=False)
+    if file is not None:
+        film.save(file, writer=_writer_of(file, per_second), dpi=dpi)
+    return film
+
+
+class Film(FuncAnimation):
+    """A film, which a notebook shows with buttons."""
+
+    def _repr_html_(self):
+        return self.to_jshtml()
+
+
+def _writer_of(file, per_second):
+    kind = pathlib.Path(file).suffix
+    if kind not in (".gif", ".mp4"):
+        raise ValueError(f"a film ends in .gif or .mp4, not `{kind}`")
+    writer = "pillow" if kind == ".gif" else "ffmpeg"
+    if not writers.is_available(writer):
+        raise RunError(f"{file} needs {'python3-pil' if kind == '.gif' else 'ffmpeg'}, which is not there: "
+                       "sudo apt install it, or give a .gif")
+    return writers[writer](fps=per_second)
+
+
 # Parts of a picture
 
 
@@ -79,30 +206,35 @@ def chart_page():
     return style.add_panel(style.new_figure(130.0, 62.0), 21.0, 3.0, 85.0, 48.0)
 
 
-def section_page(window):
+def section_page(window, bar=True):
     """Axes of a new figure that show a window x0, y0, x1, y1 [m] with equal aspect, and those of its colour bar."""
     width = style.TWO_COLUMNS - 14.0
     height = width * (window[3] - window[1]) / (window[2] - window[0])
-    figure = style.new_figure(style.TWO_COLUMNS, height + 31.0)
+    figure = style.new_figure(style.TWO_COLUMNS, height + (31.0 if bar else 25.0))
     panel = style.add_panel(figure, 11.0, 6.0, width, height)
     panel.set(xlim=window[::2], ylim=window[1::2])
+    if not bar:
+        return panel, None
     return panel, style.add_panel(figure, 11.0 + 0.25 * width, height + 16.5, 0.5 * width, 2.6)
 
 
 def squares(panel, frame, name, norm):
     """The soil: every material point as a square of about the lattice spacing, coloured by a field; grey where it has
     none."""
-    first = frame.run.frame(0)
-    spacing = lattice_spacing(first.x[first.soil])
-    x_begin, x_end = panel.get_xlim()
-    width = panel.get_position().width * panel.figure.get_size_inches()[0] * 72.0  # [pt]
+    spacing = lattice_spacing(frame.run.first_places)
     values, x = frame.scalar(name)[frame.soil], frame.x[frame.soil]
     here = np.isfinite(values)
     look = {"marker": "s", "linewidths": 0, "antialiased": False, "rasterized": True, "zorder": 2}
-    for side in np.array(SIDES) * spacing * width / (x_end - x_begin):
+    for side in np.array(SIDES) * spacing * points_per_metre(panel):
         if not here.all():
             panel.scatter(*x[~here].T, s=side**2, color=style.NO_VALUE, **look)
         panel.scatter(*x[here].T, s=side**2, c=values[here], cmap=style.COLOUR_MAP, norm=norm, **look)
+
+
+def points_per_metre(panel):
+    """Typographic points on paper of a metre along x."""
+    x_begin, x_end = panel.get_xlim()
+    return panel.get_position().width * panel.figure.get_size_inches()[0] * 72.0 / (x_end - x_begin)
 
 
 def outlines(panel, case):
@@ -114,7 +246,7 @@ def outlines(panel, case):
 
 def history_lines(panel, run, column, names):
     """A column of history.csv over time, a line for each of the points `names`."""
-    _check_column(column, run.history, run.folder / "history.csv")
+    _check_column(column, run.history, run.place("history.csv"))
     for name, (colour, dashes) in zip(names, style.lines_of(names)):
         rows = run.history_of(name)
         panel.plot(rows["time"], style.in_print(run.unit(column))[0] * rows[column], color=colour, ls=dashes,
@@ -167,8 +299,13 @@ def body_outlines(case):
 
 def window_of(frames):
     """Limits around the soil of every frame [m]: x0, y0, x1, y1; outward to half metres in x, tenths in y."""
+    return window_around([frame.x[frame.soil] for frame in frames])
+
+
+def window_around(places):
+    """The same around places, shape [n, 2] each."""
     steps = np.array([0.5, 0.1])
-    x = np.concatenate([frame.x[frame.soil] for frame in frames])
+    x = np.concatenate(places)
     low, high = x.min(axis=0), x.max(axis=0)
     return (*np.floor(low / steps) * steps, *np.ceil(high / steps + (0.2, 0.5)) * steps)
 

@@ -14,63 +14,13 @@ from pathlib import Path
 import numpy as np
 
 from terp.errors import RunError, unknown
-from terp.tables import COLUMN_UNITS, read_table
+from terp.results import Frame, Results
+from terp.tables import read_table
 from terp.vtkhdf import VtkhdfFile, list_frames
 from terp.written import check_end, check_unaltered
 
 MESH = "mesh.vtkhdf"
 SAME_PLACE = 1e-9  # distances that differ by less are those of one lattice [m]
-SOIL_SIGNS = {"material": np.greater_equal, "cell": np.greater_equal, "volume": np.greater}  # than 0: it is soil
-
-
-class Frame:
-    """All material points at one time. `frame["su"]` is read from the file at the first use, then kept.
-
-    Rows of points of which there is no soil hold no result: `frame["su"][frame.soil]` leaves them out.
-    """
-
-    def __init__(self, run, k):
-        self.run = run
-        self.k = k
-        self.time = float(run.times[k])  # [s]
-        self._fields = {}
-
-    def __getitem__(self, name):
-        if name not in self._fields:
-            self._fields[name] = self.run.field(name, self.k)
-        return self._fields[name]
-
-    @property
-    def x(self):
-        """Places of the points [m], shape [n_points, 2]."""
-        return self["x"]
-
-    @property
-    def soil(self):
-        """Which rows are soil, shape [n_points]. False: the body of the point is not placed yet or was removed, or the
-        point left through an open side. A run whose frames have none of the fields `material`, `cell` and `volume` does
-        not tell: all rows count as soil."""
-        for name, is_soil in SOIL_SIGNS.items():
-            if name in self.run.units:
-                return is_soil(self[name], 0)
-        return np.ones(len(self.x), dtype=bool)
-
-    def scalar(self, name):
-        """One number per point, shape [n_points]: a scalar field, the component "stress.xx" of a field, or the size of
-        a vector."""
-        field, _, component = name.partition(".")
-        values = self[field]
-        if component:
-            return values[:, self.run.component(field, component)]
-        if values.ndim == 1:
-            return values
-        if self.run.components[field] == ("x", "y", "z"):
-            return np.linalg.norm(values, axis=1)
-        choices = ", ".join(f"{field}.{part}" for part in self.run.components[field])
-        raise RunError(f"`{field}` has several components; ask for one of them: {choices}")
-
-    def __repr__(self):
-        return f"<frame {self.k} of {self.run.folder}, t = {self.time:g} s>"
 
 
 class Mesh:
@@ -128,7 +78,7 @@ def read_frames(folder, kind):
     return frames
 
 
-class Run:
+class Run(Results):
     """The results in one run folder. Each file is read when it is first asked for, and what was read is kept:
     `refresh` lets go of it, for a run that is still going."""
 
@@ -139,6 +89,9 @@ class Run:
 
     def __repr__(self):
         return f"<terp run {self.folder}>"
+
+    def place(self, file=""):
+        return str(self.folder / file)
 
     def refresh(self):
         """Forget what was read, so that frames and rows that were added since are seen. Returns the run."""
@@ -165,19 +118,14 @@ class Run:
 
     @functools.cached_property
     def units(self):
-        """{field: unit} of the fields that the frames have, and of "x"."""
-        return {"x": "m", **self._first_frame.attributes("PointData", "unit", "-")}
+        """{field: unit} of the fields that the frames have, and of "position"."""
+        return {"position": "m", **self._first_frame.attributes("PointData", "unit", "-")}
 
     @functools.cached_property
     def components(self):
         """{field: names of its components}, e.g. ("xx", "yy", "zz", "xy"); empty for a scalar."""
         texts = self._first_frame.attributes("PointData", "components")
-        return {"x": ("x", "y"), **{name: tuple(text.split()) for name, text in texts.items()}}
-
-    @property
-    def fields(self):
-        """Names that `field` knows in this run."""
-        return sorted(self.units)
+        return {"position": ("x", "y"), **{name: tuple(text.split()) for name, text in texts.items()}}
 
     def __len__(self):
         return len(self.times)
@@ -189,32 +137,31 @@ class Run:
     def __iter__(self):
         return (self.frame(k) for k in range(len(self)))
 
-    def at(self, time):
-        """Index of the frame nearest to `time` [s]; the earlier of two equally near ones."""
-        if len(self.times) == 0:
-            raise RunError(f"{self.folder} holds no frame")
-        if not np.isfinite(time):
-            raise ValueError(f"there is no frame at time {time}")
-        return int(np.argmin(np.abs(self.times - time)))
-
     def field(self, name, k):
-        """Field `name` of frame k, shape [n_points] or [n_points, n_components]; "x" is the place, [n_points, 2].
+        """Field `name` of frame k, shape [n_points] or [n_points, n_components]; of "position" [n_points, 2].
 
         Row r is the same material point in every frame; `frame(k).soil` says where there is soil of it.
         """
         k = self._checked_index(k)
         self._check_field(name)
         file = self._frames[k].file
-        return file.places() if name == "x" else file.values("PointData", name)
+        return file.places() if name == "position" else file.values("PointData", name)
+
+    values = field
+
+    @property
+    def first_places(self):
+        first = self.frame(0)
+        return first.x[first.soil]
 
     def series(self, name, row):
         """Field `name` of one material point in all frames, shape [n_frames] or [n_frames, n_components]."""
         self._check_field(name)
-        n = len(self.field("x", 0))
+        n = len(self.field("position", 0))
         if not 0 <= row < n:
             raise IndexError(f"{self.folder} has {n} points; there is no row {row}")
-        if name == "x":
-            return np.array([self.field("x", k)[row] for k in range(len(self))])
+        if name == "position":
+            return np.array([self.field("position", k)[row] for k in range(len(self))])
         return np.array([frame.file.values("PointData", name, row) for frame in self._frames])
 
     def nearest(self, x, y, time=0.0):
@@ -229,13 +176,6 @@ class Run:
         distance = np.where(frame.soil, np.hypot(places[:, 0] - x, places[:, 1] - y), np.inf)
         near = np.flatnonzero(distance <= distance.min() + SAME_PLACE)
         return int(near[np.lexsort((places[near, 1], places[near, 0]))[0]])
-
-    def component(self, field, name):
-        """Column of component `name` in a field, e.g. 3 for "xy" of the stress."""
-        self._check_field(field)
-        if name not in self.components[field]:
-            raise unknown(name, self.components[field], "component", f"`{field}` in {self.folder}")
-        return self.components[field].index(name)
 
     # Tables: history.csv, ledger.csv
 
@@ -252,18 +192,6 @@ class Run:
         """Energies, mass, momentum, front and crest over time: structured array with the columns of ledger.csv."""
         return self._table("ledger.csv")
 
-    @functools.cached_property
-    def history_points(self):
-        """Names of the points in history.csv, in the order of the file."""
-        return list(dict.fromkeys(self.history["point"].tolist()))
-
-    def history_of(self, point):
-        """The rows of history.csv of one named point, by time."""
-        if point not in self.history_points:
-            raise unknown(point, self.history_points, "point", self.folder / "history.csv")
-        rows = self.history[self.history["point"] == point]
-        return rows[np.argsort(rows["time"], kind="stable")]
-
     # Summary, case, mesh
 
     @functools.cached_property
@@ -273,15 +201,6 @@ class Run:
             return json.loads(self._file("summary.json").read_text(encoding="utf-8"))
         except ValueError as error:
             raise RunError(f"{self.folder / 'summary.json'} cannot be read: {error}") from error
-
-    @property
-    def flood(self):
-        """The verdict on the water, as in summary.json: a dictionary with "verdict" ("stands", "damaged",
-        "still_moving", "near" or "floods"; None until the run has ended, unless it floods so far), "residual_height",
-        "freeboard", "width_at_level" [m], "first_time_below" [s], "below_for" [s], "below_by" [m],
-        "at_strength_damaged", "at_strength_below", "stage_moving" (at whose end soil still moved) and others; None
-        without a water level."""
-        return self.summary.get("flood")
 
     @functools.cached_property
     def case_text(self):
@@ -301,16 +220,10 @@ class Run:
         """The background mesh."""
         return Mesh(VtkhdfFile(self._file(MESH)), read_frames(self.folder, "mesh"))
 
-    def unit(self, name):
-        """Unit of a field or of a column of the tables, e.g. "Pa"; "-" where it has none. "stress.xx" has that of
-        "stress"."""
-        name = name.partition(".")[0]
-        units = {**COLUMN_UNITS, **(self.units if (self.folder / "frames").is_dir() else {})}
-        if name not in units:
-            raise unknown(name, sorted(units), "field or column", self.folder)
-        return units[name]
-
     # Inside
+
+    def _known_units(self):
+        return self.units if (self.folder / "frames").is_dir() else {}
 
     def _table(self, name):
         path = self._file(name)

@@ -36,6 +36,14 @@ def read_table(path):
         raise RunError(f"{path} cannot be read: {error}") from error
 
 
+def table_of(columns):
+    """A structured array of (name, unit, values), as read_table makes one of a file."""
+    table = np.empty(len(columns[0][2]), np.dtype([(name, _column_type(name)) for name, _, _ in columns]))
+    for name, _, values in columns:
+        table[name] = values
+    return table
+
+
 def to_pandas(table):
     """A structured array, such as run.ledger, as a pandas DataFrame with the same columns."""
     try:

@@ -4,6 +4,7 @@
 
 #include "batch/adaptive.hpp"
 #include "batch/fragility.hpp"
+#include "batch/height_curve.hpp"
 #include "batch/study_text.hpp"
 #include "io/case/keys.hpp"
 
@@ -116,6 +117,10 @@ void add_events(const Study& study, const Realisations& rows, const StudyEstimat
   json["slide"] = one_p ? event_json(e.slide) : Json();
   json["flood"] = one_p && e.judges_flood ? event_json(e.flood) : Json();
   json["flood_after_slide"] = one_p && e.judges_flood ? event_json(e.flood_after_slide) : Json();
+  json["flood_after_slide_over_level"] = Json::array();
+  for (const HeightPlace& at : flood_after_slide_over_level(study, rows))
+    json["flood_after_slide_over_level"].push_back(
+        {at.level, or_null(at.event.probability()), at.event.bounds.low, at.event.bounds.high});
   if (study.coarse && one_p) json["multilevel"] = levels_json(study, e);
   if (!study.settings.fragility) return;
   const FragilityCurve curve = estimate_fragility(study, rows);

@@ -7,6 +7,7 @@
 #include "os/csv.hpp"
 #include "batch/adaptive.hpp"
 #include "batch/fragility_text.hpp"
+#include "batch/height_curve.hpp"
 
 #include <fmt/format.h>
 
@@ -237,7 +238,8 @@ std::string study_text(const Study& study, const Realisations& rows)
   } else if (info_of(s.estimator).adaptive) {
     if (e.adaptive.result) out += adaptive_text(study, rows, *e.adaptive.result);
   } else if (s.fragility) {
-    out += fragility_text(study, estimate_fragility(study, rows)) + sensitivity_lines(study, e);
+    out += fragility_text(study, estimate_fragility(study, rows)) +
+           height_curve_text(flood_after_slide_over_level(study, rows)) + sensitivity_lines(study, e);
   } else {
     out += fmt::format("  probabilities with {:g} % bounds{}\n", 100.0 * s.confidence,
         is_of_points(s.estimator) ? " of independent realisations" : "");
@@ -247,6 +249,7 @@ std::string study_text(const Study& study, const Realisations& rows)
       out += line_of_event(study, "P(F|I)", e.flood_after_slide, "of the slides");
     }
     if (const std::string worth = worth_of_residual_strength(e); !worth.empty()) out += "  " + worth + '\n';
+    out += height_curve_text(flood_after_slide_over_level(study, rows));
     out += sensitivity_lines(study, e);
   }
   for (const std::string& remark : remarks_on_study(study, rows, e)) out += "  note: " + remark + '\n';

@@ -94,7 +94,7 @@ class Sections(unittest.TestCase):
     def test_every_point_lies_inside_the_panels(self):
         pair = pair_of()
         figure, _ = self.draw(pair)
-        end = max(run.field("x", k).max() for run in pair.runs for k in range(len(run.times)))
+        end = max(run.field("position", k).max() for run in pair.runs for k in range(len(run.times)))
         self.assertGreater(figure.axes[0].get_xlim()[1], end)
 
     def test_dots_move_with_the_soil(self):
@@ -132,7 +132,7 @@ class Sections(unittest.TestCase):
         self.assertTrue(1.0 <= above < 1.5 <= below <= 2.0, (above, below))
 
     def test_lattice_spacing_is_the_distance_of_neighbours(self):
-        self.assertAlmostEqual(plot.lattice_spacing(pair_of().gp.field("x", 0)), 0.1)
+        self.assertAlmostEqual(plot.lattice_spacing(pair_of().gp.field("position", 0)), 0.1)
 
 
 class Curves(unittest.TestCase):

@@ -1,13 +1,17 @@
 """Pictures of a run: terp.plot and the command terp.sections."""
 
 import pathlib
+import re
 import tempfile
 import unittest
 
 import support
 
 import numpy as np
+import matplotlib
 import terp
+from PIL import Image
+from matplotlib.animation import writers
 from matplotlib.figure import Figure
 from terp import plot, sections
 
@@ -46,6 +50,32 @@ class Pictures(unittest.TestCase):
         x, y = self.run_.frame(-1).x.T
         self.assertTrue(panel.get_xlim()[0] <= x.min() and x.max() <= panel.get_xlim()[1])
         self.assertTrue(panel.get_ylim()[0] <= y.min() and y.max() <= panel.get_ylim()[1])
+
+    def test_a_film_has_one_frame_per_frame_and_one_bar(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "run.gif"
+            film = terp.animate(self.run_, "eps_eq_p", path, dpi=30)
+            with Image.open(path) as image:
+                self.assertEqual(image.n_frames, len(self.run_))
+                image.seek(image.n_frames - 1)
+                last = np.array(image.convert("RGB"))
+                image.seek(0)
+                self.assertGreater(np.mean(last != np.array(image.convert("RGB"))), 0.01)
+        section, bar = film._fig.axes
+        self.assertEqual(section.get_title(), "$t$ = 4.00 s")
+        self.assertEqual(len(section.collections), 2, "the squares of one frame, in two sizes")
+        self.assertIn("plastic deviatoric strain", bar.get_xlabel())
+
+    def test_a_film_of_some_frames_shows_itself_in_a_notebook(self):
+        film = terp.animate(self.run_, "su", every=4, limits=(2, 8), dpi=30)
+        with matplotlib.rc_context({"savefig.dpi": 20, "figure.dpi": 20}):
+            page = film._repr_html_()
+        self.assertEqual(len(re.findall(r"frames\[\d+\] = ", page)), (len(self.run_) + 3) // 4)
+        with self.assertRaisesRegex(ValueError, "ends in .gif or .mp4, not `.avi`"):
+            terp.animate(self.run_, "su", "film.avi")
+        if not writers.is_available("ffmpeg"):
+            with self.assertRaisesRegex(terp.RunError, "film.mp4 needs ffmpeg, which is not there"):
+                terp.animate(self.run_, "su", "film.mp4")
 
     def test_given_axes_are_drawn_into(self):
         panel = Figure().add_subplot()

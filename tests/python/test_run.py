@@ -22,7 +22,8 @@ class Convergence(unittest.TestCase):
             with self.assertRaisesRegex(terp.RunError, "give the folder that `terp converge` wrote"):
                 terp.convergence(folder)
             path = pathlib.Path(folder) / "convergence.json"
-            path.write_text('{"sequences": [{"name": "as given"}]}', encoding="utf-8")
+            path.write_text('{"sequences": [{"name": "as given", "answer": "depends", "quantities": []}]}',
+                            encoding="utf-8")
             self.assertEqual(terp.convergence(folder)["sequences"][0]["name"], "as given")
             path.write_text("{", encoding="utf-8")
             with self.assertRaisesRegex(terp.RunError, "cannot be read"):
@@ -55,7 +56,7 @@ class RunFolder(unittest.TestCase):
 
     def test_places_are_two_columns_and_move(self):
         start = synthetic.lattice(0.1)
-        np.testing.assert_allclose(self.run_.field("x", 0), start, atol=1e-12)
+        np.testing.assert_allclose(self.run_.field("position", 0), start, atol=1e-12)
         np.testing.assert_array_equal(self.run_.frame(-1).x, synthetic.places(start, 4.0, 2))
 
     def test_a_frame_reads_a_field_once(self):
@@ -67,7 +68,7 @@ class RunFolder(unittest.TestCase):
         self.assertEqual([self.run_.at(t) for t in (-1.0, 0.74, 0.76, 2.5, 99.0)], [0, 1, 2, 5, 8])
 
     def test_nearest_breaks_ties_to_lower_x_then_lower_y(self):
-        places = self.run_.field("x", 0)
+        places = self.run_.field("position", 0)
         np.testing.assert_allclose(places[self.run_.nearest(7.62, 0.07)], (7.65, 0.05))
         np.testing.assert_allclose(places[self.run_.nearest(1.0, 1.0)], (0.95, 0.95))
 
@@ -94,13 +95,13 @@ class RunFolder(unittest.TestCase):
 
     def test_a_series_is_one_row_of_all_frames(self):
         row = 700
-        for name in ("su", "stress", "x"):
+        for name in ("su", "stress", "position"):
             series = self.run_.series(name, row)
             np.testing.assert_array_equal(series, [frame[name][row] for frame in self.run_])
             self.assertEqual(len(series), len(self.run_))
 
     def test_a_row_or_time_that_is_none_is_refused(self):
-        for row in (-1, len(self.run_.field("x", 0))):
+        for row in (-1, len(self.run_.field("position", 0))):
             with self.assertRaisesRegex(IndexError, "there is no row"):
                 self.run_.series("su", row)
         with self.assertRaises(ValueError):
@@ -146,7 +147,7 @@ class RunFolder(unittest.TestCase):
         self.assertTrue(self.run_.finished)
 
     def test_units_of_fields_are_those_of_the_file_and_columns_have_theirs(self):
-        self.assertEqual(self.run_.units, {"x": "m", **synthetic.UNITS})
+        self.assertEqual(self.run_.units, {"position": "m", **synthetic.UNITS})
         names = ("su", "stress.xy", "eps_eq_p", "time", "kinetic", "front_x")
         self.assertEqual([self.run_.unit(name) for name in names], ["Pa", "Pa", "-", "s", "J per m", "m"])
         self.assertEqual(self.run_.components["stress"], ("xx", "yy", "zz", "xy"))

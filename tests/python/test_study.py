@@ -143,7 +143,7 @@ class StudyOfTheProgram(unittest.TestCase):
         self.assertGreater(len(run.field("displacement", -1)), 0)
         with self.assertRaisesRegex(terp.RunError, "cannot start `no_terp`"):
             self.study.run_of(2, program="no_terp")
-        with self.assertRaisesRegex(terp.RunError, "was not solved: error: --keep 99"):
+        with self.assertRaisesRegex(terp.RunError, "was not solved: --keep 99"):
             self.study.run_of(99, program=PROGRAM)
 
 

@@ -68,7 +68,7 @@ class RunOfTheProgram(unittest.TestCase):
             root = file["VTKHDF"]
             for name in root["PointData"]:
                 np.testing.assert_array_equal(self.run_.field(name, k), root["PointData"][name][:])
-            np.testing.assert_array_equal(self.run_.field("x", k), root["Points"][:, :2])
+            np.testing.assert_array_equal(self.run_.field("position", k), root["Points"][:, :2])
 
     def test_places_are_the_start_plus_the_displacement(self):
         first, last = self.run_.frame(0), self.run_.frame(-1)

@@ -108,10 +108,10 @@ class RunNumbers:
 def _column(get, name):
     """get(field): shape [n] or [n, n_components]."""
     if name in ("x", "y"):
-        return get("x")[:, "xy".index(name)]
+        return get("position")[:, "xy".index(name)]
     if name in ("x0", "y0"):
         k = ("x0", "y0").index(name)
-        return get("x")[:, k] - get("displacement")[:, k]
+        return get("position")[:, k] - get("displacement")[:, k]
     if name == "p":
         stress = get("stress")
         return (stress[:, 0] + stress[:, 1] + stress[:, 2]) / 3.0
@@ -153,7 +153,7 @@ def _sum(values):
 
 def _of_field(q, scope, numbers):
     k = _frame_of(q, scope, numbers)
-    n = len(numbers.run.field("x", k))
+    n = len(numbers.run.field("position", k))
 
     def values_of(key, text):
         values = scope.evaluate(q.place, key, text, numbers.names, lambda name: numbers.of_frame(k, name))
@@ -213,7 +213,7 @@ def _columns_of(q, scope, numbers):
 
 def _nearest(q, scope, numbers):
     """Row and initial place of the point nearest to `at`."""
-    places = numbers.run.field("x", 0)
+    places = numbers.run.field("position", 0)
     at = [scope.number(q, "at", text) for text in q.at]
     distances = np.hypot(places[:, 0] - at[0], places[:, 1] - at[1])
     row = int(np.argmin(distances))

@@ -38,6 +38,32 @@ void check_parameters(const MaterialCase& material, const MaterialType& type, co
         fmt::format("At the point at {} m: {}", place_text(x), problem.detail), "material"});
 }
 
+/// How much a parameter that varies changes when number `set` becomes `factor` times as large.
+Real factor_of(const MaterialCase& material, std::size_t parameter, std::size_t set, Real factor)
+{
+  if (parameter == set) return factor;
+  const auto field = std::ranges::find(material.fields, parameter, &ParameterField::parameter);
+  return field != material.fields.end() && field->follows ? factor_of(material, *field->follows, set, factor) : 1.0;
+}
+
+/// The parameters of a point that vary, in the order of its law, once the one in `row` has a new value.
+std::vector<Real> with_parameter(const Model& model, const PointBlock<2>& block, Index lane, int row, Real value)
+{
+  const SoilMaterial& material = model.materials[block.material];
+  const std::span<const int> varying = material.law->varying();
+  const std::span<const int> numbers = std::span(material.rows).subspan(static_cast<std::size_t>(material.n_state()));
+  const auto place = static_cast<std::size_t>(std::ranges::find(numbers, row) - numbers.begin());
+  const LawRows rows = material.view(block, lane);
+  const Real before = *rows.parameters(place), factor = before == 0.0 ? 1.0 : value / before;
+  std::vector<Real> own;
+  for (std::size_t k = 0; k < varying.size(); ++k)
+    own.push_back(k == place ? value
+                             : *rows.parameters(k) * factor_of(model.description.materials[block.material],
+                                                         static_cast<std::size_t>(varying[k]),
+                                                         static_cast<std::size_t>(varying[place]), factor));
+  return own;
+}
+
 /// With the stiffness of pore water that cannot leave.
 Moduli undrained(const SoilMaterial& material, Moduli drained)
 {
@@ -92,12 +118,9 @@ void check_point_parameter(
   const SoilMaterial& material = model.materials[block.material];
   const std::span<const int> varying = material.law->varying();
   const LawRows rows = material.view(block, lane);
-  std::vector<Real> values = model.description.materials[block.material].parameters, own;
-  for (std::size_t k = 0; k < varying.size(); ++k) {
-    const bool is_new = material.rows[static_cast<std::size_t>(material.n_state()) + k] == row;
-    own.push_back(is_new ? value : *rows.parameters(k));
-    values[static_cast<std::size_t>(varying[k])] = own.back();
-  }
+  std::vector<Real> values = model.description.materials[block.material].parameters;
+  std::vector<Real> own = with_parameter(model, block, lane, row, value);
+  for (std::size_t k = 0; k < varying.size(); ++k) values[static_cast<std::size_t>(varying[k])] = own[k];
   const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
   const Vec<2> x{state.x_initial[2 * id], state.x_initial[2 * id + 1]};
   check_parameters(model.description.materials[block.material], *material.type, values, x);
@@ -111,6 +134,13 @@ void check_point_parameter(
             "case.",
             place_text(x), stable, model.dt),
         "material"});
+}
+
+void set_point_parameter(const Model& model, const PointBlock<2>& block, Index lane, int row, Real value)
+{
+  const LawRows rows = model.materials[block.material].view(block, lane);
+  std::size_t k = 0;
+  for (const Real own : with_parameter(model, block, lane, row, value)) *rows.parameters(k++) = own;
 }
 
 void set_point_parameters(const Model& model, const Seeds& seeds, StepState& state, const std::vector<bool>& of_bodies)

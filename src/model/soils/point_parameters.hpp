@@ -42,6 +42,9 @@ Real stable_step(const Model& model, const Stiffness& stiffness);
 void check_point_parameter(
     const Model& model, const StepState& state, const PointBlock<2>& block, Index lane, int row, Real value);
 
+/// Sets it. Parameters that the case finds from it, by a ratio or as a default, change in proportion.
+void set_point_parameter(const Model& model, const PointBlock<2>& block, Index lane, int row, Real value);
+
 /// Of each material in use; of each point of those whose parameters vary.
 std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index> used);
 

@@ -70,6 +70,12 @@ void for_each_value(State& state, const std::vector<FieldPlace>& places, const s
   });
 }
 
+bool is_parameter(const SoilMaterial& material, int row)
+{
+  const std::span<const int> of_law = std::span(material.rows).subspan(static_cast<std::size_t>(material.n_state()));
+  return std::ranges::find(of_law, row) != of_law.end();
+}
+
 void check_value(const Model& model, const State& state, const std::string& name, const PointBlock<2>& block,
     Index lane, const FieldPlace& place, const Real* value)
 {
@@ -96,8 +102,7 @@ void check_value(const Model& model, const State& state, const std::string& name
   if (place.first_row == row_of(material, Role::plastic_strain) && *value < 0.0)
     refuse(
         name, fmt::format("the plastic strain of material point {} is below zero", id), fmt::format("Got {}.", *value));
-  const std::span<const int> of_law = std::span(material.rows).subspan(static_cast<std::size_t>(material.n_state()));
-  if (std::ranges::find(of_law, place.first_row) != of_law.end())
+  if (is_parameter(material, place.first_row))
     check_point_parameter(model, state, block, lane, place.first_row, *value);
 }
 
@@ -205,7 +210,9 @@ void Simulation::set_field(const std::string& name, const std::vector<Real>& val
       });
   const Real before = kinetic_and_stored_energy(model, state);
   for_each_value(
-      state, places, values, [](const PointBlock<2>& block, Index lane, const FieldPlace& place, const Real* value) {
+      state, places, values, [&](const PointBlock<2>& block, Index lane, const FieldPlace& place, const Real* value) {
+        if (place.first_row >= 0 && is_parameter(model.materials[block.material], place.first_row))
+          return set_point_parameter(model, block, lane, place.first_row, *value);
         for (int k = 0; k < place.n_rows && place.first_row >= 0; ++k) block.row(place.first_row + k)[lane] = value[k];
       });
   if (!has_started(state)) return;

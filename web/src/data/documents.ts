@@ -127,6 +127,7 @@ export interface StudyMeta {
   slide_over_levels?: Integral | null;
   flood_over_levels?: Integral | null;
   of_load?: { name: string; unit: string; levels: number[]; distribution: [number, number][]; is_water_level: boolean };
+  flood_after_slide_over_level?: Place[]; // by the ground that slides leave: level [m], P, bounds
   growth?: { slide: Place[]; flood: Place[] };
   sweep: { key: string; unit: string; of_numbers: boolean; numbers: number[] | null }[];
   sensitivities: { with_slide: number | null; with_height: number | null }[];

@@ -32,11 +32,12 @@ export function studyPage(data: StudyMeta, tables: Tables, store: Store): Conten
         : data.method !== undefined ? [methodPart(data)]
         : [data.levels ? fragilityPart(data, store) : probabilitiesPart(data),
           section(say(data.levels ? "study_remains" : "study_how_sure"), cards([
-            ...growthCharts(data, store),
+            heightChart(data, store), ...growthCharts(data, store),
             histogram(store, say("study_highest"), say("study_height_axis"),
               outcomesOf(data, outcomes, "residual_height")),
             histogram(store, say("study_volume"), say("study_volume_axis"), outcomesOf(data, outcomes, "slide_volume")),
-          ]), data.growth ? paragraph(say("study_growth_help"), "muted") : null),
+          ]), data.flood_after_slide_over_level?.length ? paragraph(say("study_over_level_help"), "muted") : null,
+          data.growth ? paragraph(say("study_growth_help"), "muted") : null),
           kindsPart(data, outcomes), sensitivityPart(data)]),
       realisationsPart(data, tables.get(data.inputs)!, outcomes),
     ],
@@ -120,6 +121,16 @@ function methodPart(data: StudyMeta): HTMLElement | null {
     rows.length > 0 ? table([say("method_input"), say("method_design"), say("method_influence")], rows) : null,
     paragraph(`${say("method_is_of", { name, event: words })} ${say("study_what_p_is")}` +
       (rows.length > 0 ? ` ${say("method_influence_is")}` : ""), "muted"));
+}
+
+/** What share of the slides floods at another level of the water: by the ground that they leave. */
+function heightChart({ flood_after_slide_over_level: places }: StudyMeta, store: Store): HTMLElement | null {
+  if (!places?.length) return null;
+  const line = (label: TextKey, part: number, dash: number[]): Line => styled(2, { label: say(label), dash,
+    x: places.map(([level]) => level), y: places.map((place) => place[part] ?? null) });
+  return chart(store, { title: say("study_over_level"), xLabel: say("study_level_axis"), unit: "-",
+    yLabel: say("study_probability_axis"), fromZero: true },
+  [line("study_estimate", 1, []), line("study_lower", 2, [2, 3]), line("study_upper", 3, [2, 3])]);
 }
 
 function growthCharts({ growth, flood }: StudyMeta, store: Store): (HTMLElement | null)[] {

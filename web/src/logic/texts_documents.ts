@@ -148,6 +148,12 @@ export const DOCUMENT_TEXTS = {
   study_how_sure: ["How sure, and what remains", "Hoe zeker, en wat overblijft"],
   study_remains: ["What remains", "Wat overblijft"],
   study_highest: ["Highest ground that remains", "Hoogste grond die overblijft"],
+  study_over_level: ["P(F|I) over the level of the water", "P(F|I) tegen de waterstand"],
+  study_level_axis: ["level of the water [m]", "waterstand [m]"],
+  study_over_level_help: ["P(F|I) over the level is the share of the slides that leave less ground than that. It is " +
+    "the ground that they left with the water of the study: far from its level the water would leave other ground.",
+    "P(F|I) tegen de waterstand is het deel van de afschuivingen dat minder grond overlaat. Het is de grond die " +
+    "overbleef bij het water van de studie: ver van die stand zou het water andere grond overlaten."],
   study_height_axis: ["height at the end [m]", "hoogte aan het eind [m]"],
   study_volume: ["Volume that slid", "Afgeschoven volume"],
   study_volume_axis: ["volume that slid [m²]", "afgeschoven volume [m²]"],

@@ -1,15 +1,17 @@
 """A study, as `terp study` left it (docs/probability.md): its probabilities, its table, its runs."""
 
 import csv
+import html
 import json
 import math
 import pathlib
-import subprocess
 from typing import NamedTuple
 
 import numpy as np
 
-from terp.errors import RunError
+from terp.answers import html_table
+from terp.errors import CaseError, RunError, SolveError
+from terp.program import call
 from terp.run import Run
 
 _TEXT = {"fault", "screening", "resolution"}
@@ -40,7 +42,20 @@ class Study:
         self._tables = {}
 
     def __repr__(self):
-        return f"terp.Study({str(self.folder)!r}): {self.results['realisations']} realisations"
+        events = "".join(f", P({name}) {event.probability:.3g} ({event.low:.3g} to {event.high:.3g})"
+                         for name, event in self._events().items())
+        return f"terp.Study({str(self.folder)!r}): {self.results['realisations']} realisations{events}"
+
+    def _repr_html_(self):
+        rows = np.array([(name, *event) for name, event in self._events().items()],
+                        [("event", "U8"), *((name, float) for name in Event._fields)])
+        notes = "".join(f"<li>{html.escape(note)}</li>" for note in self.results["remarks"])
+        return f"<p>{self.results['realisations']} realisations</p>{html_table(rows)}<ul>{notes}</ul>"
+
+    def _events(self):
+        """By name, those of which something is known."""
+        events = {"I": self.slide, "F": self.flood, "F|I": self.flood_after_slide}
+        return {name: event for name, event in events.items() if not math.isnan(event.probability)}
 
     @property
     def slide(self):
@@ -79,6 +94,17 @@ class Study:
         return self._table("fragility.csv")
 
     @property
+    def over_level(self):
+        """flood_after_slide.csv as a structured array: P(F|I) and its bounds over the level of the water [m], from the
+        ground that the slides left. Raises RunError if nothing slid, or no water is judged."""
+        return self._table("flood_after_slide.csv")
+
+    def plot(self, events=("F_after_I",), panel=None):
+        """Probabilities over the level of the load, or P(F|I) over that of the water: terp.plot.fragility."""
+        from terp import plot
+        return plot.fragility(self, events, panel)
+
+    @property
     def pairs(self):
         """Rows of the table of samples that were solved on both levels, (coarse, fine), in the same order.
         Raises RunError if the study has no two levels."""
@@ -88,23 +114,20 @@ class Study:
         fine = np.flatnonzero(table["resolution"] == "fine")
         return table[fine - 1], table[fine]
 
-    def run_of(self, realisation, program="terp"):
+    def run_of(self, realisation, program=None):
         """The terp.Run of a realisation, with all its fields. It is solved once more by the program, to the same bits,
         unless that was done before and the study is the same. Raises RunError with what the program says."""
         folder = self.folder / "kept" / str(int(realisation))
         if _mark_of(folder) != self.results.get("digits", math.nan):
-            command = [program, "study", "run", str(self.folder), "--keep", str(int(realisation)), "-q"]
             try:
-                done = subprocess.run(command, capture_output=True, text=True, check=False)
-            except OSError as error:
-                raise RunError(f"cannot start `{program}`: {error.strerror}. Give the path of the program") from error
-            if done.returncode != 0:
-                raise RunError(f"realisation {realisation} was not solved: {done.stderr.strip()}")
+                call(["study", "run", str(self.folder), "--keep", str(int(realisation))], program=program)
+            except (CaseError, SolveError, RunError) as error:
+                raise RunError(f"realisation {realisation} was not solved: {error}") from error
         return Run(folder)
 
     def _table(self, name):
         if name not in self._tables:
-            self._tables[name] = _read(self.folder / name)
+            self._tables[name] = read_csv(self.folder / name)
         return self._tables[name]
 
 
@@ -126,7 +149,8 @@ def _number(value):
     return math.nan if value is None else value
 
 
-def _read(path):
+def read_csv(path):
+    """A table of the program as a structured array: numbers where a column has no other cells."""
     try:
         with open(path, encoding="utf-8", newline="") as file:
             head, *rows = csv.reader(file)
@@ -141,10 +165,10 @@ def _read(path):
 
 
 def _type(file, name, column):
-    if name in _INTEGER[file]:
+    if name in _INTEGER.get(file, ()):
         return np.int64
     try:
         np.array(column, float)
         return "U1" if name in _TEXT else float
     except ValueError:
-        return f"U{max(map(len, column))}"
+        return f"U{max(map(len, column), default=1)}"
