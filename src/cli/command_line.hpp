@@ -21,6 +21,7 @@ struct CommandLine {
   ReportCommand report;
   ExportCommand exported;
   WatchCommand watch;
+  ElementCommand element;
   ImportCommand imported;
   AssessCommand assess;
 };

@@ -49,6 +49,22 @@ export const DOCUMENT_TEXTS = {
     "Geen van deze waar de waarden op en neer gaan, waar de verschillen niet afnemen, of waar p niet tussen 1/2 en " +
     "2 ligt."],
 
+  // Element tests
+  element_pictures: ["Stresses and strains", "Spanningen en rekken"],
+  element_path: ["Deviator stress q over mean pressure p'", "Deviatorspanning q tegen gemiddelde druk p'"],
+  element_deviator: ["Deviator stress q", "Deviatorspanning q"],
+  element_void_ratio: ["Void ratio e", "Poriëngetal e"],
+  element_volume_over_p: ["Volume strain over pressure", "Volumerek tegen druk"],
+  element_volume: ["Volume strain", "Volumerek"],
+  element_water: ["Pore pressure", "Waterspanning"],
+  element_shear: ["Shear stress", "Schuifspanning"],
+  element_p: ["p' [kPa]", "p' [kPa]"],
+  element_log_p: ["log10 p' [kPa]", "log10 p' [kPa]"],
+  element_strain: ["deviator strain", "deviatorrek"],
+  element_shear_strain: ["shear strain xy, half the angle", "schuifrek xy, de halve hoek"],
+  element_foot: ["Pressure is positive, strain is positive in extension. The numbers: the CSV tables beside this page.",
+    "Druk is positief, rek is positief bij uitzetting. De getallen: de CSV-tabellen naast deze pagina."],
+
   // A reach
   reach_title: ["Sections of a reach", "Doorsneden van een traject"],
   reach_counts: ["Solved: {solved} of {all} sections. Stands: {stands}; damaged, holds the water: {damaged}; still " +
