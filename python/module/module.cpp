@@ -5,6 +5,7 @@
 #include "io/case/case_file.hpp"
 #include "io/case/case_record.hpp"
 #include "io/files/summary_json.hpp"
+#include "element.hpp"
 #include "run_files.hpp"
 #include "run/loop/simulation.hpp"
 #include "run/loop/stages.hpp"
@@ -362,6 +363,7 @@ PYBIND11_MODULE(_core, module)
   translate_errors();
   bind_case(module);
   bind_simulation(module);
+  bind_element(module);
 }
 
 }  // namespace terp

@@ -105,7 +105,7 @@ void print_table(const std::vector<ElementOnPage>& elements)
     const Real u = last("pore_pressure");
     say("  {:<20} {:>12.5g} {:>12.4g} {:>12.5g} {:>12.5g} {:>12} {:>12.4g}\n", element.material, q[peak] / 1e3,
         element.result.at("deviator_strain")[peak], last("mean_pressure") / 1e3, q.back() / 1e3,
-        std::isnan(u) ? "-" : fmt::format("{:.5g}", u / 1e3), last("volume_strain"));
+        std::isnan(u) ? "-" : fmt::format("{:.5g}", u / 1e3), std::round(1e6 * last("volume_strain")) / 1e6 + 0.0);
   }
 }
 

@@ -94,7 +94,7 @@ class LawCall {
 /// soil has one stress for many strains. False: r is not a number.
 bool find_step(const Matrix& j, const Unknowns& r, std::span<const int> free, Unknowns& dx)
 {
-  constexpr Real slight = 1e-12;  // beside the square of J, whose rows are of the size of 1
+  constexpr Real slight = 1e-10;  // beside the square of J, whose rows are of the size of 1
   const std::size_t n = free.size();
   Matrix a{};  // J^T J, lower part, then its factor
   Unknowns b{};
