@@ -7,6 +7,7 @@
 #include "io/files/summary_json.hpp"
 #include "free_parameters.hpp"
 #include "row_keeper.hpp"
+#include "element.hpp"
 #include "run_files.hpp"
 #include "run/loop/simulation.hpp"
 #include "run/loop/stages.hpp"
@@ -438,6 +439,7 @@ PYBIND11_MODULE(_core, module)
   translate_errors();
   bind_case(module);
   bind_simulation(module);
+  bind_element(module);
 }
 
 }  // namespace terp

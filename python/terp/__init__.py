@@ -42,7 +42,7 @@ from terp.tables import to_pandas
 
 __all__ = ["Case", "CaseError", "Check", "Comparison", "Convergence", "Event", "Frame", "Mesh", "Reach", "Run",
            "RunError", "Section", "Simulation", "SolveError", "Stability", "Study", "animate", "assess", "check",
-           "compare", "converge", "convergence", "depends", "explain", "import_stix", "open", "open_stability",
+           "compare", "converge", "convergence", "depends", "element", "explain", "import_stix", "open", "open_stability",
            "open_study", "stability", "study", "to_pandas"]
 __path__ = pkgutil.extend_path(__path__, __name__)  # the compiled part may lie in a build folder
 
@@ -54,10 +54,22 @@ def __getattr__(name):
     try:
         from terp import simulation
     except ImportError as error:
-        raise ImportError(f"terp.{name} needs the compiled part of the package, which is not here or is of another "
-                          f"Python ({error}). In a build of Terp it lies in build/python: put that folder into "
-                          "PYTHONPATH, too.") from error
+        raise _no_compiled_part(name, error) from error
     return getattr(simulation, name)
+
+
+def _no_compiled_part(name, error):
+    return ImportError(f"terp.{name} needs the compiled part of the package, which is not here or is of another Python "
+                       f"({error}). In a build of Terp it lies in build/python: put that folder into PYTHONPATH, too.")
+
+
+def element(case, material=None, test="triaxial", **options):
+    """A soil by itself on the path of a laboratory test, as a terp.elements.ElementTest: docs/element.md."""
+    try:
+        from terp import elements
+    except ImportError as error:
+        raise _no_compiled_part("element", error) from error
+    return elements.element(case, material, test, **options)
 
 
 def open(folder):  # noqa: A001 (terp.open is meant to read like the built-in)

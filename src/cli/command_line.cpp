@@ -6,6 +6,7 @@
 
 #include "math/closest.hpp"
 #include "cli/command_parts.hpp"
+#include "run/element/element_tests.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,7 +45,7 @@ void declare_solvers(CLI::App& app, CommandLine& line)
   resume->add_flag("--report", line.options.report, "write the page of the run at its end: RUN/report.html");
   add_language(resume, line.options.language);
 
-  add_set(run, line.options);
+  add_set(run, line.options.changes);
   for (CLI::App* command : {run, resume}) {
     add_threads(command, line.options.threads);
     add_quiet(command, line.options);
@@ -96,7 +97,7 @@ void declare_stability(CLI::App& app, CommandLine& line)
   add_output(stability, line.options.output, "folder of the results (default: runs/NAME)");
   stability->add_flag("--force", line.options.force, "replace the results of an earlier search");
   stability->add_flag("--json", line.options.json, "print stability.json");
-  add_set(stability, line.options);
+  add_set(stability, line.options.changes);
   add_threads(stability, line.options.threads);
   add_quiet(stability, line.options);
 }
@@ -156,7 +157,7 @@ void declare_converge(CLI::App& app, ConvergeOptions& options)
   converge->add_flag("--force", options.run.force, "solve all sizes anew");
   converge->add_flag("--report", options.run.report, "write the report page of all runs as well");
   converge->add_flag("--json", options.run.json, "print convergence.json");
-  add_set(converge, options.run);
+  add_set(converge, options.run.changes);
   add_threads(converge, options.run.threads);
   converge->add_flag("-q,--quiet", options.run.quiet, "no progress, no table; warnings stay");
 }
@@ -191,6 +192,49 @@ void declare_study(CLI::App& app, StudyCommand& command)
   add_number(study, "-j,--threads N", command.threads, 1, 1024,
       "realisations at a time (default: what this job may\nuse); results have the same bits on any number");
   study->add_flag("-q,--quiet", command.quiet, "no progress, no result; warnings stay");
+}
+
+void declare_element(CLI::App& app, ElementCommand& command)
+{
+  std::vector<std::string> names;
+  std::string meanings;
+  for (const ElementTestInfo& info : element_tests()) {
+    names.emplace_back(info.name);
+    meanings += fmt::format("\n  {:<10} {}", info.name, info.meaning);
+  }
+  CLI::App* element = add_command(app, "element", "Solve",
+      "a soil by itself on the path of a laboratory test\nOedometer, triaxial, biaxial and shear tests, or any path of "
+      "strains and stresses\n(docs/element.md). Writes a table of each material, and a page of all.\n\nTEST" +
+          meanings,
+      "  terp element cases/dike/dike.toml --test triaxial --undrained --strain 0.1\n"
+      "  terp element soil.toml --test oedometer --load \"400 kPa,50 kPa,800 kPa\"\n"
+      "  terp element soil.toml --path path.csv --pressure \"50 kPa\"\n");
+  add_option(element, "CASE.toml", command.case_path, "a case file, or one with materials alone")->required();
+  CLI::Option* path = add_option(element, "--path FILE", command.path, "instead of a test: the path as a table (CSV)");
+  add_option(element, "--test TEST", command.test, "see above (default: triaxial)")
+      ->check(CLI::IsMember(names))
+      ->excludes(path);
+  add_option(element, "--material NAME", command.materials, "only this; may be given several times (default: all)")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_option(element, "--pressure P", command.pressure,
+      "vertical effective stress at the start, in Pa or with\nits unit (default: 100 kPa)");
+  add_number(element, "--k0 K", command.k0, 0.0, 100.0, "stress across over it (default 1)");
+  element->add_flag("--undrained", command.undrained, "pore water cannot leave");
+  CLI::Option* strain = add_number(element, "--strain A,B", command.strain, -10.0, 10.0,
+      "strain of the test at its turning points: compression,\nor shear angle")
+                            ->delimiter(',');
+  add_option(element, "--load A,B", command.load, "instead: stress of the test at them, in Pa or with units")
+      ->delimiter(',')
+      ->excludes(strain);
+  add_number(element, "--increments N", command.increments, 1, 1000000,
+      "to each turning point, or row of the path (default\n1000; of a path 1000 in all)");
+  add_number(element, "--duration S", command.duration, 1e-9, 1e12,
+      "of the test [s], for laws that know a rate (default 1000)");
+  add_number(element, "--void-ratio E", command.void_ratio, 0.0, 100.0, "at the start, for its column and picture");
+  add_set(element, command.changes);
+  add_output(element, command.output, "folder of the results (default: runs/NAME_element)");
+  element->add_flag("-q,--quiet", command.quiet, "no table; warnings stay");
 }
 
 void declare_watch(CLI::App& app, WatchCommand& options)
@@ -268,7 +312,7 @@ void declare_guides(CLI::App& app, CommandLine& line)
   bench->add_flag("--json", line.options.json, "numbers for a program");
   bench->add_flag("--score", line.options.score, "what a step of the case does, and nothing else");
   for (CLI::App* command : {check, bench}) {
-    add_set(command, line.options);
+    add_set(command, line.options.changes);
     add_threads(command, line.options.threads);
   }
   add_quiet(check, line.options, "say what is wrong, and nothing else");
@@ -317,6 +361,7 @@ void declare(CLI::App& app, CommandLine& line)
   declare_seepage(app, line.seepage);
   declare_converge(app, line.converge);
   declare_study(app, line.study);
+  declare_element(app, line.element);
   declare_watch(app, line.watch);
   declare_viewers(app, line);
   declare_guides(app, line);

@@ -22,6 +22,7 @@ struct CommandLine {
   ExportCommand exported;
   WatchCommand watch;
   SeepageCommand seepage;
+  ElementCommand element;
   ImportCommand imported;
   AssessCommand assess;
 };

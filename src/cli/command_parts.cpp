@@ -82,7 +82,8 @@ CLI::Validator in_range(double least, double most) { return checked_between(leas
 
 CLI::Validator in_range(int least, int most) { return checked_between(least, most, "whole number"); }
 
-CLI::App* add_command(CLI::App& app, const char* name, const char* group, const char* what, const std::string& example)
+CLI::App* add_command(
+    CLI::App& app, const char* name, const char* group, const std::string& what, const std::string& example)
 {
   CLI::App* command = app.add_subcommand(name, what);
   command->group(group);
@@ -109,9 +110,9 @@ void add_quiet(CLI::App* command, RunOptions& options, const char* what)
   command->add_flag("-q,--quiet", options.quiet, what);
 }
 
-void add_set(CLI::App* command, RunOptions& options)
+void add_set(CLI::App* command, std::vector<std::string>& changes)
 {
-  add_option(command, "--set KEY=VALUE", options.changes,
+  add_option(command, "--set KEY=VALUE", changes,
       "change one key of the case; may be given several\ntimes. * stands for any name: material.*.eta=40")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

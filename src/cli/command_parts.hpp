@@ -37,11 +37,12 @@ CLI::Option* add_number(
   return add_option(command, words, value, what)->check(in_range(least, most));
 }
 
-CLI::App* add_command(CLI::App& app, const char* name, const char* group, const char* what, const std::string& example);
+CLI::App* add_command(
+    CLI::App& app, const char* name, const char* group, const std::string& what, const std::string& example);
 void add_case(CLI::App* command, RunOptions& options, bool required = true);
 void add_threads(CLI::App* command, int& threads);
 void add_quiet(CLI::App* command, RunOptions& options, const char* what = "no progress, no summary; warnings stay");
-void add_set(CLI::App* command, RunOptions& options);
+void add_set(CLI::App* command, std::vector<std::string>& changes);
 void add_language(CLI::App* command, std::string& language);
 void add_output(CLI::App* command, std::string& output, const char* what, const char* text = "DIR");
 

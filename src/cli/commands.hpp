@@ -124,6 +124,24 @@ struct SeepageCommand {
   std::vector<double> along;  ///< x and y of both ends of a line [m]; empty: none
 };
 
+struct ElementCommand {
+  std::string case_path;               ///< case file, or materials alone
+  std::vector<std::string> changes;    ///< KEY=VALUE of --set
+  std::vector<std::string> materials;  ///< names; empty: all
+  std::string test = "triaxial";       ///< one of element_tests()
+  std::string path;                    ///< instead: CSV file
+  std::string pressure = "100 kPa";    ///< vertical effective stress at the start
+  double k0 = 1.0;                     ///< stress across over it [-]
+  bool undrained = false;
+  std::vector<double> strain;        ///< turning points [-]
+  std::vector<std::string> load;     ///< turning points, stresses with units
+  int increments = 0;                ///< of each part; 0: the usual number
+  double duration = 1000.0;          ///< [s]
+  std::optional<double> void_ratio;  ///< at the start
+  std::string output;                ///< folder; empty: runs/NAME_element
+  bool quiet = false;
+};
+
 struct WatchCommand {
   std::string run;
   double every = 2.0;  ///< [s]
@@ -149,6 +167,7 @@ int resume_run(const RunOptions& options);
 int converge_case(const ConvergeOptions& options);
 int study_case(const StudyCommand& command);
 int check_case(const RunOptions& options);
+int test_elements(const ElementCommand& command);
 int bench_case(const RunOptions& options);
 int report_runs(const ReportCommand& command);
 int compare_folders(const ReportCommand& command);

@@ -58,6 +58,7 @@ int call(const CLI::App& app, const terp::CommandLine& line)
   if (app.got_subcommand("converge")) return terp::converge_case(line.converge);
   if (app.got_subcommand("study")) return terp::study_case(line.study);
   if (app.got_subcommand("seepage")) return terp::compute_seepage(line.seepage);
+  if (app.got_subcommand("element")) return terp::test_elements(line.element);
   if (app.got_subcommand("check")) return terp::check_case(line.options);
   if (app.got_subcommand("report")) return terp::report_runs(line.report);
   if (app.got_subcommand("compare")) return terp::compare_folders(line.report);
@@ -114,8 +115,8 @@ int print_the_rest(int status, bool writes_files)
 /// Whether the answer is in files, and what is printed only tells of them.
 bool writes_files(const CLI::App& app, const terp::CommandLine& line)
 {
-  return std::ranges::any_of(
-             std::initializer_list<const char*>{"run", "resume", "converge", "study", "report", "export", "assess"},
+  return std::ranges::any_of(std::initializer_list<const char*>{"run", "resume", "converge", "study", "element",
+                                 "report", "export", "assess"},
              [&](const char* name) { return app.got_subcommand(name); }) ||
          !line.imported.output.empty();
 }

@@ -28,7 +28,7 @@ class PageDocument {
   /// Adds the numbers as a chunk; returns what `data` says of the table. All columns have equal lengths.
   nlohmann::ordered_json table(const std::vector<PageColumn>& columns);
 
-  /// kind: study, reach or convergence. written: time, UTC, ISO 8601. language: one of report_languages.
+  /// kind: study, reach, convergence or element. written: time, UTC, ISO 8601. language: one of report_languages.
   Payload payload(const std::string& kind, const std::string& written, const std::string& language = "en") const;
 
  private:

@@ -7,7 +7,7 @@ import { Table } from "./table";
 /** What a page holds: of runs it is a ReportMeta, of the others `data`. */
 export interface DocumentMeta {
   format: number;
-  kind?: "run" | "study" | "reach" | "convergence";
+  kind?: "run" | "study" | "reach" | "convergence" | "element";
   terp: string;
   written: string;
   language?: string;
@@ -51,6 +51,11 @@ export interface ConvergenceMeta {
     answer: string;
     quantities: (QuantityMeta & { range: number | null; relative_range: number | null; matters: boolean })[];
   } | null;
+}
+
+export interface ElementMeta {
+  title: string;
+  elements: { material: string; law: string; fault: string; rows: TableMeta }[];
 }
 
 export interface ReachSection {

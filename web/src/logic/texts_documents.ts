@@ -49,6 +49,26 @@ export const DOCUMENT_TEXTS = {
     "Geen van deze waar de waarden op en neer gaan, waar de verschillen niet afnemen, of waar p niet tussen 1/2 en " +
     "2 ligt."],
 
+  // Element tests
+  element_pictures: ["Stresses and strains", "Spanningen en rekken"],
+  element_path: ["Path of the stress", "Spanningspad"],
+  element_deviator: ["Deviator stress over strain", "Deviatorspanning tegen rek"],
+  element_void_ratio: ["Void ratio over pressure", "Poriëngetal tegen druk"],
+  element_volume_over_p: ["Volume over pressure", "Volume tegen druk"],
+  element_volume: ["Volume over strain", "Volume tegen rek"],
+  element_water: ["Pore pressure over strain", "Waterspanning tegen rek"],
+  element_shear: ["Shear stress over strain", "Schuifspanning tegen rek"],
+  element_p: ["mean pressure p'", "gemiddelde druk p'"],
+  element_q: ["deviator stress q", "deviatorspanning q"],
+  element_strain: ["deviator strain", "deviatorrek"],
+  element_e: ["void ratio e", "poriëngetal e"],
+  element_volume_strain: ["volume strain", "volumerek"],
+  element_u: ["pore pressure u", "waterspanning u"],
+  element_shear_strain: ["shear strain xy", "schuifrek xy"],
+  element_tau: ["shear stress xy", "schuifspanning xy"],
+  element_foot: ["Pressure is positive, strain is positive in extension. The numbers: the CSV tables beside this page.",
+    "Druk is positief, rek is positief bij uitzetting. De getallen: de CSV-tabellen naast deze pagina."],
+
   // A reach
   reach_title: ["Sections of a reach", "Doorsneden van een traject"],
   reach_counts: ["Solved: {solved} of {all} sections. Stands: {stands}; damaged, holds the water: {damaged}; still " +

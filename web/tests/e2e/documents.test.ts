@@ -32,6 +32,7 @@ const PARTS: Record<string, { titles: string[]; charts: number; dutch: string }>
   samples: { titles: ["Histograms of the input", "Field of material.clay.su_peak"], charts: 2, dutch: "Histogrammen van de invoer" },
   reach: { titles: [], charts: 0, dutch: "" },
   convergence: { titles: ["as given", "Over the size of the cells", "mesh.turn=45", "All variants", "How to read this"], charts: 5, dutch: "Alle varianten" },
+  element: { titles: ["Stresses and strains"], charts: 0, dutch: "Spanningen en rekken" },
 };
 
 describe.each(Object.keys(PARTS))("the page of a %s", (name) => {
@@ -66,6 +67,19 @@ describe.each(Object.keys(PARTS))("the page of a %s", (name) => {
     expect(errors).toEqual([]);
     await page.context().close();
   });
+});
+
+it("an element has a curve of each soil, also where the pressure comes back", async () => {
+  const { page } = await openDocument(browser, written("element"));
+  expect(await page.locator("figcaption").allTextContents()).toEqual(
+    ["Path of the stress", "Deviator stress over strain", "Volume over pressure", "Volume over strain"]);
+  expect(await page.locator(".curves polyline").count()).toBe(8);
+  const path = (await page.locator(".curves polyline").first().getAttribute("points"))!.split(" ").map(Number);
+  const x = path.filter((_, k) => k % 2 === 0);
+  expect([x.length, x[10]]).toEqual([11, x[0]]); // there and back
+  expect(x[5]!).toBeGreaterThan(x[0]!);
+  expect(await page.locator(".notice").textContent()).toContain("clay: no strain leads there");
+  await page.context().close();
 });
 
 it("a reach leads to the page of each section, and marks English on a Dutch page", async () => {

@@ -1,6 +1,6 @@
 // Made-up documents in the form in which the program writes them: a study, a sweep, a curve, a reach, meshes.
 
-import type { ConvergenceMeta, DocumentMeta, EventMeta, MeshQuantity, ReachMeta, ReachSection, StudyMeta } from "../../src/data/documents";
+import type { ConvergenceMeta, DocumentMeta, ElementMeta, EventMeta, MeshQuantity, ReachMeta, ReachSection, StudyMeta } from "../../src/data/documents";
 import type { Flood, TableMeta } from "../../src/data/format";
 import { ChunkWriter } from "./encode";
 
@@ -119,6 +119,21 @@ export function exampleConvergence(): MadeDocument {
   return made("convergence", data, writer);
 }
 
+/** Two soils, of which one stops; the pressure of both goes there and back. */
+export function exampleElement(): MadeDocument {
+  const writer = new ChunkWriter();
+  const rows = (size: number) => {
+    const steps = Array.from({ length: 11 }, (_, k) => k / 10);
+    return tableOf(writer, { mean_pressure: steps.map((s) => 1e5 * (1 + size * s * (1 - s))), deviator: steps.map((s) => 5e4 * size * s),
+      deviator_strain: steps, volume_strain: steps.map((s) => -0.01 * size * s), pore_pressure: steps.map(() => 0), strain_xy: steps.map(() => 0),
+      stress_xy: steps.map(() => 0) }, { mean_pressure: "Pa", deviator: "Pa", pore_pressure: "Pa", stress_xy: "Pa" });
+  };
+  const data: ElementMeta = { title: "triaxial test, drained", elements: [{ material: "<sand>", law: "mohr_coulomb", fault: "", rows: rows(1) },
+    { material: "clay", law: "modified_cam_clay", fault: "no strain leads there", rows: rows(0.5) }] };
+  return made("element", data, writer);
+}
+
 export const EXAMPLES: Record<string, () => MadeDocument> = {
   study: exampleStudy, curve: exampleCurve, sweep: exampleSweep, samples: exampleSamples, reach: exampleReach, convergence: exampleConvergence,
+  element: exampleElement,
 };

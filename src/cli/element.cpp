@@ -1,0 +1,152 @@
+// Element tests of the materials of a case, one after the other: a table of each, and a page of all. What stops one
+// leaves the others, and what it had.
+
+#include "cli/commands.hpp"
+#include "cli/progress.hpp"
+#include "io/case/printable.hpp"
+#include "io/case/units.hpp"
+#include "io/element/element_case.hpp"
+#include "io/element/element_csv.hpp"
+#include "io/files/files.hpp"
+#include "io/files/run_folder.hpp"
+#include "math/number_from.hpp"
+#include "os/say.hpp"
+#include "page/element_page.hpp"
+#include "page/page.hpp"
+#include "run/element/element_tests.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+[[noreturn]] void refuse_element(const std::string& what, const std::string& cure)
+{
+  throw CaseError(printable(fmt::format("error: {}\n  {}\n", what, cure)));
+}
+
+/// "100 kPa", or a number in Pa.
+Real stress_of(const char* option, const std::string& text)
+{
+  Node node;
+  node.kind = NodeKind::text, node.text = text;
+  const std::optional<Real> value = number_from<Real>(text);
+  const std::optional<Real> found = value ? value : number_of(node, "Pa");
+  if (!found || !std::isfinite(*found))
+    refuse_element(
+        fmt::format("{}: `{}` is no stress", option, text), "Give a number in Pa, or one with its unit: \"100 kPa\".");
+  return *found;
+}
+
+const ElementTestInfo& test_of(const std::string& name)
+{
+  return *std::ranges::find(element_tests(), name, &ElementTestInfo::name);
+}
+
+/// Stress at the start: the vertical effective one and k0 of it across.
+std::array<Real, 4> stress_at_start(const ElementCommand& command)
+{
+  const Real vertical = -stress_of("--pressure", command.pressure);
+  return {command.k0 * vertical, vertical, command.k0 * vertical, 0.0};
+}
+
+ElementPath path_of(const ElementCommand& command)
+{
+  const std::array<Real, 4> stress = stress_at_start(command);
+  if (!command.path.empty()) try {
+      return read_path_csv(command.path, {.stress = stress,
+                                             .undrained = command.undrained,
+                                             .increments = command.increments,
+                                             .duration = command.duration});
+    } catch (const FileError& error) {
+      throw CaseError(printable(fmt::format("error: {}\n", error.what())));
+    }
+  ElementTestOptions options{.test = &test_of(command.test),
+      .stress = stress,
+      .undrained = command.undrained,
+      .strain = command.strain,
+      .duration = command.duration};
+  if (command.increments > 0) options.increments = command.increments;
+  for (const std::string& load : command.load) options.load.push_back(stress_of("--load", load));
+  if (options.strain.empty() && options.load.empty())
+    refuse_element("the element is not driven",
+        "Give the turning points of its strain or of its stress: --strain 0.1, or --load \"200 kPa\".");
+  return path_of_test(options);
+}
+
+std::string title_of(const ElementCommand& command)
+{
+  const std::string what = command.path.empty() ? command.test + " test" : "path of " + command.path;
+  return fmt::format("{}, {}, from {:g} kPa{}", what, command.undrained ? "undrained" : "drained",
+      stress_of("--pressure", command.pressure) / 1e3,
+      command.k0 == 1.0 ? "" : fmt::format(" and {:g} times that across", command.k0));
+}
+
+/// "clay below" -> "clay_below.csv"
+std::string file_of(const std::string& material)
+{
+  std::string name = material;
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return !(std::isalnum(c) || c == '_' || c == '-' || c == '.' || c >= 0x80); }, '_');
+  return name + ".csv";
+}
+
+void print_table(const std::vector<ElementOnPage>& elements)
+{
+  say("  {:<20} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "material", "largest q", "at strain", "p at end",
+      "q at end", "u at end", "vol. strain");
+  say("  {:<20} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "", "kPa", "-", "kPa", "kPa", "kPa", "-");
+  for (const ElementOnPage& element : elements) {
+    const auto& q = element.result.at("deviator");
+    const auto peak = static_cast<std::size_t>(std::ranges::max_element(q) - q.begin());
+    const auto last = [&](const char* name) { return element.result.at(name).back(); };
+    const Real u = last("pore_pressure");
+    say("  {:<20} {:>12.5g} {:>12.4g} {:>12.5g} {:>12.5g} {:>12} {:>12.4g}\n", element.material, q[peak] / 1e3,
+        element.result.at("deviator_strain")[peak], last("mean_pressure") / 1e3, q.back() / 1e3,
+        std::isnan(u) ? "-" : fmt::format("{:.5g}", u / 1e3), std::round(1e6 * last("volume_strain")) / 1e6 + 0.0);
+  }
+}
+
+}  // namespace
+
+int test_elements(const ElementCommand& command)
+{
+  const CaseFile file = read_element_case(command.case_path, command.changes);
+  const ElementPath path = path_of(command);
+  const std::string folder =
+      command.output.empty() ? default_run_folder(command.case_path) + "_element" : command.output;
+  std::vector<ElementOnPage> elements;
+  try {
+    for (const MaterialCase* material : materials_of_element(file.values, command.materials))
+      elements.push_back({material->name, material->model,
+          follow_path(element_soil(file.values, *material), path, command.void_ratio.value_or(std::nan("")))});
+  } catch (const InputError& error) {
+    throw CaseError(render(error.problems(), file));
+  }
+  make_folder(folder);
+  const std::string title = title_of(command);
+  std::string files;
+  for (const ElementOnPage& element : elements) {
+    write_file_atomically(path_in(folder, file_of(element.material)), element_csv(element.result));
+    files += ", " + file_of(element.material);
+  }
+  write_file_atomically(
+      path_in(folder, "element.html"), make_page(page_template(), element_payload(title, elements, now_in_utc())));
+  if (!command.quiet) {
+    say("{}\n", title);
+    print_table(elements);
+    say("in {}: element.html{}\n", folder, files);
+  }
+  bool all_solved = true;
+  for (const ElementOnPage& element : elements) {
+    if (element.result.fault.empty()) continue;
+    all_solved = false;
+    say(stderr, "error: the soil `{}` does not follow the path to its end\n  {}\n", element.material,
+        element.result.fault);
+  }
+  return all_solved ? solved : stopped_itself;
+}
+
+}  // namespace terp
