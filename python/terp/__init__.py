@@ -42,8 +42,8 @@ from terp.tables import to_pandas
 
 __all__ = ["Case", "CaseError", "Check", "Comparison", "Convergence", "Event", "Frame", "Mesh", "Reach", "Run",
            "RunError", "Section", "Simulation", "SolveError", "Stability", "Study", "animate", "assess", "check",
-           "compare", "converge", "convergence", "depends", "element", "explain", "import_stix", "open", "open_stability",
-           "open_study", "stability", "study", "to_pandas"]
+           "compare", "converge", "convergence", "depends", "element", "explain", "import_stix", "open",
+           "open_stability", "open_study", "stability", "study", "to_pandas"]
 __path__ = pkgutil.extend_path(__path__, __name__)  # the compiled part may lie in a build folder
 
 

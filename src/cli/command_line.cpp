@@ -119,7 +119,7 @@ void declare_seepage(CLI::App& app, SeepageCommand& command)
   add_number(seepage, "--along X,Y,X,Y", command.along, -1e7, 1e7, "heads along a line [m] as along.csv")
       ->delimiter(',');
   add_output(seepage, command.run.output, "folder of the results (default: runs/NAME_seepage)");
-  add_set(seepage, command.run);
+  add_set(seepage, command.run.changes);
   add_quiet(seepage, command.run, "print no numbers; warnings stay");
 }
 

@@ -20,19 +20,6 @@ namespace {
 constexpr Real no_level = -std::numeric_limits<Real>::infinity();
 constexpr Real below_ground = 1e-3;  // of a cell: a table at bare ground stands this much lower, or it were free water
 
-/// Highest soil over x [m]; none: minus infinity.
-Real ground_over(const SeepageSection& section, Real x)
-{
-  Real ground = no_level;
-  for (const SoilEdge& edge : section.edges) {
-    const Real low = std::min(edge.a[0], edge.b[0]), high = std::max(edge.a[0], edge.b[0]);
-    if (x < low || x > high) continue;
-    const Real t = high > low ? (x - edge.a[0]) / (edge.b[0] - edge.a[0]) : 0.0;
-    ground = std::max(ground, high > low ? std::lerp(edge.a[1], edge.b[1], t) : std::max(edge.a[1], edge.b[1]));
-  }
-  return ground;
-}
-
 /// To where the river reaches: the first ground at its level or above, from its side.
 Real end_of_river(const SeepageSection& section, const RiverCase& river)
 {
@@ -79,6 +66,18 @@ EdgeKind kind_of(SectionSide side)
 }
 
 }  // namespace
+
+Real ground_over(const SeepageSection& section, Real x)
+{
+  Real ground = no_level;
+  for (const SoilEdge& edge : section.edges) {
+    const Real low = std::min(edge.a[0], edge.b[0]), high = std::max(edge.a[0], edge.b[0]);
+    if (x < low || x > high) continue;
+    const Real t = high > low ? (x - edge.a[0]) / (edge.b[0] - edge.a[0]) : 0.0;
+    ground = std::max(ground, high > low ? std::lerp(edge.a[1], edge.b[1], t) : std::max(edge.a[1], edge.b[1]));
+  }
+  return ground;
+}
 
 SeepageSection seepage_section(const Case& whole, const SharedMesh& mesh)
 {

@@ -23,6 +23,9 @@ struct SeepageSection {
 /// Throws InputError where a soil has no permeability, or no outline.
 SeepageSection seepage_section(const Case& whole, const SharedMesh& mesh);
 
+/// Highest soil over x [m]; none: minus infinity.
+Real ground_over(const SeepageSection& section, Real x);
+
 /// The elevation of the free water over a place of the ground [m]; minus infinity: none.
 class FreeWaterLevels {
  public:

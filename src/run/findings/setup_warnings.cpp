@@ -124,6 +124,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_missing_soil(model, state, warnings);
   find_odd_places(model, warnings);
   find_odd_water(model, state, warnings);
+  find_odd_seepage(model, warnings);
   find_odd_scales(model, state, warnings);
   find_odd_softening_lengths(model, state, warnings);
   find_shared_layers(model, state, warnings);

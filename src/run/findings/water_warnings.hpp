@@ -15,4 +15,7 @@ void find_odd_water(const Model& model, const State& state, std::vector<Problem>
 /// Free water that slopes, changes its side, stands on the land or on a load.
 void find_odd_free_water(const Model& model, const State& state, std::vector<Problem>& warnings);
 
+/// Computed water: levels that touch no soil, aquifers without a head at their side, thin layers.
+void find_odd_seepage(const Model& model, std::vector<Problem>& warnings);
+
 }  // namespace terp

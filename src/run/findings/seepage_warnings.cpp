@@ -1,0 +1,155 @@
+// What speaks against computed water: levels that touch no soil, aquifers whose side has no condition, thin layers.
+
+#include "model/seepage/computed_water.hpp"
+#include "model/water/water_pressure.hpp"
+#include "mpm/mesh/mesh.hpp"
+#include "run/findings/water_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr Real aquifer_over_cover = 100.0;  // ratio of permeabilities from which on a layer leads the water
+constexpr Real slow_soil = 1e-5;            // [m/s] drained soil below it keeps its water in a slide
+constexpr Real cells_in_layer = 4.0;
+
+std::string path_of_situation(std::size_t number)
+{
+  return number == 0 ? "water" : fmt::format("water.situation[{}]", number - 1);
+}
+
+/// Low and high end of the edges of a kind [m]; NaN: there is none.
+std::array<Real, 2> heights_of(const SeepageSection& section, EdgeKind kind)
+{
+  std::array<Real, 2> range{INFINITY, -INFINITY};
+  for (const SoilEdge& edge : section.edges)
+    if (edge.kind == kind)
+      for (const Vec<2>& x : {edge.a, edge.b}) range = {std::min(range[0], x[1]), std::max(range[1], x[1])};
+  return range;
+}
+
+void find_odd_levels(
+    const SeepageSection& section, const WaterSituation& of, std::size_t number, std::vector<Problem>& warnings)
+{
+  const std::string path = path_of_situation(number);
+  if (const auto& river = of.seepage.river) {
+    const EdgeKind kind = river->side == SectionSide::left ? EdgeKind::left : EdgeKind::right;
+    Real end = river->side == SectionSide::left ? INFINITY : -INFINITY;
+    for (const SoilEdge& edge : section.edges)
+      for (const Vec<2>& x : {edge.a, edge.b})
+        end = river->side == SectionSide::left ? std::min(end, x[0]) : std::max(end, x[0]);
+    const Real ground = ground_over(section, end), from_end = heights_of(section, kind)[1];
+    if (river->level < std::max(ground, from_end) - 1e-9)
+      warnings.push_back({path + ".river", "the river lies below the ground at its side",
+          fmt::format("Its level is {:g} m, the ground there {:.4g} m. No water stands on the soil; give the head of "
+                      "the soil in `boundary`.",
+              river->level, std::max(ground, from_end)),
+          "water.river"});
+  }
+  for (std::size_t k = 0; k < of.seepage.ponds.size(); ++k) {
+    const PondCase& pond = of.seepage.ponds[k];
+    Real lowest = INFINITY;
+    for (int i = 0; i <= 50; ++i)
+      if (const Real y = ground_over(section, std::lerp(pond.from, pond.to, i / 50.0)); std::isfinite(y))
+        lowest = std::min(lowest, y);
+    if (pond.level > lowest) continue;
+    warnings.push_back({fmt::format("{}.ponds[{}]", path, k), "the pond holds no water",
+        fmt::format("Its level is {:g} m, the lowest ground from {:g} to {:g} m {:.4g} m. Raise it, or leave it out: "
+                    "bare ground is a seepage face.",
+            pond.level, pond.from, pond.to, lowest),
+        "water.ponds"});
+  }
+}
+
+/// Layers that lead the water to a side of the section where no head is given.
+void find_open_aquifers(const Model& model, const SeepageSection& section, std::vector<Problem>& warnings)
+{
+  Real least = INFINITY;
+  for (const FlowMaterial& material : section.materials) least = std::min(least, material.k.horizontal);
+  const SeepageCase& of = model.description.water.start.seepage;
+  for (const EdgeKind kind : {EdgeKind::left, EdgeKind::right}) {
+    const SectionSide side = kind == EdgeKind::left ? SectionSide::left : SectionSide::right;
+    bool is_found = false;  // one of each side
+    for (const SoilEdge& edge : section.edges) {
+      if (is_found || edge.kind != kind || edge.is_open) continue;
+      const Real y = 0.5 * (edge.a[1] + edge.b[1]);
+      const auto has_head = [&](const SideHead& head) {
+        return head.side == SectionSide::bottom || (head.side == side && y > head.from && y < head.to);
+      };
+      if (std::ranges::any_of(of.boundary, has_head)) continue;
+      const Vec<2> inside{0.5 * (edge.a[0] + edge.b[0]) - 1e-3 * section.cell * edge.normal[0], y};
+      for (std::size_t b = section.outlines.size(); b-- > 0;) {
+        const std::vector<Side> sides = outline_sides(*model.mesh, section.outlines[b]);
+        if (std::ranges::count_if(crossings_of_vertical(sides, inside[0]), [&](Real at) { return at > y; }) % 2 == 0)
+          continue;
+        if (section.materials[b].k.horizontal < aquifer_over_cover * least) break;
+        warnings.push_back({"water.boundary",
+            fmt::format("an aquifer meets the {} side without a head", kind == EdgeKind::left ? "left" : "right"),
+            fmt::format("At y = {:.4g} m the soil is {:.0f} times as permeable as its cover, and no water passes its "
+                        "side.\nGive {{ side = \"{}\", from = Y, to = Y, head = H, leakage_length = L }} "
+                        "(docs/seepage.md).",
+                y, section.materials[b].k.horizontal / least, kind == EdgeKind::left ? "left" : "right"),
+            "water.boundary", true, {"water"}});
+        is_found = true;
+        break;
+      }
+    }
+  }
+}
+
+/// A level layer of other soil thinner than some cells, askew in them or not.
+void find_thin_layers(const Model& model, const SeepageSection& section, std::vector<Problem>& warnings)
+{
+  const bool is_along = std::ranges::all_of(
+      model.mesh->geometries, [](const CellGeometry<Quad4>& g) { return g.map.affine && g.map.axis_xi[1] == 0.0; });
+  for (std::size_t b = 0; b < section.outlines.size(); ++b) {
+    const Polygon& polygon = section.outlines[b].polygon;
+    if (polygon.size() < 3) continue;
+    const BoundingBox box = box_around(polygon);
+    const Real thickness = area(section.outlines[b]) / std::max(box.high[0] - box.low[0], 1e-12),
+               cells = thickness / section.cell;
+    if (box.high[0] - box.low[0] < 4.0 * thickness) continue;  // no layer
+    const bool is_thin = cells < 1.0 - 1e-9, is_askew = !is_along && cells < cells_in_layer;
+    if (!is_thin && !is_askew) continue;
+    warnings.push_back({fmt::format("body[{}]", b), "the layer is thin for the flow of the water",
+        fmt::format(
+            "It is {:.3g} m thick, cells are {:.3g} m{}. Its flow along it can be wrong by a tenth and more; give "
+            "cells of {:.2g} m.",
+            thickness, section.cell, is_askew ? " and askew to it" : "", thickness / (is_askew ? cells_in_layer : 2.0)),
+        "mesh.cell", false, {"mesh"}});
+  }
+}
+
+void find_slow_drained_soil(const Case& whole, std::vector<Problem>& warnings)
+{
+  for (const MaterialCase& material : whole.materials) {
+    const Permeability& k = material.permeability;
+    if (!k.is_given() || k.horizontal >= slow_soil || !material.stores_effective() || material.has_excess_pressure())
+      continue;
+    warnings.push_back({"material." + material.called() + ".permeability",
+        fmt::format("`{}` is drained, and its water cannot leave in a slide", material.name),
+        fmt::format("Its permeability is {:.2g} m/s: in ten seconds pressures balance over centimetres. Where it is "
+                    "sheared fast,\ngive drainage = \"undrained_effective\" in a stage after the rise of the water.",
+            k.horizontal),
+        "material.drainage", false, {"material." + material.called()}});
+  }
+}
+
+}  // namespace
+
+void find_odd_seepage(const Model& model, std::vector<Problem>& warnings)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  if (whole.water.kind != WaterKind::seepage) return;
+  const SeepageSection section = seepage_section(whole, model.mesh);
+  for (std::size_t k = 0; k <= whole.water.situations.size(); ++k)
+    find_odd_levels(section, situation_of(whole.water, k), k, warnings);
+  find_open_aquifers(model, section, warnings);
+  find_thin_layers(model, section, warnings);
+  find_slow_drained_soil(whole, warnings);
+}
+
+}  // namespace terp
