@@ -135,4 +135,23 @@ TEST(CarriedWater, HasTheSameBitsOnThreadsAndAfterACheckpoint)
   expect_same_bits(flowing_bank(), {2, 3}, {0.4, 0.61});
 }
 
+TEST(CarriedWater, OfAComputedFlowHasTheSameBitsToo)
+{
+  Case c = flowing_bank();
+  c.water.start.phreatic_line.clear();
+  c.water.kind = WaterKind::seepage;
+  c.water.start.seepage.boundary = {{"", SectionSide::left, -1.0, 4.0, {{0.0, 3.5}}, 0.0}};
+  c.materials[0].permeability = {1e-5, 1e-5};
+  Simulation s(c);
+  s.step(s.model.n_steps);
+  ASSERT_NE(carried_water(s.state), nullptr);
+  ASSERT_FALSE(s.state.with.water->last.head.empty());
+  for (std::size_t i = 0; i < s.model.mesh->nodes.size(); ++i) {
+    if (s.model.mesh->nodes[i][1] > 1.0) continue;
+    EXPECT_GT(s.state.with.water->last.head[i], -0.6);  // half a cell below the base: no soil
+    EXPECT_LT(s.state.with.water->last.head[i], 3.5 + 1e-6);
+  }
+  expect_same_bits(c, {2, 3}, {0.4, 0.61});
+}
+
 }  // namespace carried_water_test
