@@ -20,16 +20,16 @@ Described in docs/python.md. The paper's figures: `python3 -m terp.figures`; a f
 `python3 -m terp.sections`; runs compared in numbers: the program itself, `terp compare`.
 """
 
+import importlib.util
 import pathlib
 import pkgutil
 import sys
 
-try:
-    import h5py  # noqa: F401
-    import numpy  # noqa: F401
-except ModuleNotFoundError as missing:
-    raise ModuleNotFoundError(f"{missing.name} is missing in {sys.executable}; Debian's package python3-{missing.name} "
-                              "is for /usr/bin/python3", name=missing.name) from None
+for _needed in ("numpy", "h5py", "matplotlib"):
+    if importlib.util.find_spec(_needed) is None:
+        raise ModuleNotFoundError(
+            f"{_needed} is missing in {sys.executable}; Debian's package python3-{_needed} is for /usr/bin/python3, and "
+            "for environments that were made by `python3 -m venv --system-site-packages`", name=_needed)
 
 from terp.answers import Check, Comparison, Convergence, Reach, Section, Stability
 from terp.commands import (assess, check, compare, converge, explain, import_stix, open_stability, read_json, stability,
@@ -49,6 +49,8 @@ __path__ = pkgutil.extend_path(__path__, __name__)  # the compiled part may lie 
 
 def __getattr__(name):
     """Case and Simulation, read when they are first asked for: results can be read without the compiled part."""
+    if name == "__version__":
+        return _version()
     if name not in ("Case", "Simulation"):
         raise AttributeError(f"module `terp` has no attribute `{name}`")
     try:
@@ -58,6 +60,19 @@ def __getattr__(name):
                           f"Python ({error}). In a build of Terp it lies in build/python: put that folder into "
                           "PYTHONPATH, too.") from error
     return getattr(simulation, name)
+
+
+def _version():
+    """Of the compiled part; without it that of the installed package."""
+    try:
+        from terp import _core
+        return _core.version
+    except ImportError:
+        from importlib import metadata
+        try:
+            return metadata.version("terp")
+        except metadata.PackageNotFoundError:
+            return "unknown"
 
 
 def open(folder):  # noqa: A001 (terp.open is meant to read like the built-in)

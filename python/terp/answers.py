@@ -133,14 +133,15 @@ class Stability(JsonAnswer):
 
     def plot(self, field: str = "displacement_increment", panel: Axes | None = None) -> Axes:
         """The mechanism at failure: what moved, or shear_increment, in the last window of the trial that failed."""
-        from terp import plot
+        from terp import plot, style
         from terp.errors import RunError
         if self.still is None:
             raise RunError("no trial failed: there is no mechanism to draw")
         panel = plot.field(self.still, field, panel=panel)
         if line := (self.results.get("mechanism") or {}).get("slip_surface"):
             panel.plot(*np.transpose(line), color="black", lw=1.2, zorder=5)
-        panel.set_title(f"factor {self.factor:.3f}")
+        with style.house_style():
+            panel.set_title(f"factor {self.factor:.3f}")
         return panel
 
     def _shown(self) -> str:

@@ -24,7 +24,7 @@ OUTLIERS = 0.01        # share of the points at either end of any other field th
 SIDES = (2.0, 1.15)    # of a square over the lattice spacing: the large ones lie below, in the gaps of stretched soil
 BESIDE = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)}  # of the legend
 SOILS = ("#d8c08a", "#9c8f7a", "#7a5c43", "#b7b08c", "#a9746e", "#8fa3ad", "#c7a27c", "#6f7f5f")
-EVENTS = {"P_I": "P(I), a slide", "P_F": "P(F), a flood", "P_F_after_I": "P(F|I), a flood\nwhere it slides"}
+EVENTS = {"P_I": "P(I)", "P_F": "P(F)", "P_F_after_I": "P(F|I)"}
 SAMPLE = 200           # points whose neighbours are measured to find the lattice spacing
 
 
@@ -39,7 +39,7 @@ def field(run, name, time=None, panel=None, limits=None):
     with style.house_style():
         place = {"ax": panel, "shrink": 0.6}
         if panel is None:
-            panel, bar = section_page(window_around([frame.x[frame.soil], run.first_places]))
+            panel, bar = section_page(window_around([frame.x[frame.soil], run.first_places, *body_outlines(run.case)]))
             place = {"cax": bar}
         outlines(panel, run.case)
         squares(panel, frame, name, norm)
@@ -159,7 +159,7 @@ def animate(run, name, file=None, limits=None, every=1, per_second=10, dpi=120):
         raise RunError(f"{run.place()} holds no frame")
     norm = norm_of_limits(run, name, limits) if limits else colour_norm(frames, name)
     with style.house_style():
-        panel, bar = section_page(window_of(frames))
+        panel, bar = section_page(window_around([*(frame.x[frame.soil] for frame in frames), *body_outlines(run.case)]))
         colour_bar(panel.figure, norm, frames, name, cax=bar)
         outlines(panel, run.case)
         panel.set(xlabel="x (m)", ylabel="y (m)")
@@ -208,14 +208,14 @@ def chart_page():
 
 def section_page(window, bar=True):
     """Axes of a new figure that show a window x0, y0, x1, y1 [m] with equal aspect, and those of its colour bar."""
-    width = style.TWO_COLUMNS - 14.0
+    width = style.TWO_COLUMNS - 16.0
     height = width * (window[3] - window[1]) / (window[2] - window[0])
     figure = style.new_figure(style.TWO_COLUMNS, height + (31.0 if bar else 25.0))
-    panel = style.add_panel(figure, 11.0, 6.0, width, height)
+    panel = style.add_panel(figure, 13.0, 6.0, width, height)
     panel.set(xlim=window[::2], ylim=window[1::2])
     if not bar:
         return panel, None
-    return panel, style.add_panel(figure, 11.0 + 0.25 * width, height + 16.5, 0.5 * width, 2.6)
+    return panel, style.add_panel(figure, 13.0 + 0.25 * width, height + 16.5, 0.5 * width, 2.6)
 
 
 def squares(panel, frame, name, norm):

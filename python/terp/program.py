@@ -39,11 +39,12 @@ class Ended(NamedTuple):
 
 
 def find_program(program: str | os.PathLike[str] | None = None) -> str:
-    """The path of `terp`: as given, $TERP, the one that this package was built with, or the one of the system."""
+    """The path of `terp`: as given, $TERP, that of this package, or that of the system."""
     import terp
     if program is not None:
         return os.fspath(program)
-    beside = [pathlib.Path(folder).parents[1] / "terp" for folder in terp.__path__]  # build/python/terp
+    beside = [pathlib.Path(sys.prefix) / "bin" / "terp",  # of a wheel
+              *(pathlib.Path(folder).parents[1] / "terp" for folder in terp.__path__)]  # build/python/terp
     for path in [os.environ.get("TERP"), *beside, shutil.which("terp")]:
         if path and os.access(path, os.X_OK) and os.path.isfile(path):
             return str(path)
