@@ -28,12 +28,12 @@ import sys
 for _needed in ("numpy", "h5py", "matplotlib"):
     if importlib.util.find_spec(_needed) is None:
         raise ModuleNotFoundError(
-            f"{_needed} is missing in {sys.executable}; Debian's package python3-{_needed} is for /usr/bin/python3, and "
-            "for environments that were made by `python3 -m venv --system-site-packages`", name=_needed)
+            f"{_needed} is missing in {sys.executable}; Debian's package python3-{_needed} is for /usr/bin/python3, "
+            "and for environments that were made by `python3 -m venv --system-site-packages`", name=_needed)
 
 from terp.answers import Check, Comparison, Convergence, Reach, Section, Stability
-from terp.commands import (assess, check, compare, converge, explain, import_stix, open_stability, read_json, stability,
-                           study)
+from terp.commands import (assess, check, compare, converge, explain, import_stix, open_stability, read_json,
+                           stability, study)
 from terp.errors import CaseError, RunError, SolveError
 from terp.results import Frame
 from terp.run import Mesh, Run
