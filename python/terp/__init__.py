@@ -20,10 +20,14 @@ Described in docs/python.md. The paper's figures: `python3 -m terp.figures`; a f
 `python3 -m terp.sections`; runs compared in numbers: the program itself, `terp compare`.
 """
 
+from __future__ import annotations
+
 import importlib.util
+import os
 import pathlib
 import pkgutil
 import sys
+from typing import Any
 
 for _needed in ("numpy", "h5py", "matplotlib"):
     if importlib.util.find_spec(_needed) is None:
@@ -47,7 +51,7 @@ __all__ = ["Case", "CaseError", "Check", "Comparison", "Convergence", "Event", "
 __path__ = pkgutil.extend_path(__path__, __name__)  # the compiled part may lie in a build folder
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Any:
     """Case and Simulation, read when they are first asked for: results can be read without the compiled part."""
     if name == "__version__":
         return _version()
@@ -62,7 +66,7 @@ def __getattr__(name):
     return getattr(simulation, name)
 
 
-def _version():
+def _version() -> str:
     """Of the compiled part; without it that of the installed package."""
     try:
         from terp import _core
@@ -75,29 +79,29 @@ def _version():
             return "unknown"
 
 
-def open(folder):  # noqa: A001 (terp.open is meant to read like the built-in)
+def open(folder: str | os.PathLike[str]) -> Run:  # noqa: A001 (terp.open is meant to read like the built-in)
     """The run whose results lie in `folder`, as a terp.Run. Files are read when they are asked for."""
     return Run(folder)
 
 
-def open_study(folder):
+def open_study(folder: str | os.PathLike[str]) -> Study:
     """The study whose results lie in `folder`, as a terp.Study. Raises RunError if there is no report of one."""
     return Study(folder)
 
 
-def convergence(folder):
+def convergence(folder: str | os.PathLike[str]) -> Convergence:
     """What `terp converge` found in `folder`, as a terp.Convergence, which is a dictionary of its convergence.json
     (docs/formats.md), too. Raises RunError if there is none."""
     return Convergence(read_json(pathlib.Path(folder) / "convergence.json", "converge"))
 
 
-def depends(folder):
+def depends(folder: str | os.PathLike[str]) -> dict[str, Any]:
     """What `terp converge --what-decides` found in `folder`: its depends.json (docs/formats.md) as a dictionary, with
     `turns_on`, the names of the inputs that give another outcome. Raises RunError if there is none."""
     return read_json(pathlib.Path(folder) / "depends.json", "converge")
 
 
-def animate(run, field, file=None, **options):
+def animate(run: Run, field: str, file: str | os.PathLike[str] | None = None, **options: Any) -> Any:
     """Frames of a run as a film: terp.plot.animate."""
     from terp import plot
     return plot.animate(run, field, file, **options)
