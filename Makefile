@@ -108,10 +108,11 @@ fuzz: install    ## fuzz each reader of files with libFuzzer (clang), FUZZ_SECON
 sanitize: install ## the tests with the address, undefined-behaviour and thread sanitizers
 	@tools/check_sanitizers $(BUILD)
 
-lint: install    ## clang-tidy and cppcheck, warnings as errors (.clang-tidy, tools/lint)
+lint: install    ## clang-tidy, cppcheck and mypy, warnings as errors (.clang-tidy, tools/lint, python/mypy.ini)
 	@tools/install-dependencies --checks
 	@cmake -S . -B $(BUILD)/lint -G Ninja -DTERP_INSTRUCTIONS=plain -DTERP_UNITY=OFF -DTERP_TESTS=OFF $(CLANG) >/dev/null
 	@tools/lint $(BUILD)/lint
+	@cd python && /usr/bin/python3 -m mypy -p terp
 
 accept: build    ## write what CASE=column_collapse gives now into its expected.toml
 	@$(PYTHON) tests/cases/check_expected.py $(TERP) cases/$(CASE) --accept

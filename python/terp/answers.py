@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from terp.errors import RunError
 from terp.results import Frame, Results
 
 if TYPE_CHECKING:
@@ -64,7 +65,7 @@ class JsonAnswer(Answer, Mapping[str, Any]):
 
 
 def _with_state(kind: type[Any], state: dict[str, Any]) -> Any:
-    made = kind.__new__(kind)
+    made: Any = object.__new__(kind)
     made.__dict__.update(state)
     return made
 
@@ -133,14 +134,14 @@ class Stability(JsonAnswer):
 
     def plot(self, field: str = "displacement_increment", panel: Axes | None = None) -> Axes:
         """The mechanism at failure: what moved, or shear_increment, in the last window of the trial that failed."""
-        from terp import plot
-        from terp.errors import RunError
+        from terp import plot, style
         if self.still is None:
             raise RunError("no trial failed: there is no mechanism to draw")
         panel = plot.field(self.still, field, panel=panel)
         if line := (self.results.get("mechanism") or {}).get("slip_surface"):
             panel.plot(*np.transpose(line), color="black", lw=1.2, zorder=5)
-        panel.set_title(f"factor {self.factor:.3f}")
+        with style.house_style():
+            panel.set_title(f"factor {self.factor:.3f}")
         return panel
 
     def _shown(self) -> str:
@@ -243,13 +244,39 @@ class Still(Results):
     """One frame of points that outlives its file, for pictures."""
 
     def __init__(self, frame: Frame, case: Mapping[str, Any]) -> None:
-        self._place, self.case = frame.run.place(), case
-        self.times = np.array([frame.time])
-        self.units, self.components = dict(frame.run.units), dict(frame.run.components)
-        self._values = {name: np.array(frame[name]) for name in self.units}
-        soil = np.array(frame.soil)
-        self._first: npt.NDArray[np.float64] = frame.x[soil]
-        self.summary = {}
+        self._place, self._case = frame.run.place(), dict(case)
+        self._times = np.array([frame.time])
+        self._units, self._components = dict(frame.run.units), dict(frame.run.components)
+        self._values = {name: np.array(frame[name]) for name in self._units}
+        self._first: npt.NDArray[np.float64] = frame.x[frame.soil]
+
+    @property
+    def times(self) -> npt.NDArray[np.float64]:
+        return self._times
+
+    @property
+    def units(self) -> dict[str, str]:
+        return self._units
+
+    @property
+    def components(self) -> dict[str, tuple[str, ...]]:
+        return self._components
+
+    @property
+    def case(self) -> Mapping[str, Any]:
+        return self._case
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        return {}
+
+    @property
+    def ledger(self) -> npt.NDArray[Any]:
+        raise RunError(f"{self._place} is one frame, without a ledger")
+
+    @property
+    def history(self) -> npt.NDArray[Any]:
+        raise RunError(f"{self._place} is one frame, without a history")
 
     def place(self, file: str = "") -> str:
         return f"{file} of {self._place}" if file else self._place

@@ -96,8 +96,8 @@ def assess(files: Folder | Iterable[Folder], output: Folder, *, progress: Progre
     paths = [files] if isinstance(files, (str, os.PathLike)) else list(files)
     if options.get("estimate"):
         raise ValueError("an estimate has no results: `terp assess --estimate` prints it")
-    ended = call(["assess", *map(os.fspath, paths), "-o", os.fspath(output), *option_words(options)], program=program,
-                 progress=progress, accepts=(0, 3))
+    words = ["assess", *(os.fspath(path) for path in paths), "-o", os.fspath(output), *option_words(options)]
+    ended = call(words, program=program, progress=progress, accepts=(0, 3))
     folder = pathlib.Path(output)
     return Reach(read_json(folder / "reach.json", "assess"), ended.text, ended.messages, folder,
                  read_csv(folder / "reach.csv"))

@@ -1,6 +1,7 @@
 """The errors that this package raises itself."""
 
 import difflib
+from collections.abc import Iterable
 
 
 class RunError(Exception):
@@ -15,7 +16,7 @@ class SolveError(RuntimeError):
     """A run stopped itself. The message says at which point and step, and the likely cause."""
 
 
-def unknown(name, known, kind, place):
+def unknown(name: str, known: Iterable[str], kind: str, place: object) -> RunError:
     """RunError for a name that `place` does not have, with the closest that it has."""
     close = difflib.get_close_matches(name, known, n=1)
     hint = f" Did you mean `{close[0]}`?" if close else ""

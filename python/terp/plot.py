@@ -5,9 +5,15 @@
 The paper's figures are put together from the same parts (sections.py, curves.py).
 """
 
+from __future__ import annotations
+
+import os
 import pathlib
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 from matplotlib import patheffects
 from matplotlib.animation import FuncAnimation, writers
 from matplotlib.cm import ScalarMappable
@@ -16,6 +22,12 @@ from matplotlib.colors import Normalize
 
 from terp import style
 from terp.errors import RunError, unknown
+from terp.results import Frame, Results
+
+if TYPE_CHECKING:
+    from terp.run import Run
+    from terp.simulation import Simulation
+    from terp.studies import Study
 
 STRAINED = 0.06        # strain that counts as having sheared: 95 % of the softening of the paper's soil
 QUANTILE = 0.75        # of the strain of the sheared points in the last frame, where the colour scale ends: the thin
@@ -24,11 +36,12 @@ OUTLIERS = 0.01        # share of the points at either end of any other field th
 SIDES = (2.0, 1.15)    # of a square over the lattice spacing: the large ones lie below, in the gaps of stretched soil
 BESIDE = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)}  # of the legend
 SOILS = ("#d8c08a", "#9c8f7a", "#7a5c43", "#b7b08c", "#a9746e", "#8fa3ad", "#c7a27c", "#6f7f5f")
-EVENTS = {"P_I": "P(I), a slide", "P_F": "P(F), a flood", "P_F_after_I": "P(F|I), a flood\nwhere it slides"}
+EVENTS = {"P_I": "P(I)", "P_F": "P(F)", "P_F_after_I": "P(F|I)"}
 SAMPLE = 200           # points whose neighbours are measured to find the lattice spacing
 
 
-def field(run, name, time=None, panel=None, limits=None):
+def field(run: Results, name: str, time: float | None = None, panel: Any = None,
+          limits: tuple[float, float] | None = None) -> Any:
     """A field of all material points at `time` [s] (default: the last frame), over the first outlines of the bodies.
 
     name: as Frame.scalar has it, e.g. "eps_eq_p", "stress.yy", "velocity". limits: of the colours, in the unit
@@ -39,7 +52,7 @@ def field(run, name, time=None, panel=None, limits=None):
     with style.house_style():
         place = {"ax": panel, "shrink": 0.6}
         if panel is None:
-            panel, bar = section_page(window_around([frame.x[frame.soil], run.first_places]))
+            panel, bar = section_page(window_around([frame.x[frame.soil], run.first_places, *body_outlines(run.case)]))
             place = {"cax": bar}
         outlines(panel, run.case)
         squares(panel, frame, name, norm)
@@ -48,7 +61,7 @@ def field(run, name, time=None, panel=None, limits=None):
     return panel
 
 
-def history(run, column, points=None, panel=None):
+def history(run: Results, column: str, points: Sequence[str] | None = None, panel: Any = None) -> Any:
     """A column of history.csv over time, a line for each of the named points (default: all)."""
     with style.house_style():
         panel = panel or chart_page()
@@ -58,7 +71,7 @@ def history(run, column, points=None, panel=None):
     return panel
 
 
-def ledger(run, columns, panel=None):
+def ledger(run: Results, columns: str | Sequence[str], panel: Any = None) -> Any:
     """Columns of ledger.csv over time, e.g. ["kinetic", "elastic", "plastic"]; all of one unit."""
     columns = [columns] if isinstance(columns, str) else list(columns)
     for column in columns:
@@ -77,7 +90,7 @@ def ledger(run, columns, panel=None):
     return panel
 
 
-def section(simulation, panel=None):
+def section(simulation: Simulation, panel: Any = None) -> Any:
     """The section of a run in memory: soils by colour, the cells of the mesh, outlines of the bodies."""
     names = list(simulation.case["material"])
     soil = simulation.soil
@@ -98,7 +111,7 @@ def section(simulation, panel=None):
     return panel
 
 
-def fragility(study, events=("F_after_I",), panel=None):
+def fragility(study: Study, events: str | Sequence[str] = ("F_after_I",), panel: Any = None) -> Any:
     """Probabilities over the level of the load, with their bounds: of "I" (a slide), "F" (a flood), "F_after_I" (a
     flood where it slides). Of a study without a load, and as a line through the levels of one that is a water level:
     P(F|I) by the ground that the slides left (docs/probability.md)."""
@@ -128,7 +141,7 @@ def fragility(study, events=("F_after_I",), panel=None):
     return panel
 
 
-def convergence(sequences, quantity, panel=None):
+def convergence(sequences: Sequence[Mapping[str, Any]], quantity: str, panel: Any = None) -> Any:
     """A quantity over the size of the cells, a line for each sequence of convergence.json; dashed: its limit."""
     with style.house_style():
         panel = panel or chart_page()
@@ -148,7 +161,8 @@ def convergence(sequences, quantity, panel=None):
     return panel
 
 
-def animate(run, name, file=None, limits=None, every=1, per_second=10, dpi=120):
+def animate(run: Run, name: str, file: str | os.PathLike[str] | None = None, limits: tuple[float, float] | None = None,
+            every: int = 1, per_second: float = 10, dpi: int = 120) -> Film:
     """The frames of a run as a film of a field, with one colour bar for all.
 
     file: a path that ends in .gif (by python3-pil) or .mp4 (by ffmpeg); without it the film shows itself in a
@@ -159,13 +173,13 @@ def animate(run, name, file=None, limits=None, every=1, per_second=10, dpi=120):
         raise RunError(f"{run.place()} holds no frame")
     norm = norm_of_limits(run, name, limits) if limits else colour_norm(frames, name)
     with style.house_style():
-        panel, bar = section_page(window_of(frames))
+        panel, bar = section_page(window_around([*(frame.x[frame.soil] for frame in frames), *body_outlines(run.case)]))
         colour_bar(panel.figure, norm, frames, name, cax=bar)
         outlines(panel, run.case)
         panel.set(xlabel="x (m)", ylabel="y (m)")
-    moving = []
+    moving: list[Any] = []
 
-    def draw(frame):
+    def draw(frame: Frame) -> list[Any]:
         for artist in moving:
             artist.remove()
         before = set(panel.collections)
@@ -180,14 +194,14 @@ def animate(run, name, file=None, limits=None, every=1, per_second=10, dpi=120):
     return film
 
 
-class Film(FuncAnimation):
+class Film(FuncAnimation):  # type: ignore[misc]
     """A film, which a notebook shows with buttons."""
 
-    def _repr_html_(self):
-        return self.to_jshtml()
+    def _repr_html_(self) -> str:
+        return str(self.to_jshtml())
 
 
-def _writer_of(file, per_second):
+def _writer_of(file: str | os.PathLike[str], per_second: float) -> Any:
     kind = pathlib.Path(file).suffix
     if kind not in (".gif", ".mp4"):
         raise ValueError(f"a film ends in .gif or .mp4, not `{kind}`")
@@ -201,24 +215,24 @@ def _writer_of(file, per_second):
 # Parts of a picture
 
 
-def chart_page():
+def chart_page() -> Any:
     """Axes for lines over time in a figure of their own, with room for the legend beside them."""
     return style.add_panel(style.new_figure(130.0, 62.0), 21.0, 3.0, 85.0, 48.0)
 
 
-def section_page(window, bar=True):
+def section_page(window: Sequence[float], bar: bool = True) -> tuple[Any, Any]:
     """Axes of a new figure that show a window x0, y0, x1, y1 [m] with equal aspect, and those of its colour bar."""
-    width = style.TWO_COLUMNS - 14.0
+    width = style.TWO_COLUMNS - 16.0
     height = width * (window[3] - window[1]) / (window[2] - window[0])
     figure = style.new_figure(style.TWO_COLUMNS, height + (31.0 if bar else 25.0))
-    panel = style.add_panel(figure, 11.0, 6.0, width, height)
+    panel = style.add_panel(figure, 13.0, 6.0, width, height)
     panel.set(xlim=window[::2], ylim=window[1::2])
     if not bar:
         return panel, None
-    return panel, style.add_panel(figure, 11.0 + 0.25 * width, height + 16.5, 0.5 * width, 2.6)
+    return panel, style.add_panel(figure, 13.0 + 0.25 * width, height + 16.5, 0.5 * width, 2.6)
 
 
-def squares(panel, frame, name, norm):
+def squares(panel: Any, frame: Frame, name: str, norm: Normalize) -> None:
     """The soil: every material point as a square of about the lattice spacing, coloured by a field; grey where it has
     none."""
     spacing = lattice_spacing(frame.run.first_places)
@@ -231,20 +245,20 @@ def squares(panel, frame, name, norm):
         panel.scatter(*x[here].T, s=side**2, c=values[here], cmap=style.COLOUR_MAP, norm=norm, **look)
 
 
-def points_per_metre(panel):
+def points_per_metre(panel: Any) -> float:
     """Typographic points on paper of a metre along x."""
     x_begin, x_end = panel.get_xlim()
-    return panel.get_position().width * panel.figure.get_size_inches()[0] * 72.0 / (x_end - x_begin)
+    return float(panel.get_position().width * panel.figure.get_size_inches()[0] * 72.0 / (x_end - x_begin))
 
 
-def outlines(panel, case):
+def outlines(panel: Any, case: Mapping[str, Any]) -> None:
     """The bodies of the case at the start, as thin dashed lines."""
     for polygon in body_outlines(case):
         closed = np.vstack([polygon, polygon[:1]])
         panel.plot(closed[:, 0], closed[:, 1], color=style.GREY, lw=0.4, ls=(0, (4, 2)), zorder=3)
 
 
-def history_lines(panel, run, column, names):
+def history_lines(panel: Any, run: Results, column: str, names: Sequence[str]) -> None:
     """A column of history.csv over time, a line for each of the points `names`."""
     _check_column(column, run.history, run.place("history.csv"))
     for name, (colour, dashes) in zip(names, style.lines_of(names)):
@@ -253,7 +267,7 @@ def history_lines(panel, run, column, names):
                    label=name)
 
 
-def dots(panel, run, time, names, named):
+def dots(panel: Any, run: Results, time: float, names: Iterable[str], named: bool) -> None:
     """The named points as black dots with a white rim, at their places at `time`; their names if `named`."""
     above = True
     for name, x, y in places_at(run, time, names):
@@ -265,7 +279,8 @@ def dots(panel, run, time, names, named):
         above = not above
 
 
-def colour_bar(figure, norm, frames, name, label=None, **place):
+def colour_bar(figure: Any, norm: Normalize, frames: Sequence[Frame], name: str, label: str | None = None,
+               **place: Any) -> Any:
     """A horizontal colour bar with a pointed end where values lie beyond it."""
     factor, _ = style.in_print(frames[0].run.unit(name))
     values = [frame.scalar(name)[frame.soil] for frame in frames]
@@ -282,7 +297,7 @@ def colour_bar(figure, norm, frames, name, label=None, **place):
 # What the data say about a picture
 
 
-def body_outlines(case):
+def body_outlines(case: Mapping[str, Any]) -> list[npt.NDArray[np.float64]]:
     """Polygons of the bodies of a case that are there from the start, shape [n, 2] each [m]; boxes too."""
     placed_later = {name for stage in case.get("stage", []) for name in stage.get("place", [])}
     polygons = []
@@ -297,12 +312,12 @@ def body_outlines(case):
     return polygons
 
 
-def window_of(frames):
+def window_of(frames: Sequence[Frame]) -> tuple[float, ...]:
     """Limits around the soil of every frame [m]: x0, y0, x1, y1; outward to half metres in x, tenths in y."""
     return window_around([frame.x[frame.soil] for frame in frames])
 
 
-def window_around(places):
+def window_around(places: Sequence[npt.NDArray[np.float64]]) -> tuple[float, ...]:
     """The same around places, shape [n, 2] each."""
     steps = np.array([0.5, 0.1])
     x = np.concatenate(places)
@@ -310,18 +325,18 @@ def window_around(places):
     return (*np.floor(low / steps) * steps, *np.ceil(high / steps + (0.2, 0.5)) * steps)
 
 
-def norm_of_limits(run, name, limits):
+def norm_of_limits(run: Results, name: str, limits: tuple[float, float]) -> Normalize:
     """A colour scale between two values in the unit of the colour bar."""
     factor, _ = style.in_print(run.unit(name))
     return Normalize(*(limit / factor for limit in limits))
 
 
-def without_value(frames, name):
+def without_value(frames: Sequence[Frame], name: str) -> list[str]:
     """Names of the materials whose points have no value of a field in these frames.
 
     "some points" where the run has no field `material`.
     """
-    lacking = set()
+    lacking: set[str] = set()
     for frame in frames:
         lacks = frame.soil & ~np.isfinite(frame.scalar(name))
         if "material" in frame.run.units:
@@ -332,7 +347,7 @@ def without_value(frames, name):
     return sorted(lacking)
 
 
-def colour_norm(frames, name):
+def colour_norm(frames: Sequence[Frame], name: str) -> Normalize:
     """A colour scale for a field of these frames, with plain numbers at its ends.
 
     A strain goes from 0 to the upper quartile of the points that have sheared; any other field leaves out its outliers.
@@ -349,7 +364,7 @@ def colour_norm(frames, name):
                      style.round_up(high) if high > 0 else 0.0 if low < 0 else 1.0)
 
 
-def lattice_spacing(x):
+def lattice_spacing(x: npt.NDArray[np.float64]) -> float:
     """Usual distance of a point to its nearest neighbour [m]; x has shape [n_points, 2]."""
     if len(x) < 2:
         return 0.02
@@ -358,17 +373,18 @@ def lattice_spacing(x):
     return float(np.median(distances))
 
 
-def places_at(run, time, names):
+def places_at(run: Results, time: float, names: Iterable[str]) -> list[tuple[str, float, float]]:
     """(name, x, y) of the named points at `time` [s], from history.csv; points it lacks are left out."""
     places = []
     for name in names:
         if name in run.history_points:
             rows = run.history_of(name)
-            places.append((name, np.interp(time, rows["time"], rows["x"]), np.interp(time, rows["time"], rows["y"])))
+            x, y = (float(np.interp(time, rows["time"], rows[axis])) for axis in "xy")
+            places.append((name, x, y))
     return places
 
 
-def label_of(run, name, in_two_lines=False):
+def label_of(run: Results, name: str, in_two_lines: bool = False) -> str:
     """A field or column in words, its symbol, its unit in print; in one line also how it is defined."""
     words, symbol, definition = style.words_of(name)
     unit = style.in_print(run.unit(name))[1]
@@ -377,6 +393,6 @@ def label_of(run, name, in_two_lines=False):
     return words + (f" ({unit})" if unit != "-" else "")
 
 
-def _check_column(column, table, path):
-    if column not in table.dtype.names:
-        raise unknown(column, table.dtype.names, "column", path)
+def _check_column(column: str, table: npt.NDArray[Any], path: str) -> None:
+    if column not in (table.dtype.names or ()):
+        raise unknown(column, table.dtype.names or (), "column", path)

@@ -39,11 +39,12 @@ class Ended(NamedTuple):
 
 
 def find_program(program: str | os.PathLike[str] | None = None) -> str:
-    """The path of `terp`: as given, $TERP, the one that this package was built with, or the one of the system."""
+    """The path of `terp`: as given, $TERP, that of this package, or that of the system."""
     import terp
     if program is not None:
         return os.fspath(program)
-    beside = [pathlib.Path(folder).parents[1] / "terp" for folder in terp.__path__]  # build/python/terp
+    beside = [pathlib.Path(sys.prefix) / "bin" / "terp",  # of a wheel
+              *(pathlib.Path(folder).parents[1] / "terp" for folder in terp.__path__)]  # build/python/terp
     for path in [os.environ.get("TERP"), *beside, shutil.which("terp")]:
         if path and os.access(path, os.X_OK) and os.path.isfile(path):
             return str(path)
@@ -129,7 +130,7 @@ def in_notebook() -> bool:
 
 def _notebook_line() -> Callable[[str], object]:
     """A line below the cell, renewed."""
-    from IPython.display import display  # type: ignore[import]
+    from IPython.display import display
     handle = display({"text/plain": ""}, raw=True, display_id=True)
     return lambda line: handle.update({"text/plain": line}, raw=True)
 
@@ -160,12 +161,12 @@ def case_file(case: Case | str | os.PathLike[str] | Mapping[str, Any], changes: 
             file = stack.enter_context(tempfile.NamedTemporaryFile("w", encoding="utf-8", suffix=".toml",
                                                                    prefix=f"{given.name}_", dir=given.folder))
             path = file.name
+            file.write(text)
+            file.flush()
         else:
             text, words = given.text, []
             path = str(pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory())) / f"{given.name}.toml")
-            file = stack.enter_context(open(path, "w", encoding="utf-8"))
-        file.write(text)
-        file.flush()
+            pathlib.Path(path).write_text(text, encoding="utf-8")
         yield [path, *words]
 
 

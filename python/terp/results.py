@@ -12,19 +12,47 @@ import numpy.typing as npt
 from terp.errors import RunError, unknown
 from terp.tables import COLUMN_UNITS
 
-SOIL_SIGNS = {"material": np.greater_equal, "cell": np.greater_equal, "volume": np.greater}  # than 0: it is soil
+SOIL_SIGNS: dict[str, Any] = {  # than 0: it is soil
+    "material": np.greater_equal, "cell": np.greater_equal, "volume": np.greater}
 
 
 class Results(abc.ABC):
     """Fields by name and frame, ledger, history, summary and case."""
 
-    times: npt.NDArray[np.float64]           # of the frames [s], shape [n_frames], ascending
-    units: dict[str, str]                    # {field: unit}, with "position"
-    components: dict[str, tuple[str, ...]]   # {field: ("xx", "yy", "zz", "xy")}; none of a scalar
-    ledger: npt.NDArray[Any]                 # structured array with the columns of ledger.csv
-    history: npt.NDArray[Any]                # with those of history.csv
-    summary: dict[str, Any]                  # that of summary.json
-    case: Mapping[str, Any]
+    @property
+    @abc.abstractmethod
+    def times(self) -> npt.NDArray[np.float64]:
+        """Of the frames [s], shape [n_frames], ascending."""
+
+    @property
+    @abc.abstractmethod
+    def units(self) -> dict[str, str]:
+        """{field: unit}, with "position"."""
+
+    @property
+    @abc.abstractmethod
+    def components(self) -> dict[str, tuple[str, ...]]:
+        """{field: names of its components}, e.g. ("xx", "yy", "zz", "xy")."""
+
+    @property
+    @abc.abstractmethod
+    def ledger(self) -> npt.NDArray[Any]:
+        """Energies, mass, momentum, front and crest over time: structured array with the columns of ledger.csv."""
+
+    @property
+    @abc.abstractmethod
+    def history(self) -> npt.NDArray[Any]:
+        """Named points over time: structured array with the columns of history.csv."""
+
+    @property
+    @abc.abstractmethod
+    def summary(self) -> dict[str, Any]:
+        """That of summary.json."""
+
+    @property
+    @abc.abstractmethod
+    def case(self) -> Mapping[str, Any]:
+        """The keys of its case."""
 
     @abc.abstractmethod
     def place(self, file: str = "") -> str:
@@ -86,8 +114,9 @@ class Results(abc.ABC):
         """The rows of the history of one named point, by time."""
         if point not in self.history_points:
             raise unknown(point, self.history_points, "point", self.place("history.csv"))
-        rows = self.history[self.history["point"] == point]
-        return rows[np.argsort(rows["time"], kind="stable")]
+        rows: npt.NDArray[Any] = self.history[self.history["point"] == point]
+        in_time: npt.NDArray[Any] = rows[np.argsort(rows["time"], kind="stable")]
+        return in_time
 
     @property
     def flood(self) -> dict[str, Any] | None:

@@ -54,11 +54,16 @@ class Case(Mapping[str, Any]):
         """A case from the text of a case file. folder: where the files lie that it names."""
         return _case_of(text, str(pathlib.Path(folder) / "text"), dict(changes or {}))
 
+    is_file: bool             # in this process: a pickled one may have been changed since
+    source: str               # its text before the changes
+    path: str
+    changes: dict[str, Any]
+
     def _set(self, source: str | None, path: str, changes: dict[str, Any]) -> None:
         """source: None: that of the file."""
         words = [f"{key}={toml_value(value)}" for key, value in changes.items()]
         self._file = _core.read_case(path, words) if source is None else _core.read_case_text(source, path, words)
-        self.is_file = source is None  # in this process: a pickled one may have been changed since
+        self.is_file = source is None
         self.source = pathlib.Path(self._file.path).read_text(encoding="utf-8") if source is None else source
         self.path, self.changes = self._file.path, changes
         self._keys: dict[str, Any] = tomllib.loads(self._file.text)
@@ -183,17 +188,18 @@ class Simulation(Results):
     def __init__(self, case: Case | str | os.PathLike[str] | Mapping[str, Any], threads: int = 1,
                  output: str | os.PathLike[str] | None = None, force: bool = False,
                  mesh_of: Simulation | None = None, vary: Iterable[str] = ()):
-        self.case: Case = case if isinstance(case, Case) else Case(case)
+        given = case if isinstance(case, Case) else Case(case)
         if isinstance(vary, str):
             raise TypeError(f"vary is a list of names: [{vary!r}]")
         if names := list(vary):
-            self.case = self.case.changed(self.case._file.changes_to_vary(names))
+            given = given.changed(given._file.changes_to_vary(names))
+        self._case = given
         if not isinstance(mesh_of, (Simulation, type(None))):
             raise TypeError(f"mesh_of is another Simulation, not {type(mesh_of).__name__}")
         if not 1 <= operator.index(threads) <= MOST_THREADS:
             raise CaseError(f"threads: {threads} is out of range; allowed are 1 to {MOST_THREADS}")
-        self._run = _core.Simulation(self.case._file, threads, mesh_of and mesh_of._run,
-                                     "" if output is None else os.fspath(output), force)
+        self._run: _core.Simulation = _core.Simulation(given._file, threads, mesh_of._run if mesh_of else None,
+                                                       "" if output is None else os.fspath(output), force)
 
     def start(self) -> None:
         """Finds the initial stress. The first step does it, too; after it, fields can be set."""
@@ -215,7 +221,7 @@ class Simulation(Results):
             raise ValueError("give both `every` and `call`, or none of them")
         if math.isnan(until):
             raise ValueError("until must be a time, not nan")
-        if call is None:
+        if call is None or every is None:
             self._run.run_until(until)
             return
         if not every > 0:
@@ -243,11 +249,16 @@ class Simulation(Results):
             raise IndexError(f"a run in memory has one frame, the present; there is no frame {k}")
         return _Present(self)
 
+    @property
+    def case(self) -> Case:
+        """Its case, which does not change."""
+        return self._case
+
     def place(self, file: str = "") -> str:
         return f"{file} of this simulation" if file else "this simulation"
 
     @property
-    def times(self) -> numpy.typing.NDArray[numpy.float64]:  # type: ignore[override]
+    def times(self) -> numpy.typing.NDArray[numpy.float64]:
         """The present [s], shape [1]."""
         return numpy.array([self.time])
 
@@ -258,12 +269,12 @@ class Simulation(Results):
         return self.field("position")[soil] - moved
 
     @property
-    def units(self) -> dict[str, str]:  # type: ignore[override]
+    def units(self) -> dict[str, str]:
         """{field: unit}, with "position"."""
         return {name: unit for name, unit, _, _ in self._run.fields()}
 
     @property
-    def components(self) -> dict[str, tuple[str, ...]]:  # type: ignore[override]
+    def components(self) -> dict[str, tuple[str, ...]]:
         """{field: names of its components}, e.g. ("xx", "yy", "zz", "xy"); scalars are left out."""
         names = {2: ("x", "y"), 3: ("x", "y", "z"), 4: ("xx", "yy", "zz", "xy")}
         return {name: names[n] for name, _, n, _ in self._run.fields() if n > 1}
@@ -274,12 +285,12 @@ class Simulation(Results):
         return table_of(self._run.table(name))
 
     @property
-    def ledger(self) -> numpy.typing.NDArray[Any]:  # type: ignore[override]
+    def ledger(self) -> numpy.typing.NDArray[Any]:
         """Energies, mass, momentum, front and crest over time, as terp.Run has it."""
         return self.table("ledger")
 
     @property
-    def history(self) -> numpy.typing.NDArray[Any]:  # type: ignore[override]
+    def history(self) -> numpy.typing.NDArray[Any]:
         """Named points over time, as terp.Run has it."""
         return self.table("history")
 
@@ -320,8 +331,9 @@ class Simulation(Results):
             for_all = f'terp.Simulation(case, vary=["{name}"])'
             raise CaseError(f"{name}: points have no field of this name\n  A parameter of a law has one value for all "
                             f"points, unless they are given values of their own: {for_all}.")
-        given, shape = numpy.ma.asarray(values), self.field(name).shape
-        if given.dtype.kind not in "buif" or numpy.ma.is_masked(given):
+        given: Any = numpy.ma.asarray(values)  # type: ignore[no-untyped-call]
+        shape = self.field(name).shape
+        if given.dtype.kind not in "buif" or numpy.ma.getmaskarray(given).any():  # type: ignore[no-untyped-call]
             raise CaseError(f"{name}: real numbers are needed, none of them masked; got {given.dtype}")
         if given.shape != shape:
             raise CaseError(f"{name}: values of shape {given.shape} were given\n"
@@ -357,7 +369,7 @@ class Simulation(Results):
         self.close()
 
     @property
-    def summary(self) -> dict[str, Any]:  # type: ignore[override]
+    def summary(self) -> dict[str, Any]:
         """What summary.json says of the run as it is, as a dictionary: docs/formats.md."""
         summary: dict[str, Any] = json.loads(self._run.summary)
         return summary

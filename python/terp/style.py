@@ -4,6 +4,9 @@ Everything is placed in millimetres of print, so that text and lines have the st
 """
 
 import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
 
 import matplotlib
 from matplotlib.figure import Figure
@@ -39,7 +42,7 @@ RC = {
 INCREMENTS = r"$\sum\sqrt{\frac{1}{2}\,\mathrm{d}\mathbf{e}_p:\mathrm{d}\mathbf{e}_p}$"
 
 
-def words_of(name):
+def words_of(name: str) -> tuple[str, str, str]:
     """(words, symbol, definition) of a quantity, with the norm of a strain (Eq. (6)); of others the name alone."""
     known = {"eps_deviatoric": ("total deviatoric strain", r"$\sqrt{\frac{1}{2}\,\mathbf{e}:\mathbf{e}}$", ""),
              "eps_eq_p": ("plastic deviatoric strain", r"$\varepsilon_{eq,p}$", f" = {INCREMENTS}"),
@@ -47,37 +50,39 @@ def words_of(name):
     return known.get(name, (name, "", ""))
 
 
-def lines_of(names):
+def lines_of(names: Sequence[str]) -> list[tuple[str, Any]]:
     """(colour, dashes) of the line of each name: those of the paper's points if these are unique, else others."""
     own = [LINES.get(name) for name in names]
     plain = [OTHER_LINES[n % len(OTHER_LINES)] for n in range(len(own))]
-    return own if None not in own and len(set(own)) == len(own) else plain
+    known = [line for line in own if line is not None]
+    return known if len(known) == len(own) == len(set(known)) else plain
 
 
-def in_print(unit):
+def in_print(unit: str) -> tuple[float, str]:
     """(factor, unit) in which a quantity of this SI unit is printed: stress in kPa, energy in kJ."""
     return {"Pa": (1e-3, "kPa"), "J per m": (1e-3, "kJ per m")}.get(unit, (1.0, unit))
 
 
-def new_figure(width, height):
+def new_figure(width: float, height: float) -> Figure:
     """An empty figure of this size in print [mm]."""
     return Figure(figsize=(width / 25.4, height / 25.4))
 
 
-def add_panel(figure, left, top, width, height):
+def add_panel(figure: Figure, left: float, top: float, width: float, height: float) -> Any:
     """Axes whose upper left corner lies `left` and `top` mm from that of the figure [mm]."""
     w, h = (size * 25.4 for size in figure.get_size_inches())
     return figure.add_axes([left / w, 1 - (top + height) / h, width / w, height / h])
 
 
-def panel_grid(figure, shape, corner, size, gaps):
+def panel_grid(figure: Figure, shape: tuple[int, int], corner: tuple[float, float], size: tuple[float, float],
+               gaps: tuple[float, float]) -> list[list[Any]]:
     """Panels [n_rows][n_columns]; corner: left, top of the first; size: width, height; gaps: columns, rows [mm]."""
     (left, top), (width, height), (gap, row_gap) = corner, size, gaps
     return [[add_panel(figure, left + column * (width + gap), top + row * (height + row_gap), width, height)
              for column in range(shape[1])] for row in range(shape[0])]
 
 
-def save_figure(figure, path):
+def save_figure(figure: Figure, path: Path) -> list[Path]:
     """Write PATH.png and PATH.pdf; the same input gives the same bytes. Returns both paths."""
     png, pdf = path.with_suffix(".png"), path.with_suffix(".pdf")
     figure.savefig(png, dpi=PNG_DPI, metadata={"Software": None})
@@ -85,12 +90,12 @@ def save_figure(figure, path):
     return [png, pdf]
 
 
-def house_style():
+def house_style() -> Any:
     """Context in which figures are drawn and saved."""
     return matplotlib.rc_context(RC)
 
 
-def round_up(value):
+def round_up(value: float) -> float:
     """The next number of the kind a colour bar ends well with: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten."""
     if not value > 0:
         return 1.0
@@ -99,7 +104,7 @@ def round_up(value):
     return next(step * power for step in steps if value <= step * power * (1 + 1e-9))
 
 
-def scale_ticks(end):
+def scale_ticks(end: float) -> list[float]:
     """Ticks from 0 to `end`, in steps of 1, 2 or 5 times a power of ten where that divides it."""
     for n in (5, 4, 6, 3):
         mantissa = end / n / 10.0 ** math.floor(math.log10(end / n) + 1e-9)

@@ -1,6 +1,11 @@
 """The tables of a run, history.csv and ledger.csv, as numpy structured arrays or, if installed, pandas data frames."""
 
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
 import numpy as np
+import numpy.typing as npt
 
 from terp.errors import RunError
 
@@ -23,7 +28,7 @@ TEXT_COLUMNS = {"point"}
 INTEGER_COLUMNS = {"id", "step", "stage", "clamped", "left"}
 
 
-def read_table(path):
+def read_table(path: Path) -> npt.NDArray[Any]:
     """A structured array with the columns of the file, without a last row that has no line end yet."""
     head, _, text = path.read_text(encoding="utf-8").partition("\n")
     dtype = np.dtype([(column, _column_type(column)) for column in head.strip().split(",")])
@@ -36,7 +41,7 @@ def read_table(path):
         raise RunError(f"{path} cannot be read: {error}") from error
 
 
-def table_of(columns):
+def table_of(columns: Sequence[tuple[str, str, Any]]) -> npt.NDArray[Any]:
     """A structured array of (name, unit, values), as read_table makes one of a file."""
     table = np.empty(len(columns[0][2]), np.dtype([(name, _column_type(name)) for name, _, _ in columns]))
     for name, _, values in columns:
@@ -44,16 +49,17 @@ def table_of(columns):
     return table
 
 
-def to_pandas(table):
-    """A structured array, such as run.ledger, as a pandas DataFrame with the same columns."""
+def to_pandas(table: Any) -> Any:
+    """A structured array, such as run.ledger, or an answer that has one as `table`, as a pandas DataFrame."""
     try:
         import pandas
     except ImportError as error:
         raise RunError("pandas is not there: install python3-pandas, or use the numpy array as it is") from error
-    return pandas.DataFrame({name: table[name] for name in table.dtype.names})
+    rows = getattr(table, "table", table)
+    return pandas.DataFrame({name: rows[name] for name in rows.dtype.names})
 
 
-def _column_type(name):
+def _column_type(name: str) -> Any:
     if name in TEXT_COLUMNS:
         return "U64"
     return np.int64 if name in INTEGER_COLUMNS else float

@@ -4,11 +4,13 @@ import datetime
 import json
 import math
 import re
+from collections.abc import Mapping
+from typing import Any
 
 from terp.errors import CaseError
 
 
-def toml_value(value):
+def toml_value(value: Any) -> str:
     """TOML text of one value on one line."""
     if hasattr(value, "tolist"):  # of numpy
         value = value.tolist()
@@ -29,13 +31,13 @@ def toml_value(value):
     raise CaseError(f"a {type(value).__name__} cannot stand in a case: {value!r}")
 
 
-def toml_key(key):
+def toml_key(key: object) -> str:
     if not isinstance(key, str):
         raise CaseError(f"a key of a case is a text, not {key!r}")
     return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key)
 
 
-def toml_text(table, path=""):
+def toml_text(table: Mapping[str, Any], path: str = "") -> str:
     """TOML text of a dictionary, with a header for each table, so that messages name a line that can be found."""
     values, tables = [], []
     for key, value in table.items():

@@ -4,7 +4,11 @@ A run that ended has rows up to its end, and its newest checkpoint holds a check
 time (docs/formats.md). Not for reading tables (tables.py).
 """
 
+from pathlib import Path
+from typing import Any
+
 import h5py
+import numpy.typing as npt
 
 from terp.errors import RunError
 
@@ -12,7 +16,7 @@ CURE = "copy the folder again, or solve the case again"
 MOST_BYTES = 20_000_000  # a longer table is not summed: that takes 0.2 s per million
 
 
-def check_unaltered(path):
+def check_unaltered(path: Path) -> None:
     """Raise RunError if rows of a table were altered, added or removed before the newest checkpoint."""
     found = _newest_tables(path.parent)
     if found is None or path.stat().st_size > MOST_BYTES:
@@ -23,9 +27,9 @@ def check_unaltered(path):
         raise RunError(f"{path} is not what the run wrote: rows up to t = {time:.4g} s were altered; {CURE}")
 
 
-def check_end(path, rows, end):
+def check_end(path: Path, rows: npt.NDArray[Any], end: float) -> None:
     """Raise RunError if the rows of a table, of each of its points, end before the run did, at `end` [s]."""
-    points = rows["point"] if "point" in rows.dtype.names else None
+    points = rows["point"] if "point" in (rows.dtype.names or ()) else None
     for name in [None] if points is None else dict.fromkeys(points.tolist()):
         times = rows["time"] if points is None else rows["time"][points == name]
         of_point = "" if name is None else f" of point {name}"
@@ -34,7 +38,7 @@ def check_end(path, rows, end):
             raise RunError(f"{path} was cut: the rows{of_point} end at {last}, the run at {end:g} s; {CURE}")
 
 
-def _newest_tables(folder):
+def _newest_tables(folder: Path) -> tuple[float, dict[str, str]] | None:
     """(time [s], {table: checksum}) of the newest checkpoint after the first step that can be read; none: None."""
     for path in sorted(folder.glob("checkpoint_*.h5"), reverse=True):
         if not path.stem.removeprefix("checkpoint_").strip("0"):
@@ -48,7 +52,7 @@ def _newest_tables(folder):
     return None
 
 
-def _part_until(text, time):
+def _part_until(text: bytes, time: float) -> bytes:
     """The bytes of a table up to its last whole row with a time of at most `time`."""
     length = text.find(b"\n") + 1
     while (end := text.find(b"\n", length)) >= 0:
@@ -61,7 +65,7 @@ def _part_until(text, time):
     return text[:length]
 
 
-def _checksum(data):
+def _checksum(data: bytes) -> str:
     """FNV-1a of 64 bits, 16 hexadecimal digits."""
     value = 0xCBF29CE484222325
     for byte in data:

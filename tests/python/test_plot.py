@@ -143,7 +143,7 @@ class Soil(unittest.TestCase):
             np.testing.assert_array_equal(squares.get_array(), frame["su"][::2])
             np.testing.assert_allclose(squares.get_sizes(), whole.collections[0].get_sizes())
             self.assertEqual(panel.get_xlim(), whole.get_xlim())
-            self.assertEqual(panel.get_ylim(), (0.0, 2.0))
+            self.assertEqual(panel.get_ylim(), (0.0, 2.1))
             self.assertEqual(squares.get_clim(), (0.0, 8000.0))
             self.assertEqual(plot.without_value([frame], "su"), [])
             figure, notes = sections.draw_sections([run], sections.Section("su", (1.0,)))
