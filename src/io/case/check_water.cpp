@@ -195,6 +195,26 @@ void check_parts(const Case& values, Findings& findings)
   }
 }
 
+/// A series of levels beside what it replaces, and levels that are no river.
+void check_series(const Node& table, const Case& values, Findings& findings)
+{
+  const auto& series = values.water.series;
+  if (!series) return;
+  for (const char* key : {"phreatic_line", "pressure", "head", "river"})
+    if (find_item(table, key) != nullptr)
+      findings.problems.push_back({std::string("water.") + key, fmt::format("`{}` does not go with `level`", key),
+          "The series of levels says where the water stands at each time. Remove one of the two; the line of a level "
+          "is\nphreatic_line in the table of `level`.",
+          "water.level", true, {"water.level"}});
+  const Real run = (series->times.back() - series->times.front()) / series->shorten;
+  if (values.stages.empty() && values.time.end < 0.99 * run)
+    findings.warnings.push_back({"water.level", "the run ends before the series of levels does",
+        fmt::format("The series takes {:.4g} s of the run, which ends at {:g} s. Give time.end = {:.4g}, or shorten = "
+                    "{:.4g}.",
+            run, values.time.end, run, series->shorten * run / values.time.end),
+        "water.level", false, {"time"}});
+}
+
 /// Keys of the other kind of water in a table of [water].
 void check_kind(const Node& table, const std::string& path, WaterKind kind, Problems& problems)
 {
@@ -280,6 +300,7 @@ void check_water(const Node& root, const Case& values, Findings& findings)
         "Give phreatic_line = [[x, y], ...] in m, or pressure = \"a formula of x, y and t\" in Pa.", "water", true});
   const Node* list = find_item(*table, "situation");
   check_kind(*table, "water", water.kind, findings.problems);
+  check_series(*table, values, findings);
   for (std::size_t k = 0; list != nullptr && k < list->items.size(); ++k)
     check_kind(list->items[k], fmt::format("water.situation[{}]", k), water.kind, findings.problems);
   if (!water.is_given()) return;

@@ -29,6 +29,7 @@ std::vector<KeyInfo> water_keys();
 std::vector<KeyInfo> seepage_keys();
 std::vector<KeyInfo> seepage_keys_of_situation(const std::string& section, WaterSituation& (*of)(Case&, std::size_t));
 std::vector<KeyInfo> flow_keys_of_material();
+KeyInfo level_key();                    ///< of a series of levels (level_keys.cpp)
 std::vector<KeyInfo> force_keys();      ///< of [forces] and [initial]
 std::vector<KeyInfo> flood_keys();      ///< of [flood]
 std::vector<KeyInfo> reference_keys();  ///< of [reference]

@@ -4,6 +4,7 @@
 // meant for it.
 
 #include "io/case/reader.hpp"
+#include "model/water/level_series.hpp"
 
 #include "math/closest.hpp"
 #include "io/case/check_case.hpp"
@@ -369,6 +370,11 @@ void read_values(const Node& root, Case& values, Findings& findings)
   const Node* form = find_node(root, "method.as");
   if (form != nullptr && form->text == word_of(MethodForm::paper)) values.method = paper_options();
   CaseReader(root, values, findings).read_section({root, "", "", 0});
+  if (!follow_series(values))
+    findings.problems.push_back({"water.level", "no phreatic line follows from this level",
+        "Bodies that come as points or cells have no outline. Give phreatic_line = [[0, \"level\"], [40, 0]] in the "
+        "table of `level`,\nnumbers in m or formulas of level.",
+        "water.level"});
   complete_situations(values.water);
   load_libraries(root, values, findings.problems);
   values.flood.given = find_item(root, "flood") != nullptr;

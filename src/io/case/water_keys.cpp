@@ -291,6 +291,7 @@ std::vector<KeyInfo> water_keys()
   };
   add(situation_keys("water.situation[]", other_of));
   add(seepage_keys());
+  keys.push_back(level_key());
   add(seepage_keys_of_situation("water", start_of));
   add(seepage_keys_of_situation("water.situation[]", other_of));
   return keys;

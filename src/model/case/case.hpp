@@ -192,9 +192,6 @@ struct LoadCase {
   Real ramp = 0.0;  ///< time over which it grows from `start` on, and falls from `end` on [s]
 };
 
-/// The end of the section at which the river is.
-enum class RiverSide { deduced, left, right };
-
 /// The water that the ground shall hold back; how it is judged: run/measure/flood.cpp.
 struct FloodCase {
   bool given = false;                                         ///< the case has [flood]

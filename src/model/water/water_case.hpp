@@ -4,6 +4,7 @@
 
 #include "math/types.hpp"
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -91,11 +92,24 @@ struct WaterSituation {
   bool is_given() const { return !phreatic_line.empty() || formula; }
 };
 
+/// Which end of the section the river is at.
+enum class RiverSide { deduced, left, right };
+
+/// Levels of the river over time.
+struct LevelSeries {
+  std::vector<Real> times;   ///< ascending, as the table has them [s]
+  std::vector<Real> levels;  ///< [m]
+  Real shorten = 3600.0;     ///< seconds of the series that take one second of the run
+  RiverSide side = RiverSide::left;
+  std::vector<std::array<std::function<Real(Real)>, 2>> line = {};  ///< places of the phreatic line by the level [m]
+};
+
 struct WaterCase {
   WaterKind kind = WaterKind::lines;
   Real suction_band = 0.0;                 ///< height over which soil dries above computed water [m]; 0: half a cell
   Real unit_weight = 9810.0;               ///< of water [N/m^3]
   Real suction = 0.0;                      ///< largest tension in the water above the phreatic line [Pa]
+  std::optional<LevelSeries> series = {};  ///< that the situations in time follow from
   bool follow_soil = true;                 ///< the table goes with soil that moves, free water stays where it is fed
   WaterSituation start;                    ///< at t = 0
   std::vector<WaterSituation> situations;  ///< others, in the order of the file

@@ -283,7 +283,7 @@ void find_idle_water(const Model& model, std::vector<Problem>& warnings)
                       "Give water = \"{}\" in the stage in which it comes.",
               whole.stages.size(), situation.name),
           "stage.water", false, {"water", "stage"}});
-    if (situation.time > whole.time.end)
+    if (situation.time > whole.time.end && !water.series)
       warnings.push_back({path + ".time", fmt::format("the run ends before the water{} is reached", called),
           fmt::format(
               "It is reached at {:.4g} s, and the run ends at {:.4g} s at the latest.", situation.time, whole.time.end),
