@@ -191,7 +191,7 @@ std::vector<float> water_in_moved_soil(const std::vector<Real>& first, const std
   if (top != soil.end() && from_left != is_free(drawn.back()[0]) && is_free(x_of(top->first))) {
     beyond = {x_of(top->first), x_of(top->first)};
     for (long k = top->first; soil.contains(k) && is_free(x_of(k)); k += from_left ? 1 : -1)
-      beyond[from_left ? 1 : 0] = x_of(k);
+      beyond[from_left ? 1 : 0] = x_of(k) + (from_left ? columns.half_point : -columns.half_point);
   }
   std::vector<float> out;
   const auto enter = [&](Vec<2> x) {
