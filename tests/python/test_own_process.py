@@ -99,20 +99,23 @@ class OwnProcess(unittest.TestCase):
             run.field("strees")
 
     def test_control_c_ends_it_and_it_goes_on(self):
-        case = terp.Case.from_text(COLUMN, {"mesh.cell": 0.1, "time.end": 1000.0, "body[0].points_per_cell": [4, 4]})
-        run = terp.Simulation(case, own_process=True)
-        run.step(2)
+        case = terp.Case.from_text(COLUMN, {"mesh.cell": 0.1, "time.end": 1000.0, "output.checkpoint.every": 0.01})
+        with tempfile.TemporaryDirectory() as folder:
+            run = terp.Simulation(case, output=folder, own_process=True)
 
-        def interrupt():
-            time.sleep(0.5)
-            os.kill(os.getpid(), signal.SIGINT)
-        threading.Thread(target=interrupt).start()
-        with self.assertRaises(KeyboardInterrupt):
-            run.run()
-        before = run.n_steps
-        self.assertGreater(before, 2)
-        run.step()
-        self.assertEqual(run.n_steps, before + 1)
+            def interrupt():
+                while not list(pathlib.Path(folder).glob("checkpoint_*")):  # it is on its way
+                    time.sleep(0.01)
+                os.kill(os.getpid(), signal.SIGINT)
+            with self.assertRaises(KeyboardInterrupt):
+                threading.Thread(target=interrupt).start()
+                run.run()
+            before = run.n_steps
+            self.assertGreater(before, 2)
+            run.step()
+            self.assertEqual(run.n_steps, before + 1)
+            run.close()
+            del run
 
 
 if __name__ == "__main__":
