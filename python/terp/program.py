@@ -43,8 +43,8 @@ def find_program(program: str | os.PathLike[str] | None = None) -> str:
     import terp
     if program is not None:
         return os.fspath(program)
-    beside = [pathlib.Path(sys.prefix) / "bin" / "terp",  # of a wheel
-              *(pathlib.Path(folder).parents[1] / "terp" for folder in terp.__path__)]  # build/python/terp
+    beside = [*(pathlib.Path(folder).parents[1] / "terp" for folder in terp.__path__),  # build/python/terp
+              pathlib.Path(sys.prefix) / "bin" / "terp"]  # of a wheel
     for path in [os.environ.get("TERP"), *beside, shutil.which("terp")]:
         if path and os.access(path, os.X_OK) and os.path.isfile(path):
             return str(path)
@@ -64,8 +64,9 @@ def call(words: list[str], *, program: str | os.PathLike[str] | None = None, pro
     except OSError as error:
         raise RunError(f"cannot start `{program}`: {error.strerror}. Give the path of the program") from error
     texts: list[list[str]] = [[], []]
-    readers = [threading.Thread(target=_read, args=(stream, kept, shown), daemon=True)
-               for stream, kept, shown in zip((process.stdout, process.stderr), texts, (None, show))]
+    of_text = show if words[0] == "assess" else None  # it prints its progress
+    readers = [threading.Thread(target=_read, args=(stream, kept, show_line), daemon=True)
+               for stream, kept, show_line in zip((process.stdout, process.stderr), texts, (of_text, show))]
     for reader in readers:
         reader.start()
     with process:

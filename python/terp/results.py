@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import abc
+import os
 from collections.abc import Mapping
 from typing import Any
 
@@ -176,6 +177,11 @@ class Frame:
             return np.asarray(np.linalg.norm(values, axis=1))
         choices = ", ".join(f"{field}.{part}" for part in self.run.components[field])
         raise RunError(f"`{field}` has several components; ask for one of them: {choices}")
+
+    def write_vtu(self, file: str | os.PathLike[str]) -> None:
+        """The soil as a .vtu file of VTK, with all fields and the names of their components."""
+        from terp.vtu import write_vtu
+        write_vtu(self, file)
 
     def __repr__(self) -> str:
         return f"<frame {self.k} of {self.run.place()}, t = {self.time:g} s>"

@@ -10,13 +10,14 @@ import pathlib
 import re
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any
+from typing import Any, cast
 
 import numpy
 import numpy.typing
 
 from terp import _core
 from terp.errors import CaseError, RunError
+from terp.own_process import Remote
 from terp.results import Frame, Results
 from terp.tables import table_of
 from terp.toml import toml_text, toml_value
@@ -52,7 +53,7 @@ class Case(Mapping[str, Any]):
     @classmethod
     def from_text(cls, text: str, changes: Mapping[str, Any] | None = None, folder: str = ".") -> Case:
         """A case from the text of a case file. folder: where the files lie that it names."""
-        return _case_of(text, str(pathlib.Path(folder) / "text"), dict(changes or {}))
+        return case_of(text, str(pathlib.Path(folder) / "text"), dict(changes or {}))
 
     is_file: bool             # in this process: a pickled one may have been changed since
     source: str               # its text before the changes
@@ -75,7 +76,7 @@ class Case(Mapping[str, Any]):
     @property
     def unchanged(self) -> Case:
         """The same without its changes."""
-        case = _case_of(self.source, self.path, {})
+        case = case_of(self.source, self.path, {})
         case.is_file = self.is_file
         return case
 
@@ -113,7 +114,7 @@ class Case(Mapping[str, Any]):
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _case_of, (self.source, os.path.abspath(self.path), self.changes)
+        return case_of, (self.source, os.path.abspath(self.path), self.changes)
 
     def __repr__(self) -> str:
         return f"<terp case {self._file.name}: {self.title}>" if self.title else f"<terp case {self._file.name}>"
@@ -148,7 +149,8 @@ class Case(Mapping[str, Any]):
         return self._file.warnings
 
 
-def _case_of(source: str, path: str, changes: dict[str, Any]) -> Case:
+def case_of(source: str, path: str, changes: dict[str, Any]) -> Case:
+    """A case from its text, as one of that path."""
     case = Case.__new__(Case)
     case._set(source, path, changes)
     return case
@@ -180,14 +182,15 @@ class Simulation(Results):
     output: a folder for the files that `terp run` writes, for terp.open, `terp report` and `terp resume`; None: no
     files. force: remove the run that lies there. mesh_of: a Simulation of the same mesh, which is then shared.
     vary: names of parameters of laws, such as "su_peak", of which points have values of their own: set_field sets
-    them.
+    them. own_process: the run is in a process of its own, so that a law that calls STOP or crashes raises SolveError;
+    None: if the case has a law of a library.
 
     Several simulations can run at once, each in a thread of its own. Raises CaseError for a case that cannot be set
     up, SolveError where the run stops itself, RunError for files. Ctrl-C ends a run after the step that it is in."""
 
     def __init__(self, case: Case | str | os.PathLike[str] | Mapping[str, Any], threads: int = 1,
                  output: str | os.PathLike[str] | None = None, force: bool = False,
-                 mesh_of: Simulation | None = None, vary: Iterable[str] = ()):
+                 mesh_of: Simulation | None = None, vary: Iterable[str] = (), own_process: bool | None = None):
         given = case if isinstance(case, Case) else Case(case)
         if isinstance(vary, str):
             raise TypeError(f"vary is a list of names: [{vary!r}]")
@@ -198,8 +201,21 @@ class Simulation(Results):
             raise TypeError(f"mesh_of is another Simulation, not {type(mesh_of).__name__}")
         if not 1 <= operator.index(threads) <= MOST_THREADS:
             raise CaseError(f"threads: {threads} is out of range; allowed are 1 to {MOST_THREADS}")
-        self._run: _core.Simulation = _core.Simulation(given._file, threads, mesh_of._run if mesh_of else None,
-                                                       "" if output is None else os.fspath(output), force)
+        folder = "" if output is None else os.fspath(output)
+        if own_process is None:
+            laws = given.get("material", {}).values()
+            own_process = mesh_of is None and any(law.get("model") == "library" for law in laws)
+        self._run: _core.Simulation
+        if own_process:
+            if mesh_of is not None:
+                raise CaseError("a run in a process of its own shares no mesh: leave mesh_of or own_process out")
+            self._run = cast(_core.Simulation,
+                             Remote((given.source, given.path, given.changes), threads, folder, force))
+        else:
+            if mesh_of is not None and isinstance(mesh_of._run, Remote):
+                raise CaseError("mesh_of: that simulation is in a process of its own, which shares no mesh\n"
+                                "  Give it own_process=False.")
+            self._run = _core.Simulation(given._file, threads, mesh_of._run if mesh_of else None, folder, force)
 
     def start(self) -> None:
         """Finds the initial stress. The first step does it, too; after it, fields can be set."""

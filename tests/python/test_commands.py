@@ -136,7 +136,9 @@ class Answers(Commands):
         home = self.folder / "plain"
         home.mkdir()
         (home / "case.toml").write_text(COLUMN, encoding="utf-8")
-        reach = terp.assess(home, self.folder / "reach", sections=1)
+        lines = []
+        reach = terp.assess(home, self.folder / "reach", sections=1, progress=lines.append)
+        self.assertTrue(any(line.startswith("[1/1] plain") for line in lines), lines)
         self.assertEqual(reach.table["section"].tolist(), ["plain"])
         self.assertEqual(reach.table["state"].tolist(), ["solved"])
         self.assertEqual(reach["sections"][0]["state"], "solved")

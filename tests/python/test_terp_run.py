@@ -1,11 +1,13 @@
 """A run of the program itself, read while it is going and after: what Terp writes is what this package reads."""
 
+import base64
 import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 import support
 
@@ -61,6 +63,29 @@ class RunOfTheProgram(unittest.TestCase):
         self.assertTrue(self.run_.finished)
         np.testing.assert_allclose(self.run_.times, np.arange(0.0, 0.601, 0.05), atol=self.run_.summary["dt"])
         self.assertEqual(self.run_.case_text, self.run_.summary["case"])
+
+    def test_a_vtu_file_has_the_soil_with_names_of_components(self):
+        frame = self.run_.frame(5)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "frame.vtu"
+            frame.write_vtu(path)
+            root = ElementTree.parse(path).getroot()
+        arrays = {array.get("Name"): array for array in root.iter("DataArray")}
+
+        def values(name, kind):
+            data = base64.b64decode(arrays[name].text)
+            self.assertEqual(int.from_bytes(data[:8], "little"), len(data) - 8)
+            return np.frombuffer(data[8:], kind)
+        stress = arrays["stress"]
+        self.assertEqual([stress.get(f"ComponentName{k}") for k in range(4)], ["xx", "yy", "zz", "xy"])
+        np.testing.assert_array_equal(values("stress", "<f4").reshape(-1, 4), frame["stress"][frame.soil])
+        places = values("Points", "<f8").reshape(-1, 3)
+        np.testing.assert_array_equal(places[:, :2], frame.x[frame.soil])
+        self.assertEqual(root.find(".//Piece").get("NumberOfCells"), str(len(places)))
+        np.testing.assert_array_equal(values("offsets", "<i8"), np.arange(1, len(places) + 1))
+        self.assertEqual(set(values("types", "<u1")), {1})
+        self.assertEqual(float(arrays["TimeValue"].text), frame.time)
+        self.assertEqual(set(self.run_.fields) - set(arrays), {"position"})
 
     def test_a_field_is_that_of_the_file(self):
         k = 7

@@ -190,6 +190,25 @@ TEST(PointParameters, CanBeSetInARunAndAreChecked)
           _, "a point is too stiff for the time step of the run", HasSubstr("Give the stiffest soil in the case."))));
 }
 
+TEST(PointParameters, ThoseThatTheCaseFindsFromOneChangeInProportion)
+{
+  Case c = with_field("mpm_gp", su_peak, [](Vec<2>) { return 8e3; });
+  c.materials[0].fields.insert(c.materials[0].fields.begin(),
+      {.parameter = shear_modulus, .value_at = [](Vec<2>) { return 2e6; }, .follows = su_peak});
+  Simulation s(c);
+  PointField peak = s.field("parameter_su_peak");
+  peak.values[7] = 6e3;
+  s.set_field("parameter_su_peak", peak.values);
+  const PointField stiffness = s.field("parameter_shear_modulus");
+  EXPECT_DOUBLE_EQ(stiffness.values[7], 1.5e6);
+  EXPECT_EQ(stiffness.values[8], 2e6);
+  peak.values[7] = 9e3;
+  EXPECT_THAT(problems_of([&] { s.set_field("parameter_su_peak", peak.values); }),
+      ElementsAre(told(_, "a point is too stiff for the time step of the run", _)))
+      << "by the stiffness that follows";
+  EXPECT_DOUBLE_EQ(s.field("parameter_shear_modulus").values[7], 1.5e6) << "refused, so nothing was set";
+}
+
 TEST(PointParameters, OfOneMaterialAreNoneOfAnother)  // two laws with different state share one table
 {
   Case c = with_field("mpm_gp", su_peak, [](Vec<2>) { return 8e3; });
