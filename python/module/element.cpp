@@ -2,6 +2,7 @@
 
 #include "io/element/element_case.hpp"
 #include "io/element/element_csv.hpp"
+#include "model/parts/setup.hpp"
 #include "run/element/element_tests.hpp"
 
 #include <cmath>
@@ -23,15 +24,38 @@ py::tuple as_python(const ElementResult& result)
   return py::make_tuple(columns, result.fault);
 }
 
-py::tuple follow(
-    const CaseFile& file, const std::vector<std::string>& material, const ElementPath& path, Real void_ratio)
-{
-  try {
-    const MaterialCase& found = *materials_of_element(file.values, material).front();
-    return as_python(follow_path(element_soil(file.values, found), path, void_ratio));
-  } catch (const InputError& error) {
-    throw CaseError(render(error.problems(), file));
+/// Soil with the stress that it begins with.
+struct PythonElement {
+  std::shared_ptr<const CaseFile> file;
+  ElementAtPlace start;
+
+  template <class F>
+  auto told(F&& f) const
+  {
+    try {
+      return f();
+    } catch (const InputError& error) {
+      throw CaseError(render(error.problems(), *file));
+    }
   }
+  py::tuple follow(const ElementPath& path, Real void_ratio) const
+  {
+    return told([&] { return as_python(follow_path(start.soil, path, void_ratio)); });
+  }
+};
+
+PythonElement element_of(
+    std::shared_ptr<const CaseFile> file, const std::string& name, const std::optional<Vec<2>>& place)
+{
+  PythonElement element{std::move(file), {}};
+  element.told([&] {
+    const Case& c = element.file->values;
+    const MaterialCase& material = *materials_of_element(c, {name}).front();
+    element.start = place ? element_at(build_model(c, 1), material, *place)
+                          : ElementAtPlace{element_soil(c, material), start_of_element(c, material)};
+    return 0;
+  });
+  return element;
 }
 
 }  // namespace
@@ -55,18 +79,22 @@ void bind_element(py::module_& module)
     for (const ElementTestInfo& info : element_tests()) names.emplace_back(info.name);
     return names;
   });
-  module.def("element_test", [](const CaseFile& file, const std::string& material, const std::string& test,
-                                 const Stress& stress, bool undrained, const std::vector<Real>& strain,
-                                 const std::vector<Real>& load, int increments, Real duration, Real void_ratio) {
-    ElementTestOptions options{.stress = stress, .undrained = undrained, .strain = strain, .load = load};
-    for (const ElementTestInfo& info : element_tests())
-      if (info.name == test) options.test = &info;
-    options.increments = increments, options.duration = duration;
-    return follow(file, {material}, path_of_test(options), void_ratio);
-  });
-  module.def("element_path",
-      [](const CaseFile& file, const std::string& material, const std::string& name, const std::string& text,
-          const Stress& stress, bool undrained, int increments, Real duration, Real void_ratio) {
+  py::class_<PythonElement>(module, "Element")
+      .def(py::init([](const std::shared_ptr<CaseFile>& file, const std::string& material,
+                        const std::optional<Vec<2>>& place) { return element_of(file, material, place); }))
+      .def_property_readonly("stress", [](const PythonElement& element) { return element.start.stress; })
+      .def("test",
+          [](const PythonElement& element, const std::string& test, const Stress& stress, bool undrained,
+              const std::vector<Real>& strain, const std::vector<Real>& load, int increments, Real duration,
+              Real void_ratio) {
+            ElementTestOptions options{.stress = stress, .undrained = undrained, .strain = strain, .load = load};
+            for (const ElementTestInfo& info : element_tests())
+              if (info.name == test) options.test = &info;
+            options.increments = increments, options.duration = duration;
+            return element.follow(path_of_test(options), void_ratio);
+          })
+      .def("path", [](const PythonElement& element, const std::string& name, const std::string& text,
+                       const Stress& stress, bool undrained, int increments, Real duration, Real void_ratio) {
         const PathFileOptions options{stress, undrained, increments, duration};
         ElementPath path;
         try {
@@ -74,7 +102,7 @@ void bind_element(py::module_& module)
         } catch (const FileError& error) {
           throw CaseError(std::string("error: ") + error.what() + '\n');
         }
-        return follow(file, {material}, path, void_ratio);
+        return element.follow(path, void_ratio);
       });
 }
 

@@ -90,22 +90,26 @@ def _csv_of(path: Mapping) -> str:
 
 def element(case: Case | str | os.PathLike | dict, material: str | None = None, test: str = "triaxial", *,
             strain: float | Sequence[float] | None = None, load: float | Sequence[float] | None = None,
-            path: str | os.PathLike | Mapping | None = None, pressure: float = 100e3, k0: float = 1.0,
-            stress: Sequence[float] | None = None, undrained: bool = False, increments: int | None = None,
-            duration: float = 1000.0, void_ratio: float | None = None) -> ElementTest:
+            path: str | os.PathLike | Mapping | None = None, pressure: float | None = None, k0: float = 1.0,
+            stress: Sequence[float] | None = None, at: tuple[float, float] | None = None, undrained: bool = False,
+            increments: int | None = None, duration: float = 1000.0, void_ratio: float | None = None) -> ElementTest:
     """Drives a material of a case through a test: isotropic, oedometer, triaxial, biaxial or shear.
 
     case: a Case, a file, a text or a dictionary; materials alone will do. material: its name, if there are several.
     strain, load: turning points of what the test drives: strain [-] or stress [Pa], compression positive.
     path: instead of a test, a CSV file or a dictionary of its columns, tension positive (docs/element.md).
-    pressure, k0: vertical effective stress at the start [Pa], and that across over it; stress: instead xx yy zz xy,
-    tension positive. Raises CaseError for what is asked wrongly; warns where the soil does not go all the way."""
+    pressure, k0: vertical effective stress at the start [Pa], and that across over it; without it that of the place
+    or the body, or 100 kPa. stress: instead xx yy zz xy, tension positive. at: x and y of the element in the section
+    [m], where parameters vary.
+    Raises CaseError for what is asked wrongly; warns where the soil does not go all the way."""
     file = _file_of(case)
     names = _core.materials(file)
     if material is None and len(names) > 1:
         raise CaseError(f"the case has several materials: give one of {', '.join(names)}")
     material = names[0] if material is None else material
-    start = list(stress) if stress is not None else [-k0 * pressure, -pressure, -k0 * pressure, 0.0]
+    soil = _core.Element(file, material, at)
+    xx, yy, zz, xy = soil.stress if pressure is None else (-pressure, -pressure, -pressure, 0.0)
+    start = [k0 * xx, yy, k0 * zz, xy] if stress is None else list(stress)
     if len(start) != 4:
         raise CaseError("stress has four components: xx, yy, zz, xy [Pa]")
     e0 = math.nan if void_ratio is None else void_ratio
@@ -113,17 +117,16 @@ def element(case: Case | str | os.PathLike | dict, material: str | None = None, 
         if strain is not None or load is not None:
             raise CaseError("give either a path, or the strain or load of a test")
         is_table = isinstance(path, Mapping)
-        columns, fault = _core.element_path(file, material, "path" if is_table else os.fspath(path),
-                                            _csv_of(path) if is_table else "", start, undrained, increments or 0,
-                                            duration, e0)
+        columns, fault = soil.path("path" if is_table else os.fspath(path),
+                                  _csv_of(path) if is_table else "", start, undrained, increments or 0, duration, e0)
     else:
         if test not in _core.element_tests():
             raise CaseError(f"there is no test `{test}`: give one of {', '.join(_core.element_tests())}")
         if (strain is None) == (load is None):
             raise CaseError("give either strain or load: the turning points of the test")
         points = numpy.atleast_1d(strain if load is None else load).astype(float).tolist()
-        columns, fault = _core.element_test(file, material, test, start, undrained, points if load is None else [],
-                                            points if strain is None else [], increments or INCREMENTS, duration, e0)
+        columns, fault = soil.test(test, start, undrained, points if load is None else [],
+                                  points if strain is None else [], increments or INCREMENTS, duration, e0)
     if fault:
         warnings.warn(f"the soil `{material}` does not follow the path to its end: {fault}", stacklevel=3)
     return ElementTest(material, columns, fault)

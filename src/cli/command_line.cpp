@@ -218,8 +218,13 @@ void declare_element(CLI::App& app, ElementCommand& command)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_option(element, "--pressure P", command.pressure,
-      "vertical effective stress at the start, in Pa or with\nits unit (default: 100 kPa)");
-  add_number(element, "--k0 K", command.k0, 0.0, 100.0, "stress across over it (default 1)");
+      "vertical effective stress at the start, in Pa or with\nits unit (default: the stress of the body, or 100 kPa)");
+  add_number(
+      element, "--k0 K", command.k0, 0.0, 100.0, "stress across over it (default 1); of a body times\nwhat it has");
+  add_number(element, "--at X,Y", command.place, -1e6, 1e6,
+      "place in the section: parameters and stress that vary\nare those there")
+      ->delimiter(',')
+      ->expected(2);
   element->add_flag("--undrained", command.undrained, "pore water cannot leave");
   CLI::Option* strain = add_number(element, "--strain A,B", command.strain, -10.0, 10.0,
       "strain of the test at its turning points: compression,\nor shear angle")

@@ -130,8 +130,9 @@ struct ElementCommand {
   std::vector<std::string> materials;  ///< names; empty: all
   std::string test = "triaxial";       ///< one of element_tests()
   std::string path;                    ///< instead: CSV file
-  std::string pressure = "100 kPa";    ///< vertical effective stress at the start
+  std::string pressure;                ///< vertical effective stress at the start; empty: that of the body, or 100 kPa
   double k0 = 1.0;                     ///< stress across over it [-]
+  std::vector<double> place;           ///< x, y of the element in the section [m]; empty: none
   bool undrained = false;
   std::vector<double> strain;        ///< turning points [-]
   std::vector<std::string> load;     ///< turning points, stresses with units

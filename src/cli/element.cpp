@@ -10,6 +10,7 @@
 #include "io/files/files.hpp"
 #include "io/files/run_folder.hpp"
 #include "math/number_from.hpp"
+#include "model/parts/setup.hpp"
 #include "os/say.hpp"
 #include "page/element_page.hpp"
 #include "page/page.hpp"
@@ -45,16 +46,22 @@ const ElementTestInfo& test_of(const std::string& name)
   return *std::ranges::find(element_tests(), name, &ElementTestInfo::name);
 }
 
-/// Stress at the start: the vertical effective one and k0 of it across.
-std::array<Real, 4> stress_at_start(const ElementCommand& command)
+/// The soil with the stress that it begins with: of its place, of its body, or as the command has it.
+ElementAtPlace start_of(const ElementCommand& command, const Case& c, const MaterialCase& material)
 {
-  const Real vertical = -stress_of("--pressure", command.pressure);
-  return {command.k0 * vertical, vertical, command.k0 * vertical, 0.0};
+  ElementAtPlace found = command.place.empty()
+                             ? ElementAtPlace{element_soil(c, material), start_of_element(c, material)}
+                             : element_at(build_model(c, 1), material, {command.place[0], command.place[1]});
+  if (!command.pressure.empty()) {
+    const Real vertical = -stress_of("--pressure", command.pressure);
+    found.stress = {vertical, vertical, vertical, 0.0};
+  }
+  found.stress[0] *= command.k0, found.stress[2] *= command.k0;
+  return found;
 }
 
-ElementPath path_of(const ElementCommand& command)
+ElementPath path_of(const ElementCommand& command, const std::array<Real, 4>& stress)
 {
-  const std::array<Real, 4> stress = stress_at_start(command);
   if (!command.path.empty()) try {
       return read_path_csv(command.path, {.stress = stress,
                                              .undrained = command.undrained,
@@ -79,9 +86,7 @@ ElementPath path_of(const ElementCommand& command)
 std::string title_of(const ElementCommand& command)
 {
   const std::string what = command.path.empty() ? command.test + " test" : "path of " + command.path;
-  return fmt::format("{}, {}, from {:g} kPa{}", what, command.undrained ? "undrained" : "drained",
-      stress_of("--pressure", command.pressure) / 1e3,
-      command.k0 == 1.0 ? "" : fmt::format(" and {:g} times that across", command.k0));
+  return fmt::format("{}, {}", what, command.undrained ? "undrained" : "drained");
 }
 
 /// "clay below" -> "clay_below.csv"
@@ -114,14 +119,15 @@ void print_table(const std::vector<ElementOnPage>& elements)
 int test_elements(const ElementCommand& command)
 {
   const CaseFile file = read_element_case(command.case_path, command.changes);
-  const ElementPath path = path_of(command);
   const std::string folder =
       command.output.empty() ? default_run_folder(command.case_path) + "_element" : command.output;
   std::vector<ElementOnPage> elements;
   try {
-    for (const MaterialCase* material : materials_of_element(file.values, command.materials))
+    for (const MaterialCase* material : materials_of_element(file.values, command.materials)) {
+      const ElementAtPlace start = start_of(command, file.values, *material);
       elements.push_back({material->name, material->model,
-          follow_path(element_soil(file.values, *material), path, command.void_ratio.value_or(std::nan("")))});
+          follow_path(start.soil, path_of(command, start.stress), command.void_ratio.value_or(std::nan("")))});
+    }
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   }

@@ -60,17 +60,66 @@ def triaxial_by_hand(sand, pressure, strains):
     return np.array(rows).T
 
 
+LOOSE = {**SAND, "cohesion": 1e3, "friction_angle": 32.0, "dilatancy_angle": -8.0, "friction_angle_residual": 30.0,
+         "eta": 90.0}
+
+
+def undrained_by_hand(sand, pressure, strains):
+    """Effective mean stress s', radius t and plastic strain of a plane-strain test at constant volume.
+
+    The flow (1 + s, 0, -(1 - s)) for s = sin(psi) takes 2 s lambda of volume, which the elastic soil gives back; its
+    deviator has the norm sqrt(1 + s^2/3)."""
+    shear, nu = sand["shear_modulus"], sand["poisson_ratio"]
+    plane, radians = shear / (1.0 - 2.0 * nu), math.pi / 180.0  # lame + G
+
+    def step(strain, state, at):  # lambda that the strength at `at` asks for, and what it makes of the state
+        mean, slip, _ = state
+        phi, c = radians * softened(sand, "friction_angle", at), softened(sand, "cohesion", at)
+        s = math.sin(radians * softened(sand, "dilatancy_angle", at))
+        excess = 2.0 * shear * (strain - slip) - c * math.cos(phi) - mean * math.sin(phi)
+        more = max(0.0, excess / (2.0 * shear + 2.0 * plane * s * math.sin(phi)))
+        return more * math.sqrt(1.0 + s * s / 3.0), (mean + 2.0 * plane * s * more, slip + more, at)
+
+    state, rows = (pressure, 0.0, 0.0), []
+    for strain in strains:
+        low, high = state[2], state[2] + 2.0 * strain
+        for _ in range(200):
+            middle = 0.5 * (low + high)
+            more, _ = step(strain, state, middle)
+            low, high = (middle, high) if more > middle - state[2] else (low, middle)
+        state = step(strain, state, low)[1]
+        rows.append((state[0], 2.0 * shear * (strain - state[1]), state[2]))
+    return np.array(rows).T
+
+
 @unittest.skipUnless(_core, "the compiled part of the package was not built")
 class ElementTests(unittest.TestCase):
     def test_a_softening_sand_is_that_of_an_own_integration(self):
-        test = terp.element({"material": {"sand": SAND}}, strain=0.1, pressure=80e3, increments=200)
-        stress, lateral, k = triaxial_by_hand(SAND, 80e3, np.linspace(0.0, 0.1, 201)[1:])
+        for sand, fall in ((SAND, 50e3), (LOOSE, 5e3)):
+            with self.subTest(psi=sand["dilatancy_angle"]):
+                self.drained(sand, fall)
+
+    def drained(self, sand, fall):
+        test = terp.element({"material": {"sand": sand}}, strain=0.1, pressure=80e3, increments=200)
+        stress, lateral, k = triaxial_by_hand(sand, 80e3, np.linspace(0.0, 0.1, 201)[1:])
         np.testing.assert_allclose(-test["stress_yy"][1:], stress, rtol=1e-8)
         across = 0.5 * (test["strain_xx"] + test["strain_zz"])  # of each by itself the stress on the edge says nothing
         np.testing.assert_allclose(across[1:], lateral, rtol=0.0, atol=1e-10)
         np.testing.assert_allclose(test["eps_eq_p"][1:], k, rtol=0.0, atol=1e-10)
-        self.assertGreater(max(stress), stress[-1] + 50e3)  # it softens
+        self.assertGreater(max(stress), stress[-1] + fall)  # it softens
         self.assertEqual(test.fault, "")
+
+    def test_undrained_loose_sand_is_that_of_an_own_integration(self):
+        test = terp.element({"material": {"sand": LOOSE}}, test="biaxial", strain=0.4, pressure=80e3, undrained=True,
+                            increments=400)
+        mean, radius, k = undrained_by_hand(LOOSE, 80e3, np.linspace(0.0, 0.4, 401)[1:])
+        xx, yy = test["stress_xx"][1:], test["stress_yy"][1:]
+        np.testing.assert_allclose(-0.5 * (xx + yy), mean, rtol=1e-8)
+        np.testing.assert_allclose(0.5 * (xx - yy), radius, rtol=1e-8)
+        np.testing.assert_allclose(test["eps_eq_p"][1:], k, rtol=0.0, atol=1e-10)
+        np.testing.assert_allclose(test["pore_pressure"][1:], 80e3 - mean + radius, rtol=1e-8)  # total xx is held
+        self.assertLess(mean[-1], 0.8 * 80e3)  # it gives its pressure to the water ...
+        self.assertLess(abs(mean[-1] - mean[-40]), 1e-3 * mean[-1])  # ... until the critical state
 
     def test_a_path_of_a_table_is_that_of_the_test(self):
         test = terp.element({"material": {"sand": SAND}}, strain=0.04, pressure=80e3, increments=80)

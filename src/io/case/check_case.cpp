@@ -216,7 +216,16 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
           "A file of points has none, so the weight of the soil above a place is not known. Use "
           "initial.stress = \"equilibrium\",\nor give the body as box, polygon or region.",
           "initial", true, {"initial.stress"}});
-  if (stress == InitialStress::none && !weightless && values.water.is_given())
+  bool is_given = false;
+  for (std::size_t k = 0; k < values.bodies.size(); ++k) {
+    if (!values.bodies[k].stress) continue;
+    is_given = true;
+    if (stress != InitialStress::none)
+      findings.problems.push_back({fmt::format("body[{}].stress", k), "two stresses are given for t = 0",
+          "`stress` of a body counts with initial.stress = \"none\". Remove one of the two.", "body.stress", true,
+          {"initial.stress"}});
+  }
+  if (stress == InitialStress::none && !weightless && !is_given && values.water.is_given())
     findings.warnings.push_back({"water", "the soil carries nothing at the start",
         "initial.stress is none: gravity and water fall at once on soil without stress. Give stress = \"equilibrium\" "
         "in [initial],\nor \"k0\" where the ground is level.",
@@ -391,7 +400,9 @@ void set_start(const Node& root, Case& values, Findings& findings)
 {
   const bool weighs = values.forces.gravity != Vec<2>{0.0, 0.0};
   const bool is_dike = values.water.is_given() || values.flood.given;
-  if (!weighs || !is_dike || find_node(root, "initial.stress") != nullptr) return;
+  const bool is_given =
+      std::ranges::any_of(values.bodies, [](const BodyCase& body) { return body.stress.has_value(); });
+  if (!weighs || !is_dike || is_given || find_node(root, "initial.stress") != nullptr) return;
   values.initial.stress = InitialStress::equilibrium;
   findings.notes.push_back(fmt::format("initial.stress: not given; \"equilibrium\", since the case has {}",
       values.water.is_given() ? "water" : "[flood]"));

@@ -3,11 +3,15 @@
 
 #include "io/case/key_table.hpp"
 
+#include "io/case/key_text.hpp"
+#include "io/case/units.hpp"
+#include "io/case/values.hpp"
 #include "mpm/features/side_table.hpp"
 #include "io/case/side_kinds.hpp"
 #include "mpm/schemes/scheme.hpp"
 
 #include <cmath>
+#include <fmt/format.h>
 
 namespace terp {
 namespace {
@@ -25,6 +29,34 @@ Words footing_words() { return {"rough", "smooth"}; }
 
 Words side_words() { return side_kind_words(""); }
 Words contact_words() { return side_kind_words("contact"); }
+
+/// Four numbers xx yy zz xy.
+OwnForm stress_field(std::optional<std::array<Real, 4>>& stress)
+{
+  static constexpr const char* form = "a list of four numbers: xx, yy, zz, xy";
+  const auto read = [&stress](const Entry& entry, Findings& findings) {
+    const auto refuse = [&](const std::string& what) {
+      findings.problems.push_back(
+          {entry.path, what, fmt::format("Allowed: {} in Pa, or with their unit.", form), topic_of(entry.key.path)});
+      return false;
+    };
+    if (entry.node.kind != NodeKind::list || entry.node.items.size() != 4)
+      return refuse(fmt::format("`stress` cannot be {}", describe_value(entry.node)));
+    std::array<Real, 4> values{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::optional<Real> value = number_of(entry.node.items[k], "Pa");
+      if (!value || !std::isfinite(*value))
+        return refuse(fmt::format("`stress` cannot have {}", describe_value(entry.node.items[k])));
+      values[k] = *value;
+    }
+    stress = values;
+    return true;
+  };
+  const auto text = [&stress] {
+    return stress ? fmt::format("[{}, {}, {}, {}]", (*stress)[0], (*stress)[1], (*stress)[2], (*stress)[3]) : "";
+  };
+  return {form, read, text};
+}
 
 std::vector<KeyInfo> frame_keys()
 {
@@ -198,6 +230,12 @@ std::vector<KeyInfo> body_keys()
           .field = [](Case& c, std::size_t i) { return CountOrPair{&c.bodies[i].points_per_cell}; },
           .range = between(1, 100),
           .meaning = "material points along x and y in each cell; one number for both"},
+      {.path = "body[].stress",
+          .field = [](Case& c, std::size_t i) { return stress_field(c.bodies[i].stress); },
+          .unit = "Pa",
+          .meaning = "stress of the body at t = 0, tension positive: xx, yy, zz, xy, effective where its soil stores "
+                     "that. It counts with initial.stress = \"none\"",
+          .default_text = "none"},
       {.path = "body[].velocity",
           .field =
               [](Case& c, std::size_t i) {

@@ -131,7 +131,14 @@ std::vector<KeyInfo> keys_of_law_itself()
       {.path = "material.NAME.symbol",
           .field = [](Case& c, std::size_t i) { return &c.materials[i].library.symbol; },
           .meaning = "name of the function in the library",
-          .default_text = "the usual one of the interface: terp_law; umat_, umat or UMAT; esm_, esm or ESM"},
+          .default_text =
+              "the usual one of the interface: terp_law; umat_, umat or UMAT; esm_, esm or ESM; user_mod_, user_mod, "
+              "User_Mod or USER_MOD"},
+      {.path = "material.NAME.model_number",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].library.model_number; },
+          .range = between(1.0, 1000.0),
+          .meaning = "of a UDSM, whose library may have several laws: the number of this one, iMod",
+          .default_text = "1"},
       {.path = "material.NAME.parameters",
           .field =
               [](Case& c, std::size_t i) {
@@ -152,7 +159,7 @@ std::vector<KeyInfo> keys_of_law_itself()
               },
           .meaning =
               "what each point remembers for the law: STATEV of a UMAT, zero at t = 0 unless a value is given. A "
-              "native library names its own",
+              "native library names its own, a UDSM says how many it has",
           .default_text = "none"},
   };
 }
@@ -320,9 +327,10 @@ void check_components(const Node& root, const std::string& path, LawInterface in
   if (n != 4 && n != 6)
     problems.push_back({join_path(path, "components"), fmt::format("a law cannot have {} components", n),
         "Allowed: 4 of plane strain, or 6.", "library"});
-  else if (n == 6 && interface == LawInterface::native)
-    problems.push_back(
-        {join_path(path, "components"), "a native library has 4 components", "Remove `components`.", "library", true});
+  else if (n == 6 && (interface == LawInterface::native || interface == LawInterface::udsm))
+    problems.push_back({join_path(path, "components"),
+        interface == LawInterface::native ? "a native library has 4 components" : "a UDSM has 6 components in any case",
+        "Remove `components`.", "library", true});
 }
 
 void load_library(const Node& root, const Case& values, MaterialCase& material, std::vector<Problem>& problems)
@@ -332,9 +340,14 @@ void load_library(const Node& root, const Case& values, MaterialCase& material, 
   if (material.library.interface == LawInterface::native && !material.library.kinematics.empty())
     problems.push_back({join_path(path, "kinematics"), "a native library keeps what it needs itself",
         "Remove `kinematics`; a state variable can add up the strain increments.", "library", true});
-  if (material.library.interface == LawInterface::esm && !material.library.kinematics.empty())
-    problems.push_back({join_path(path, "kinematics"), "an ESM has no place for strain or deformation gradient",
+  if (sets_state_in_first_call(material.library.interface) && !material.library.kinematics.empty())
+    problems.push_back({join_path(path, "kinematics"),
+        fmt::format("{} has no place for strain or deformation gradient",
+            material.library.interface == LawInterface::esm ? "an ESM" : "a UDSM"),
         "Remove `kinematics`.", "library", true});
+  if (material.library.interface != LawInterface::udsm && material.library.model_number != 1)
+    problems.push_back({join_path(path, "model_number"), "only a UDSM has laws by number",
+        "Remove `model_number`; `symbol` names another function of a library.", "library", true});
   if (material.library.interface != LawInterface::esm && !std::isnan(material.library.porosity))
     problems.push_back({join_path(path, "porosity"), "only an ESM is told a porosity",
         "Remove `porosity`, or give it as one of the `parameters`.", "library", true});
@@ -357,7 +370,7 @@ void load_library(const Node& root, const Case& values, MaterialCase& material, 
 bool sets_state_in_first_call(const Case& values, const std::string& name)
 {
   return std::ranges::any_of(values.materials, [&](const MaterialCase& m) {
-    return m.called() == name && m.model == "library" && m.library.interface == LawInterface::esm &&
+    return m.called() == name && m.model == "library" && terp::sets_state_in_first_call(m.library.interface) &&
            !m.library.state.empty();
   });
 }
@@ -395,9 +408,10 @@ void check_libraries_of_stage(const Case& before, const Case& now, std::vector<P
     const LibraryCase &a = before.materials[m].library, &b = now.materials[m].library;
     const auto same = [](const NamedNumber& x, const NamedNumber& y) { return x.name == y.name && x.value == y.value; };
     const bool same_porosity = a.porosity == b.porosity || (std::isnan(a.porosity) && std::isnan(b.porosity));
-    if (a.file == b.file && a.interface == b.interface && a.symbol == b.symbol && a.kinematics == b.kinematics &&
-        a.stress_unit == b.stress_unit && a.thread_safe == b.thread_safe && same_porosity &&
-        same_terms(before.materials[m], now.materials[m]) && std::ranges::equal(a.state, b.state, same))
+    if (a.file == b.file && a.interface == b.interface && a.symbol == b.symbol && a.model_number == b.model_number &&
+        a.kinematics == b.kinematics && a.stress_unit == b.stress_unit && a.thread_safe == b.thread_safe &&
+        same_porosity && same_terms(before.materials[m], now.materials[m]) &&
+        std::ranges::equal(a.state, b.state, same))
       continue;
     problems.push_back({join_path("material", now.materials[m].name), "a stage cannot change where a law comes from",
         "Its `parameters` and moduli may change; all else that the law is given is that of the whole run.", "stage.set",

@@ -60,4 +60,11 @@ std::vector<const MaterialCase*> materials_of_element(const Case& c, const std::
   return found;
 }
 
+std::array<Real, 4> start_of_element(const Case& c, const MaterialCase& material)
+{
+  for (const BodyCase& body : c.bodies)
+    if (body.material == material.called() && body.stress) return *body.stress;
+  return {-100e3, -100e3, -100e3, 0.0};
+}
+
 }  // namespace terp

@@ -14,4 +14,7 @@ CaseFile read_element_case_text(
 /// name that the case does not have.
 std::vector<const MaterialCase*> materials_of_element(const Case& c, const std::vector<std::string>& names);
 
+/// Stress with which a soil begins: that of the first of its bodies that gives one, else 100 kPa from all sides.
+std::array<Real, 4> start_of_element(const Case& c, const MaterialCase& material);
+
 }  // namespace terp

@@ -72,8 +72,9 @@ struct BodyCase {
   std::string region;                      ///< of a mesh file: all its cells
   std::string points_file;                 ///< CSV with header x,y,volume,material, relative to the case file
   std::array<Index, 2> points_per_cell{5, 5};
-  Vec<2> velocity{0.0, 0.0};    ///< at t = 0 [m/s]
-  VelocityField velocity_at;    ///< instead of velocity
+  Vec<2> velocity{0.0, 0.0};                  ///< at t = 0 [m/s]
+  VelocityField velocity_at;                  ///< instead of velocity
+  std::optional<std::array<Real, 4>> stress;  ///< at t = 0, xx yy zz xy as its law stores it [Pa]; none: as InitialCase
   StageNumber placed = 0;       ///< by the stage of this number, counted from 1; 0: it is there from the start
   StageNumber removed = never;  ///< dug away by the stage of this number, counted from 1
   bool is_there = true;         ///< in this case: that of a stage, or of the start

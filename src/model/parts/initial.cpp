@@ -101,9 +101,43 @@ bool begins_with_k0(const Case& c)
              (c.water.is_given() || std::ranges::any_of(c.materials, asks_for_it)));
 }
 
-void set_initial_stress(const Model& model, StepState& state)
+namespace {
+
+[[noreturn]] void refuse_placed(std::size_t body)
+{
+  throw InputError(Problem{fmt::format("body[{}].stress", body), "a body that a stage places has no stress at t = 0",
+      "It is placed without stress. Remove `stress`.", "body.stress"});
+}
+
+/// Whether any body gives its stress.
+bool set_given_stress(const Model& model, std::span<const Index> bodies, StepState& state)
+{
+  const std::vector<BodyCase>& cases = model.description.bodies;
+  for (std::size_t b = 0; b < cases.size(); ++b)
+    if (cases[b].stress && cases[b].placed > 0) refuse_placed(b);
+  if (std::ranges::none_of(cases, [](const BodyCase& body) { return body.stress.has_value(); })) return false;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    const BodyCase& body = cases[static_cast<std::size_t>(bodies[id])];
+    if (!body.stress) return;
+    for (int k = 0; k < n_sym<2>; ++k) block.row(Rows::sigma + k)[lane] = (*body.stress)[static_cast<std::size_t>(k)];
+  });
+  return true;
+}
+
+void refuse_wrong_start(const Model& model, const StepState& state, const std::function<bool(std::size_t)>& look)
+{
+  if (std::optional<Problem> wrong = find_wrong_start(model, state, look)) throw InputError(std::move(*wrong));
+}
+
+}  // namespace
+
+void set_initial_stress(const Model& model, std::span<const Index> bodies, StepState& state)
 {
   const Case& c = model.description;
+  if (set_given_stress(model, bodies, state))
+    return refuse_wrong_start(model, state,
+        [&](std::size_t id) { return c.bodies[static_cast<std::size_t>(bodies[id])].stress.has_value(); });
   if (!begins_with_k0(c)) return;
   const bool first_guess = c.initial.stress == InitialStress::equilibrium;
   const Overburden overburden(model, -model.gravity_at(0.0)[1]);
@@ -120,8 +154,7 @@ void set_initial_stress(const Model& model, StepState& state)
     block.row(Rows::sigma + 2)[lane] = k0 * vertical - stored;
   });
   if (first_guess) return;
-  if (std::optional<Problem> wrong = find_wrong_start(model, state, [](std::size_t) { return true; }))
-    throw InputError(std::move(*wrong));
+  refuse_wrong_start(model, state, [](std::size_t) { return true; });
 }
 
 }  // namespace terp

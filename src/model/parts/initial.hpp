@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 
 namespace terp {
 
@@ -19,11 +20,12 @@ Real k0_at(const Case& c, const MaterialCase& material, const PlaceInSoil& place
 /// follows its stress, or a material that gives its k0.
 bool begins_with_k0(const Case& c);
 
-/// InitialStress::k0: effective sigma_yy = weight of soil, free water and permanent loads above, as all of these are at
-/// t = 0, less p_w, effective sigma_xx = sigma_zz = k0 sigma_yy; undrained soil stores them less p_w. None: zero.
-/// A search for equilibrium that begins_with_k0() has the same stress, where all bodies have outlines. Throws
-/// InputError if a law cannot start with the K0 stress.
-void set_initial_stress(const Model& model, StepState& state);
+/// Of bodies that give it: their own stress. InitialStress::k0: effective sigma_yy = weight of soil, free water and
+/// permanent loads above, as all of these are at t = 0, less p_w, effective sigma_xx = sigma_zz = k0 sigma_yy;
+/// undrained soil stores them less p_w. None: zero. A search for equilibrium that begins_with_k0() has the same stress,
+/// where all bodies have outlines. Throws InputError if a law cannot start with its stress. bodies: of the points, by
+/// id.
+void set_initial_stress(const Model& model, std::span<const Index> bodies, StepState& state);
 
 /// The first point whose law cannot start with the stress that it has, among those for which look(id) is true: a
 /// problem with its place. Laws whose strength follows the stress look at it.

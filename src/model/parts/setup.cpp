@@ -430,7 +430,7 @@ StepState seed_soil(Model& model)
   if (model.damping.averaging_time > 0.0) state.with.mean_force.set({std::vector<Vec<2>>(model.mesh->nodes.size())});
   set_point_parameters(model, seeds, state);
   place_first_loads(model, state);
-  set_initial_stress(model, state);
+  set_initial_stress(model, seeds.bodies, state);
   follow_history_points(model, state);
   return state;
 }

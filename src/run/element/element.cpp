@@ -10,7 +10,10 @@
 
 #include "math/errors.hpp"
 #include "math/pack.hpp"
+#include "model/parts/initial.hpp"
+#include "model/soils/overburden.hpp"
 #include "model/soils/point_parameters.hpp"
+#include "model/water/nodal_water.hpp"
 #include "soil/laws/elastic_constants.hpp"
 
 #include <algorithm>
@@ -342,19 +345,16 @@ std::string words_of_fault(const ElementSoil& soil, const ElementLeg& leg, const
 
 }  // namespace
 
-ElementSoil element_soil(const Case& c, const MaterialCase& material)
+namespace {
+
+ElementSoil soil_of(const Case& c, const MaterialCase& material, std::span<const Real> parameters)
 {
-  if (!material.fields.empty()) {
-    const auto& info = material.type()->parameters[material.fields.front().parameter];
-    refuse(parameter_key(material, info.name), "the parameter varies from place to place, and an element has no place",
-        fmt::format("Give its value: --set '{}=VALUE'.", parameter_key(material, info.name)));
-  }
   const MaterialType* plain = find_material(material.model, {}, material.tears());
   ElementSoil soil{.name = material.called(),
       .type = plain != nullptr && plain->by_library ? material.from_library.get() : plain,
       .at_strength = c.at_strength,
       .stores_effective = material.stores_effective()};
-  soil.law = soil.type->make(material.parameters);
+  soil.law = soil.type->make(parameters);
   if (!material.has_excess_pressure()) return soil;
   const Moduli moduli = soil.law->moduli();
   const Real stiffness = std::isnan(material.water_stiffness)
@@ -366,6 +366,37 @@ ElementSoil element_soil(const Case& c, const MaterialCase& material)
             material.undrained_poisson_ratio));
   soil.water_compressibility = 1.0 / stiffness;
   return soil;
+}
+
+}  // namespace
+
+ElementSoil element_soil(const Case& c, const MaterialCase& material)
+{
+  if (!material.fields.empty()) {
+    const auto& info = material.type()->parameters[material.fields.front().parameter];
+    refuse(parameter_key(material, info.name), "the parameter varies from place to place, and an element has no place",
+        fmt::format("Give the element a place, --at X,Y, or the parameter a value: --set '{}=VALUE'.",
+            parameter_key(material, info.name)));
+  }
+  return soil_of(c, material, material.parameters);
+}
+
+ElementAtPlace element_at(const Model& model, const MaterialCase& material, Vec<2> x)
+{
+  const Case& c = model.description;
+  const Overburden overburden(model);
+  const PlaceInSoil place{x, &overburden};
+  const std::optional<Real> ground = overburden.ground(x[0]);
+  if (!ground || x[1] > *ground)
+    throw InputError(Problem{"body", "there is no soil at the place of the element",
+        ground ? fmt::format("The ground at x = {:g} m is at y = {:g} m; got y = {:g} m.", x[0], *ground, x[1])
+               : fmt::format("No body is at x = {:g} m.", x[0]),
+        "body"});
+  const WaterWay way = model.with.water ? first_way(model) : WaterWay{};
+  const WaterSituation& water = situation_of(c.water, way.share > 0.0 ? way.to : way.from);
+  const Real vertical = overburden.effective(x, water), k0 = k0_at(c, material, place, vertical);
+  return {soil_of(c, material, parameters_at(material, *material.type(), place)),
+      {-k0 * vertical, -vertical, -k0 * vertical, 0.0}};
 }
 
 const std::vector<Real>& ElementResult::at(std::string_view name) const

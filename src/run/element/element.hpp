@@ -3,7 +3,7 @@
 // Not for: the paths of laboratory tests (element_tests.hpp).
 #pragma once
 
-#include "model/case/case.hpp"
+#include "model/parts/model.hpp"
 
 #include <memory>
 #include <string>
@@ -24,6 +24,13 @@ struct ElementSoil {
 /// The soil of a material as a point of a run has it, without what a mesh or its neighbours do to softening. Throws
 /// InputError where a parameter varies from place to place.
 ElementSoil element_soil(const Case& c, const MaterialCase& material);
+
+/// The same at a place of the section, with the parameters and the stress that a start with K0 has there.
+struct ElementAtPlace {
+  ElementSoil soil;
+  std::array<Real, 4> stress;  ///< as its law stores it, less the pore pressure of undrained soil of total stress [Pa]
+};
+ElementAtPlace element_at(const Model& model, const MaterialCase& material, Vec<2> x);
 
 enum class Control { strain, stress };
 

@@ -27,7 +27,7 @@ constexpr MaterialType library_type()
 {
   MaterialType type{};
   type.name = "library";
-  type.summary = "a law of your own from a shared library: Abaqus UMAT, ESM of Anura3D, or C";
+  type.summary = "a law of your own from a shared library: Abaqus UMAT, ESM of Anura3D, UDSM of Plaxis, or C";
   type.equations =
       "the library's own: it gets stress, state and strain increment of each point, and returns stress and state\n"
       "plastic work = sigma : (d_eps - C^-1 d_sigma), C of shear_modulus and poisson_ratio      (docs/user_laws.md)\n";

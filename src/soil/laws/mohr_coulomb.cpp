@@ -23,7 +23,11 @@ namespace {
 
 constexpr Real degree = std::numbers::pi / 180.0;
 constexpr Range friction_range = between(0.0, 60.0);
+constexpr Range dilatancy_range = between(-15.0, 60.0);
 constexpr Range usual_friction = between(2.0, 60.0), usual_dilatancy = between(1.0, 60.0);  // less: radians, tangents
+/// What is left of the stiffness of a return, over that without change of volume, where soil that contracts still has
+/// one answer to a strain.
+constexpr Real least_return_stiffness = 0.05;
 
 constexpr ParameterInfo stress_info(std::string_view name, Real typical, std::string_view meaning)
 {
@@ -45,6 +49,14 @@ constexpr ParameterInfo angle_info(std::string_view name, Real typical, std::str
       .meaning = meaning,
       .reduction = Reduction::divide_tangent,
       .may_vary = true};
+}
+
+constexpr ParameterInfo dilatancy_info(std::string_view name, Real typical, std::string_view meaning)
+{
+  ParameterInfo info = angle_info(name, typical, meaning);
+  info.range = dilatancy_range;
+  info.usual = usual_dilatancy;
+  return info;
 }
 
 constexpr ParameterInfo with_default(ParameterInfo info, Real value)
@@ -90,6 +102,7 @@ struct MohrCoulomb {
       "eps_eq_p = sum sqrt(1/2 de_p : de_p), de_p the deviator of the plastic strain         Eq. (6)\n"
       "opening  = volume strain beyond the apex, where all three stresses meet their limit; closes before pressure "
       "returns\n"
+      "psi < 0: the soil contracts; psi_residual = 0 and eta make that end at a critical state (docs/strength.md)\n"
       "phi = psi = 0 is Tresca's law with c = S_u. With [water] drained soil has the pore pressure of its place; give\n"
       "c', phi', stiffness of drained soil and the density of the soil with its water. For total stress in undrained\n"
       "soil: phi = 0, c = S_u and saturated density (docs/methods.md).\n";
@@ -98,18 +111,16 @@ struct MohrCoulomb {
       poisson_ratio_info,
       with_usual(stress_info("cohesion", 8e3, "cohesion c, at its peak"), between(10.0, 1e7)),
       with_usual(angle_info("friction_angle", 30.0, "friction angle phi, at its peak"), usual_friction),
-      with_usual(
-          with_default(
-              angle_info("dilatancy_angle", 8.0, "dilatancy angle psi, at its peak; at most friction_angle"), 0.0),
-          usual_dilatancy),
+      with_default(dilatancy_info("dilatancy_angle", 8.0,
+                       "dilatancy angle psi before softening; negative: the soil contracts; at most friction_angle"),
+          0.0),
       tension_cutoff_info,
       residual_of("cohesion", stress_info("cohesion_residual", 2e3, "cohesion that softening leaves")),
       with_usual(residual_of("friction_angle",
                      angle_info("friction_angle_residual", 25.0, "friction angle that softening leaves")),
           usual_dilatancy),
-      with_usual(residual_of("dilatancy_angle",
-                     angle_info("dilatancy_angle_residual", 0.0, "dilatancy angle that softening leaves")),
-          usual_dilatancy),
+      residual_of(
+          "dilatancy_angle", dilatancy_info("dilatancy_angle_residual", 0.0, "dilatancy angle that softening leaves")),
       eta_info,
   };
   static constexpr std::array state{
@@ -131,7 +142,7 @@ struct MohrCoulomb {
         cohesion{v[6], v[2] - v[6]},
         phi{v[7] * degree, (v[3] - v[7]) * degree},
         psi{v[8] * degree, (v[4] - v[8]) * degree},
-        softening(eta * max(cohesion.drop, max(phi.drop, psi.drop)))
+        softening(eta * max(cohesion.drop, max(phi.drop, abs(psi.drop))))
   {
   }
 
@@ -244,6 +255,7 @@ struct MohrCoulomb {
   }
 
   std::vector<ParameterProblem> check() const;
+  void check_dilatancy(std::vector<ParameterProblem>& problems) const;
   std::vector<ParameterProblem> check_within_point() const;
 
   static constexpr Real tiny = 1e-30;  // keeps 0/0 from soil without friction and from brackets that have closed
@@ -274,10 +286,7 @@ std::vector<ParameterProblem> MohrCoulomb<P>::check() const
     refuse("friction_angle_residual", "the residual friction angle exceeds the peak",
         fmt::format(
             "friction_angle_residual = {}, at most friction_angle = {}.", degrees(phi.residual), degrees(peak(phi))));
-  if (psi.drop < 0.0)
-    refuse("dilatancy_angle_residual", "the residual dilatancy angle exceeds the peak",
-        fmt::format(
-            "dilatancy_angle_residual = {}, at most dilatancy_angle = {}.", degrees(psi.residual), degrees(peak(psi))));
+  check_dilatancy(problems);
   if (peak(psi) > peak(phi) || psi.residual > phi.residual) {
     const bool at_peak = peak(psi) > peak(phi);
     const std::string ending = at_peak ? "" : "_residual";
@@ -290,6 +299,31 @@ std::vector<ParameterProblem> MohrCoulomb<P>::check() const
     refuse("cohesion", "the soil has no strength",
         "cohesion and friction_angle are both 0. Give one of them, or choose model = \"newtonian_fluid\".");
   return problems;
+}
+
+/// Softening takes the dilatancy towards 0, from either side. Soil that contracts loses pressure as it flows, and with
+/// it strength: the stiffness of the return to a plane, and to both edges, must stay positive
+/// (mohr_coulomb_return.hpp).
+template <class P>
+void MohrCoulomb<P>::check_dilatancy(std::vector<ParameterProblem>& problems) const
+{
+  const Real first = psi.residual + psi.drop, last = psi.residual;
+  const auto degrees = [](Real angle) { return fmt::format("{:.6g} deg", angle / degree); };
+  if (first * last < 0.0 || std::abs(last) > std::abs(first))
+    problems.push_back({"dilatancy_angle_residual", "the residual dilatancy angle exceeds the peak",
+        fmt::format("dilatancy_angle_residual = {}, allowed are those from 0 to dilatancy_angle = {}.", degrees(last),
+            degrees(first))});
+  const Real s = std::sin(first), sin_phi = std::sin(phi.residual + std::max(phi.drop, P(0.0)));
+  if (!(s < 0.0)) return;
+  const Real lame = bulk - 2.0 / 3.0 * shear, own = 4.0 * shear + 4.0 * sin_phi * s * (lame + shear),
+             extension = 2.0 * shear * (1.0 - s) * (1.0 - sin_phi) + 4.0 * lame * s * sin_phi,
+             compression = 2.0 * shear * (1.0 + s) * (1.0 + sin_phi) + 4.0 * lame * s * sin_phi;
+  const Real least = std::min({own, (own + extension) / 2.0, (own + compression) / 2.0}) / (4.0 * shear);
+  if (least < least_return_stiffness)
+    problems.push_back({"dilatancy_angle", "the soil contracts too much for its stiffness",
+        fmt::format("With dilatancy_angle = {} a small strain would take all strength at once. Use an angle nearer to "
+                    "0, or a smaller\npoisson_ratio: that of drained soil, 0.2 to 0.35.",
+            degrees(first))});
 }
 
 template <class P>

@@ -6,7 +6,8 @@
 
 namespace terp {
 
-/// Strength at one point. Angles 0 <= psi <= phi < 90 degrees.
+/// Strength at one point. Angles psi <= phi < 90 degrees, phi >= 0; of psi < 0 the stiffness of a plane, and its sum
+/// with that between two planes, is positive.
 template <class R>
 struct MohrCoulombStrength {
   R sin_phi, cos_phi, sin_psi;

@@ -161,10 +161,10 @@ std::optional<LawVariables> describe_library(const FoundLibrary& found, LibraryC
   check_names("state", "state variable", library.state);
   std::optional<LawVariables> said;
   try {
-    said = info_of(library.interface).describe(found.function);
+    said = info_of(library.interface).describe(found.function, library);
   } catch (const InputError& error) {
     const Problem& problem = error.problems().front();
-    refuse("library", problem.what, problem.detail);
+    refuse(problem.key.empty() ? "library" : problem.key, problem.what, problem.detail);
   }
   if (!said) return said;
   for (const Variables* variables : {&said->parameters, &said->state})

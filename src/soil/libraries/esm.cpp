@@ -57,7 +57,7 @@ class EsmCalls final : public FortranCalls {
     esm_(&npt, &noel, &idset, stress, &unloading, &multiplier, dstran, &nstatev, state, &naddvar, additional, name,
         &nprops, props, &phases, &ntens, name_length);
     arrays.check(points);
-    if (!is_plane({stress, std::size_t(n_components_)}, points)) return;
+    if (!is_plane({stress, std::size_t(n_components_)}, stress_unit_, points)) return;
     give_back(stress, state, points);
     was_called = 1.0;
   }

@@ -96,14 +96,15 @@ struct LawVariables {
 /// n_components: of stress and strain, 4 or 6; a native library has 4.
 using MakeLaw = std::unique_ptr<LawCalls>(
     void* symbol, const LibraryCase& library, const std::string& material, int n_components);
-MakeLaw make_native, make_umat, make_esm;
+MakeLaw make_native, make_umat, make_esm, make_udsm;
 
 struct InterfaceInfo {
   std::string_view name;                            ///< in the case file: "umat"
   std::span<const std::string_view> usual_symbols;  ///< that are looked for where none is given
   std::string_view meaning;
   /// What the library says of itself; none: it cannot say anything. Throws InputError with a problem without key.
-  std::optional<LawVariables> (*describe)(void* symbol);
+  /// A UDSM says how many state variables there are, which `library` then has.
+  std::optional<LawVariables> (*describe)(void* symbol, LibraryCase& library);
   MakeLaw* make;
 };
 

@@ -11,7 +11,13 @@
 namespace terp {
 
 /// How the functions of a library are called: the entries of the table in interfaces.cpp, in their order.
-enum class LawInterface { native, umat, esm };
+enum class LawInterface { native, umat, esm, udsm };
+
+/// Whether the law sets the state of a point in the first call for it.
+constexpr bool sets_state_in_first_call(LawInterface interface)
+{
+  return interface == LawInterface::esm || interface == LawInterface::udsm;
+}
 
 struct NamedNumber {
   std::string name;  ///< empty: it has none
@@ -22,6 +28,7 @@ struct LibraryCase {
   std::string file = {};  ///< relative to the case file
   LawInterface interface = LawInterface::native;
   std::string symbol = {};                   ///< empty: the usual one of the interface
+  Index model_number = 1;                    ///< of a UDSM: which law of the library
   std::vector<NamedNumber> parameters = {};  ///< what the library is given, in this order
   std::vector<NamedNumber> state = {};  ///< names and values at t = 0; of a native library: values that replace its own
   std::vector<std::string> kinematics = {};  ///< of `strain`, `deformation_gradient`: kept for laws that look at them

@@ -182,7 +182,7 @@ void ask_in_copy(void* symbol)
 
 }  // namespace
 
-std::optional<LawVariables> describe_native(void* symbol)
+std::optional<LawVariables> describe_native(void* symbol, LibraryCase&)
 {
   ask_in_copy(symbol);
   LawVariables said = variables_of(symbol);

@@ -137,7 +137,7 @@ class UmatCalls final : public FortranCalls {
       const Real answer = call(points, arrays, point, done, part, stress);
       if (points.failed) return;
       if (answer >= 1.0) {
-        if (!is_plane({stress, std::size_t(n_components_)}, points)) return;
+        if (!is_plane({stress, std::size_t(n_components_)}, stress_unit_, points)) return;
         if (point.knows_gradient) point.gradient = moved(point, part);
         for (int k = 0; k < n_tens; ++k) point.strain[k] += part * point.d_strain[k];
         done = is_last ? 1.0 : done + part;

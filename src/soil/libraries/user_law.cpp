@@ -64,7 +64,7 @@ void add_state(const LibraryCase& library, const SaidOfState& said, UserLaw& law
         .initial = initial,
         .shown = false});
   };
-  if (library.interface == LawInterface::esm) add_kept("law_was_called", 0.0);
+  if (sets_state_in_first_call(library.interface)) add_kept("law_was_called", 0.0);
   if (keeps(library, "strain"))
     for (const char* name : {"law_strain_xx", "law_strain_yy", "law_strain_zz", "law_strain_xy"}) add_kept(name, 0.0);
   if (keeps(library, "deformation_gradient")) {

@@ -114,6 +114,20 @@ TEST(Reader, FillsBodiesAndMaterials)
   EXPECT_THAT(c.materials[1].parameters, ElementsAre(1.0e9, 0.25));
 }
 
+TEST(Reader, ABodyMayHaveItsStressAtTheStartInNumbers)
+{
+  const std::string with = small_case + "[forces]\ngravity = [0.0, -9.81]\n[flood]\nwater_level = 1.0\n";
+  const auto read = [&](const std::string& stress) {
+    std::string text = with;
+    text.replace(text.find("[[body]]"), 8, "[[body]]\nstress = " + stress);
+    return read_case_text(text, "case.toml");
+  };
+  const CaseFile file = read("[-5e3, \"-10 kPa\", -5e3, 125]");
+  ASSERT_TRUE(file.values.bodies[0].stress);
+  EXPECT_THAT(*file.values.bodies[0].stress, ElementsAre(-5e3, -10e3, -5e3, 125.0));
+  EXPECT_EQ(file.values.initial.stress, InitialStress::none) << "the flood does not ask for another";
+}
+
 TEST(Reader, StartsAtRestWhereThereIsWaterAndGravity)
 {
   const auto start = [](const std::string& more) {

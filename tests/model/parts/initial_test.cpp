@@ -12,6 +12,29 @@ TEST(InitialStress, NoneStartsWithoutStress)
     EXPECT_EQ(p.sigma, (std::array<Real, 4>{}));
 }
 
+TEST(InitialStress, IsThatOfTheBodyWhereItGivesOne)
+{
+  Case c = confined_box(InitialStress::none);
+  const std::string material = c.bodies[0].material;
+  c.bodies = {body(material, {0.0, 0.0}, {2.0, 1.5}), body(material, {2.0, 0.0}, {4.0, 1.5})};
+  c.bodies[1].stress = {-5e3, -10e3, -4e3, 250.0};
+  for (const Point& p : points_by_id(Simulation(c).state))
+    EXPECT_EQ(p.sigma, (p.x[0] > 2.0 ? *c.bodies[1].stress : std::array<Real, 4>{}));
+  c.bodies[1].placed = 1;
+  EXPECT_THAT(
+      refusal<InputError>([&] { Simulation s(c); }), HasSubstr("a body that a stage places has no stress at t = 0"));
+}
+
+TEST(InitialStress, OfABodyMustBeOneThatItsLawAdmits)
+{
+  Case c = confined_box(InitialStress::none);
+  c.materials[0] = {c.materials[0].name, "modified_cam_clay", 2000.0, {25.0, 0.3, 0.05, 1.8, 0.2, 20e3, 100e3, 1e3}};
+  c.bodies[0].stress = {-10e3, -10e3, -10e3, 0.0};
+  Simulation admitted(c);
+  c.bodies[0].stress = {-60e3, -60e3, -60e3, 0.0};
+  EXPECT_THAT(refusal<InputError>([&] { Simulation s(c); }), HasSubstr("yield_stress"));
+}
+
 TEST(InitialStress, K0IsOfTheEffectiveStressAndOfEachMaterial)
 {
   for (const Drainage drainage : {Drainage::drained, Drainage::undrained}) {

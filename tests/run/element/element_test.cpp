@@ -128,6 +128,23 @@ TEST(Element, UndrainedShearOfSandIsTheStrengthOfItsMeanStress)
   EXPECT_NEAR(last(result, "stress_yy") - last(result, "pore_pressure"), -100e3 - strength, 1e-8 * strength);
 }
 
+TEST(Element, UndrainedSandThatContractsGivesItsPressureToTheWater)
+{
+  const Real shear = 4e6, plane = shear / 0.4, pressure = 100e3, c = 5e3, s = 0.5, cos_phi = std::sqrt(0.75);
+  const Real d = std::sin(-6.0 * std::numbers::pi / 180.0);
+  const ElementResult result = tested(
+      sand(c, 30.0, -6.0), "biaxial", {.stress = pressed, .undrained = true, .strain = {0.03}, .increments = 60});
+  for (std::size_t i = 0; i <= 60; ++i) {
+    const Real strain = 0.0005 * static_cast<Real>(i);
+    const Real slip =
+        std::max(0.0, (2.0 * shear * strain - c * cos_phi - s * pressure) / (2.0 * shear + 2.0 * s * d * plane));
+    const Real mean = pressure + 2.0 * plane * d * slip, radius = 2.0 * shear * (strain - slip);
+    EXPECT_NEAR(-0.5 * (result.at("stress_xx")[i] + result.at("stress_yy")[i]), mean, 1e-8 * pressure) << i;
+    EXPECT_NEAR(result.at("pore_pressure")[i], pressure - mean + radius, 1e-8 * pressure) << i;
+  }
+  EXPECT_LT(-0.5 * (result.at("stress_xx").back() + result.at("stress_yy").back()), 0.6 * pressure);
+}
+
 TEST(Element, SoftClayInShearFollowsItsStrength)
 {
   const MaterialCase material = soil("tresca_softening", {2e6, 0.48, 8e3, 2e3, 50.0}, Drainage::undrained);

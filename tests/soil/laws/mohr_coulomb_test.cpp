@@ -208,7 +208,9 @@ std::vector<Soil> various_soils()
   cut.cutoff = 500.0;
   return {Soil{}, softening_soil(), steep, cut, {.c = 0.0, .psi = 0.0, .c_residual = 0.0, .psi_residual = 0.0},
       {.c = 0.0, .phi = 40.0, .psi = 12.0, .c_residual = 0.0, .phi_residual = 32.0, .psi_residual = 0.0, .eta = 100.0},
-      {.nu = 0.0, .psi = 30.0, .psi_residual = 30.0}, {.nu = 0.49, .psi = 0.0, .cutoff = 0.0, .psi_residual = 0.0}};
+      {.nu = 0.0, .psi = 30.0, .psi_residual = 30.0}, {.nu = 0.49, .psi = 0.0, .cutoff = 0.0, .psi_residual = 0.0},
+      {.nu = 0.25, .psi = -15.0, .c_residual = 2e3, .psi_residual = 0.0, .eta = 40.0},  // it contracts
+      {.c = 0.0, .psi = -8.0, .c_residual = 0.0, .psi_residual = -8.0}};
 }
 
 TEST(MohrCoulomb, EndsEveryStepOnOrInsideTheSurfaceOfItsOwnStrainAndDissipates)
@@ -327,7 +329,14 @@ TEST(MohrCoulombCheck, RefusesWhatNoSoilIs)
           "friction_angle_residual = 31 deg, at most friction_angle = 30 deg.")));
   EXPECT_THAT(problems_of({.psi_residual = 11.0}),
       ElementsAre(problem("dilatancy_angle_residual", "the residual dilatancy angle exceeds the peak",
-          "dilatancy_angle_residual = 11 deg, at most dilatancy_angle = 10 deg.")));
+          "dilatancy_angle_residual = 11 deg, allowed are those from 0 to dilatancy_angle = 10 deg.")));
+  EXPECT_THAT(problems_of({.psi = -5.0, .psi_residual = 1.0}),
+      ElementsAre(problem("dilatancy_angle_residual", "the residual dilatancy angle exceeds the peak",
+          "dilatancy_angle_residual = 1 deg, allowed are those from 0 to dilatancy_angle = -5 deg.")));
+  EXPECT_THAT(problems_of({.nu = 0.45, .psi = -15.0, .psi_residual = 0.0}),
+      ElementsAre(problem("dilatancy_angle", "the soil contracts too much for its stiffness",
+          "With dilatancy_angle = -15 deg a small strain would take all strength at once. Use an angle nearer to 0, or "
+          "a smaller\npoisson_ratio: that of drained soil, 0.2 to 0.35.")));
   EXPECT_THAT(
       problems_of({.c = 0.0, .phi = 0.0, .psi = 0.0, .c_residual = 0.0, .phi_residual = 0.0, .psi_residual = 0.0}),
       ElementsAre(problem("cohesion", "the soil has no strength",
