@@ -66,6 +66,9 @@ target_include_directories(terp_io SYSTEM PRIVATE ${HDF5_INCLUDE_DIRS})
 add_layer(import LEFT io LIBRARIES ${ZIP_LIBRARY})
 add_layer(page LEFT io)
 add_layer(batch LEFT page LIBRARIES ${CMAKE_DL_LIBS})
+if(EMSCRIPTEN)  # Boost 1.74 takes libc++ to have std::unary_function; clang 19 fails on its long double, which is slow
+  target_compile_definitions(terp_batch PRIVATE BOOST_NO_CXX98_FUNCTION_BASE BOOST_MATH_NO_LONG_DOUBLE_MATH_FUNCTIONS)
+endif()
 set(TERP_LAYERS math os soil mpm model run io import page batch)
 
 # All of them, for whoever wants Terp and not a layer: the program, the module of Python, a program elsewhere.
