@@ -9,11 +9,13 @@ TERP     = $(BUILD)/terp
 CASES    = cases/column_collapse
 VERSION  = $(shell sed -n 's|^project.terp VERSION \([0-9.]*\) .*|\1|p' CMakeLists.txt)
 WINDOWS  = $(abspath $(BUILD))/windows
+BROWSER  = $(abspath $(BUILD))/browser
+EMSCRIPTEN = $(CURDIR)/build/browser/emscripten
 ZIP      = $(BUILD)/terp_$(VERSION)_windows_x86_64.zip
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test test-long package windows wheel test-web vtk verify verify-paper kill
+.PHONY: help install build demo test test-long package windows browser wheel test-web vtk verify verify-paper kill
 .PHONY: physics test-cluster fuzz sanitize lint accept clean
 
 help:            ## this list
@@ -61,6 +63,16 @@ windows: build   ## a zip with terp.exe for Windows, compiled by mingw-w64 and t
 	@tools/package_windows $(WINDOWS)/terp/terp.exe $(WINDOWS)/libraries $(ZIP)
 	@tests/windows/check_windows.py $(ZIP) $(WINDOWS)/terp/check_system.exe $(TERP)
 
+browser: install ## terp.html: the solver in one page of a browser, by Debian 13's emscripten (docs/browser.md)
+	@tools/install-dependencies --browser
+	@tools/build_browser_libraries $(EMSCRIPTEN) $(BROWSER)/libraries
+	@cmake -S . -B $(BROWSER)/program -G Ninja -DCMAKE_TOOLCHAIN_FILE=$(CURDIR)/cmake/browser.cmake \
+	   -DTERP_EMSCRIPTEN=$(EMSCRIPTEN) -DTERP_BROWSER_LIBRARIES=$(BROWSER)/libraries >/dev/null
+	@cmake --build $(BROWSER)/program --target terp
+	@cd web && { [ -e node_modules/.terp-lock ] || npm ci --silent; } && npm run --silent build:solver
+	@node web/solver/assemble.mjs $(BROWSER)/program/terp.js $(BROWSER)/program/terp.wasm web/dist/index.html \
+	   web/dist/solver/solver.html $(VERSION) $(BROWSER)/terp.html
+
 wheel: build     ## a wheel of the Python package with its compiled part
 	@packaging/make_wheel $(BUILD)
 
@@ -73,7 +85,7 @@ physics: build   ## the table of sound physics: rest, slides, energy; ARGS="--se
 test-web: build  ## the report page: unit tests, and end-to-end tests in Chromium on runs of the program
 	@tools/install-dependencies --web
 	@cd web && { [ -e node_modules/.terp-lock ] || npm ci --silent; } && npm run --silent build && npm test \
-	   && TERP=$(abspath $(TERP)) npm run test:e2e
+	   && TERP=$(abspath $(TERP)) TERP_HTML=$(BROWSER)/terp.html npm run test:e2e
 
 vtk: install     ## read results with VTK 9.3 and the newest: Debian 13 and sid, 2.5 GB in build/vtk
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null

@@ -63,6 +63,9 @@ endfunction()
 # So that a shared library, as a module of Python, can hold Terp. Calls within it stay direct: nobody replaces a
 # function of Terp from outside.
 function(position_independent target)
+  if(EMSCRIPTEN)  # one program, which calls what it has at fixed places
+    return()
+  endif()
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 endfunction()

@@ -6,6 +6,9 @@ option(TERP_PAGE "Build the report page (web/) and put it into the program; need
 
 # Adds the page, or an empty line in its place, to a target.
 function(add_page target)
+  if(EMSCRIPTEN)  # the page that runs it has the template (src/page/page_template_wasm.cpp)
+    return()
+  endif()
   find_program(TERP_NPM npm)
   find_program(TERP_NODE node)
   set(page ${PROJECT_BINARY_DIR}/page/page.html)

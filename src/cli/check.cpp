@@ -30,6 +30,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <set>
 
 namespace terp {
@@ -81,10 +82,10 @@ void check_picture(const std::string& path)
           path, std::filesystem::path(path).replace_extension(".svg").string())));
 }
 
-void write_picture(const std::string& path, const Model& model, const State& state)
+void write_picture(const std::string& path, const Model& model, const State& state, bool tells)
 {
   write_file_atomically(path, draw_section(model, state));
-  say("picture in {}\n", path);
+  if (tells) say("picture in {}\n", path);
 }
 
 std::string count(std::int64_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
@@ -339,6 +340,48 @@ void print_check(const CaseFile& file, Simulation& simulation, const RunOptions&
   say("nothing was run\n");
 }
 
+/// What speaks against an imported section, by language.
+nlohmann::ordered_json doubts_json(const CaseFile& file)
+{
+  nlohmann::ordered_json json;
+  for (const auto& [language, key] : {std::pair{"en", "reference.doubts"}, {"nl", "reference.doubts_nl"}}) {
+    json[language] = nlohmann::ordered_json::array();
+    if (const Node* const doubts = find_node(file.source.root, key))
+      for (const Node& doubt : doubts->items) json[language].push_back(doubt.text);
+  }
+  return json;
+}
+
+/// The numbers and names of print_check, for a program.
+std::string check_json(const CaseFile& file, Simulation& simulation)
+{
+  using Json = nlohmann::ordered_json;
+  const Model& model = simulation.model;
+  const State& state = simulation.state;
+  Json bodies = Json::array(), sides = Json::array();
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    bodies.push_back({{"name", file.values.bodies[b].name}, {"material", model.bodies[b].material},
+        {"area", model.bodies[b].area}, {"points", model.bodies[b].n_points}});
+  for (const NamedSide& side : model.mesh->sides)
+    sides.push_back({{"name", side.name}, {"condition", describe(condition_of(model.description, side.name))},
+        {"length", shape_of_side(*model.mesh, side).length}});
+  Json flood = nullptr;
+  if (const FloodLevel& level = model.flood_level; level.is_known())
+    flood = {{"level", level.value}, {"origin", level.origin},
+        {"river", !level.river ? Json(nullptr) : Json(*level.river == Facing::left ? "left" : "right")}};
+  const OutputCost cost = estimate_output(model, state);
+  Json json{{"title", file.values.title.empty() ? file.values.name : file.values.title}, {"scheme", file.values.scheme},
+      {"cells", model.mesh->n_cells()}, {"cell_size", measure_quality(*model.mesh).median_altitude},
+      {"cells_of_soil", state.points.occupied().size()}, {"points", state.points.n_points()},
+      {"mass", total_mass(state)}, {"bodies", bodies}, {"sides", sides}, {"doubts", doubts_json(file)},
+      {"read_as", std::set<std::string>(file.notes.begin(), file.notes.end())}, {"time_step", model.dt},
+      {"steps", model.n_steps}, {"may_end_early", may_end_early(file.values)}, {"end", file.values.time.end},
+      {"flood", flood}, {"memory_bytes", bytes_of(model, state)}, {"disk_bytes", cost.bytes},
+      {"threads", model.threads}};
+  json["expected_s"] = seconds_of_steps(model, time_a_step(simulation)) + cost.seconds;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
 
 int check_case(const RunOptions& options)
@@ -350,9 +393,11 @@ int check_case(const RunOptions& options)
     Simulation simulation(file.values, threads_of(options));
     warn_of_missing_threads(options, simulation.model.threads);
     say(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
-    if (!options.picture.empty()) write_picture(options.picture, simulation.model, simulation.state);
+    if (!options.picture.empty()) write_picture(options.picture, simulation.model, simulation.state, !options.json);
     if (options.quiet)
       time_a_step(simulation);  // a run that would stop itself is told all the same
+    else if (options.json)
+      say("{}", check_json(file, simulation));
     else
       print_check(file, simulation, options);
     return solved;

@@ -302,6 +302,7 @@ void declare_guides(CLI::App& app, CommandLine& line)
   add_option(check, "--profile X,X", line.options.profiles,
       "strength, stiffness and vertical stress with depth,\nat each x in m; default: a few, where a strength varies")
       ->delimiter(',');
+  check->add_flag("--json", line.options.json, "the same for a program");
   CLI::App* explain = add_command(app, "explain", "Understand", "a key, material or scheme: meaning, unit, range",
       "  terp explain mesh.cell\n  terp explain tresca_softening\n");
   add_option(explain, "TOPIC", line.topic, "key or section of the case file, or a name of terp list")->required();

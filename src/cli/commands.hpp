@@ -32,7 +32,7 @@ struct RunOptions {
   int threads = 0;                   ///< 0: what this job may use
   bool force = false, quiet = false, verbose = false;
   long steps = 100, warm_steps = 50;  ///< of bench: in each of five trials, and before them
-  bool json = false, score = false;   ///< of bench
+  bool json = false, score = false;   ///< of check and bench, of bench
   bool report = false;                ///< write the page of the run at its end
   bool exact_fields = false;          ///< of run: fields of the frames in double precision
   std::string language = "en";        ///< of that page

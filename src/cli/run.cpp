@@ -1,123 +1,32 @@
-// New runs, resumed ones, and those that begin with another run differ only in how their simulation comes about. Then
-// all use solve(). All tests of the case come first; only then does RunWriter touch earlier results. A resumed run is
-// built with its first time.end, to which its time step belongs; then the end is moved. The record in a checkpoint says
-// what the run began with; the case file beside it must agree, but for a few keys.
+// New runs, resumed ones, and those that begin with another run differ only in how their simulation comes about; then
+// all are a StartedRun. All tests of the case come first; only then does RunWriter touch earlier results. A resumed run
+// is built with its first time.end, to which its time step belongs; then the end is moved. The record in a checkpoint
+// says what the run began with; the case file beside it must agree, but for a few keys.
 
-#include "cli/commands.hpp"
-#include "cli/cost.hpp"
+#include "cli/started_run.hpp"
 #include "run/measure/followers.hpp"
-#include "io/case/case_file.hpp"
 #include "io/case/case_record.hpp"
 #include "io/case/printable.hpp"
 #include "io/files/checkpoint.hpp"
-#include "io/files/mesh_file.hpp"
-#include "io/files/run_writer.hpp"
 #include "io/files/summary_json.hpp"
-#include "io/files/summary_keeper.hpp"
 #include "os/instructions.hpp"
-#include "cli/progress.hpp"
 #include "model/parts/initial.hpp"
-#include "run/rest/no_equilibrium.hpp"
 #include "run/loop/other_run.hpp"
 #include "run/loop/simulation.hpp"
-#include "model/soils/softening_scales.hpp"
 #include "run/loop/stages.hpp"
 #include "mpm/step/state_arrays.hpp"
-#include "mpm/step/passes.hpp"
-#include "mpm/step/workspace.hpp"
 #include "run/report/state_image.hpp"
-#include "os/stop.hpp"
-#include "os/terminal.hpp"
 #include "run/findings/setup_warnings.hpp"
 #include "os/say.hpp"
+#include "math/number_from.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 
 namespace terp {
 namespace {
-
-std::string optional_number(const std::optional<Real>& value, const char* unit)
-{
-  return value ? fmt::format("{:.3g} {}", *value, unit) : std::string("-");
-}
-
-void print_summary(const Summary& s, const Model& model, const std::string& folder)
-{
-  say("solved in {}: {} points, {} steps of {:.4g} s, {:.1f} M point-steps/s on {} thread{}\n",
-      readable_duration(s.wall_s), s.n_points, s.n_steps, s.dt, s.point_steps_per_s / 1e6, s.threads,
-      s.threads == 1 ? "" : "s");
-  if (s.search_steps > 0)
-    say("  equilibrium      found in {} steps, {} of that time\n", s.search_steps, readable_duration(s.search_s));
-  if (s.at_strength != 1.0) say("  strengths        divided by {:g}\n", s.at_strength);
-  if (s.flood) say("  water            {}\n                   {}\n", flood_clause(*s.flood) + '.', flood_caution);
-  if (s.flood && s.flood->ravelled_volume.value_or(0.0) > 0.0)
-    say("  ravelled         {:.1f} m^2, from at most {:.1f} m below the ground\n", *s.flood->ravelled_volume,
-        s.flood->ravelled_depth.value_or(0.0));
-  say("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("x = {:.2f} m", s.front_x) : "-");
-  say("  crest            {}\n", s.crest_x ? fmt::format("x = {:.2f} m", *s.crest_x) : "-");
-  say("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
-  if (s.max_eps_eq_p) say("  largest eps_eq_p {:.3g}\n", *s.max_eps_eq_p);
-  const Real most = s.max_eps_eq_p.value_or(0.0);
-  if (softens_point_by_point(model) && most > s.softened_strain.value_or(most))
-    say("  softening        no length, no reference width: the result depends on the cells (docs/convergence.md)\n");
-  say("  energy balance   {:.2g} % of the energy from outside is unexplained\n", 100.0 * s.unexplained_energy);
-  for (const FootingSummary& f : s.footings)
-    say("  {:<16} reaction {:.4g} kN/m, {:.4g} kN/m up, at the end; largest against its motion {:.4g} kN/m\n",
-        printable(f.name), f.reaction[0] / 1e3, f.reaction[1] / 1e3, f.largest / 1e3);
-  for (const StageSummary& stage : s.stages) {
-    const StageRecord& r = stage.record;
-    say("  {:<16} {:.4g} to {:.4g} s, {} steps{}\n", stage.name.empty() ? "end" : "stage " + stage.name, r.start, r.end,
-        r.steps,
-        r.known_for > 0.0          ? ", " + why_known(r)
-        : r.at_rest                ? std::string(", at rest")
-        : std::isfinite(r.fastest) ? fmt::format(", not at rest: fastest node {:.2g} m/s", r.fastest)
-                                   : "");
-  }
-  say("  points lost: 0; put back at walls: {}; left through open sides: {}\n", s.clamped_points, s.points_left);
-  say("results in {}\n", folder);
-}
-
-std::string resume_command(const std::string& folder, const RunOptions& options)
-{
-  return fmt::format("terp resume {}{}", folder, options.report ? " --report" : "");
-}
-
-/// What to do when a file of the run cannot be written; earlier results are as they were.
-std::string hint_to_go_on(const std::string& folder, const RunOptions& options)
-{
-  try {
-    const CheckpointSearch found = newest_good_checkpoint(folder);
-    if (!found.image)
-      return "\n  No checkpoint was written yet. Make room on the disk, or mend what is told above, then give the same "
-             "command with --force.";
-    return fmt::format(
-        "\n  Earlier results are intact, up to the checkpoint at t = {:.4g} s. Make room on the disk, or mend what is "
-        "told above, then go on with:\n  {}",
-        found.image->time, resume_command(folder, options));
-  } catch (const FileError&) {
-    return "";  // the folder is gone
-  }
-}
-
-bool has_failed_library(const Model& model)
-{
-  return std::ranges::any_of(model.materials, [](const SoilMaterial& soil) { return !soil.law->fault().empty(); });
-}
-
-/// How to go on with a corrected library or case.
-std::string hint_for_library(const std::string& folder)
-{
-  const CheckpointSearch found = newest_good_checkpoint(folder);
-  if (!found.image) return "  left     no checkpoint was written yet: begin anew with the corrected library or case";
-  return fmt::format(
-      "  left     the checkpoint at t = {:.4g} s; with a corrected library or case go on from it:\n"
-      "           terp run CASE.toml --from {} -o NEW_FOLDER (docs/user_laws.md#when-the-law-fails)",
-      found.image->time, folder);
-}
 
 /// What the summary of a run says; as of a run that has not begun where it cannot be read.
 Summary summary_so_far(const std::string& folder)
@@ -143,63 +52,7 @@ std::string instructions_after(const std::string& before)
   return before + ", " + now;
 }
 
-/// False of a run of a set, which says for itself what was done.
-bool is_alone(const RunOptions& options) { return options.part == nullptr; }
-
-/// Solves, and leaves a summary however the run ends.
-int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, const std::string& folder)
-{
-  listen_for_stop();
-  const PartOfSet part = options.part != nullptr ? *options.part : PartOfSet{};
-  ProgressLine progress(options.quiet, part.label, part.later_s);
-  const Model& model = simulation.model;
-  const State& state = simulation.state;
-  try {
-    MeshWriter mesh(folder, writer.frames_of_mesh(), model, state);
-    SummaryKeeper keeper(model, state, writer);
-    simulation.observers = {&writer, &mesh, &keeper, &progress};
-    if (part.observer != nullptr) simulation.observers.push_back(part.observer);
-    writer.summary(summarise(model, state), false);  // also names the case for `resume`
-    const Outcome outcome = simulation.run(stop_requested);
-    progress.finish();
-    Summary summary = summarise(model, state);
-    for (int pass = 0; pass < n_passes; ++pass)
-      summary.passes.push_back({pass_names[pass], simulation.work.seconds[pass]});
-    writer.summary(summary, outcome == Outcome::finished);
-    if (outcome == Outcome::interrupted) {
-      if (is_alone(options))
-        say("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  {}\n", state.time, state.step,
-            resume_command(folder, options));
-      return failed;
-    }
-    if (!options.quiet && is_alone(options)) print_summary(summary, model, folder);
-    warn_of(summary, model, folder);
-    if (const std::string overload = describe_overload(model, state); !overload.empty())
-      say(stderr, "warning: {}: {}\n", folder, overload);
-    if (options.at_end) options.at_end(simulation);
-    if (options.verbose) print_passes(simulation.work);
-    return solved;
-  } catch (const RunError& error) {
-    progress.finish();
-    if (part.fault != nullptr) *part.fault = error.what();
-    if (part.slides != nullptr) *part.slides = dynamic_cast<const SlidesAsDrawn*>(&error) != nullptr;
-    if (is_alone(options)) say(stderr, "error: {}\n", error.what());
-    writer.summary(summarise(model, state), false);
-    if (is_alone(options) && has_failed_library(model)) say(stderr, "{}\n", hint_for_library(folder));
-    return stopped_itself;
-  } catch (const FileError& error) {
-    progress.finish();
-    throw FileError(error.what() + hint_to_go_on(folder, options));
-  }
-}
-
-int solve_and_show(Simulation& simulation, RunWriter& writer, const RunOptions& options, const std::string& folder)
-{
-  const int status = solve(simulation, writer, options, folder);
-  if (options.report && status == solved)
-    report_runs({.runs = {folder}, .output = path_in(folder, report_file), .language = options.language});
-  return status;
-}
+constexpr Real never_ends = std::numeric_limits<Real>::infinity();
 
 /// A run folder, from a folder or from the path of one of its checkpoints.
 std::string run_folder_of(const std::string& path)
@@ -276,7 +129,7 @@ State restore_from(const std::string& path, const Model& model, const StateImage
 Case with_first_end(Case description, const StateImage& image)
 {
   const std::string text = value_in_record(image.case_record, "time.end");
-  std::from_chars(text.data(), text.data() + text.size(), description.time.end);  // where there is none, it is left
+  from_chars(text.data(), text.data() + text.size(), description.time.end);  // where there is none, it is left
   return description;
 }
 
@@ -407,7 +260,11 @@ Simulation begin(const CaseFile& file, const RunOptions& options)
 
 }  // namespace
 
-int run_case(const RunOptions& options)
+int run_case(const RunOptions& options) { return *start_run(options)->go_on(never_ends); }
+
+int resume_run(const RunOptions& options) { return *start_resumed_run(options)->go_on(never_ends); }
+
+std::unique_ptr<StartedRun> start_run(const RunOptions& options)
 {
   std::vector<std::string> changes = options.changes;
   if (!options.at_strength.empty()) changes.push_back("at_strength=" + options.at_strength);
@@ -416,20 +273,21 @@ int run_case(const RunOptions& options)
   file.run = folder;
   if (is_alone(options)) say(stderr, "{}", render_warnings(file));
   try {
-    Simulation simulation = begin(file, options);
+    auto run = std::make_unique<StartedRun>(options, file, folder, [&] { return begin(file, options); });
+    const Simulation& simulation = run->simulation;
     warn_of_missing_threads(options, simulation.model.threads);
     if (is_alone(options)) say(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
-    const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
-                                             record_text(make_case_record(file, *simulation.model.mesh)), file.inputs,
-                                             all_tables(), options.exact_fields},
-        options.force);
-    return solve_and_show(simulation, *writer, options, folder);
+    run->write_to(RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
+                                       record_text(make_case_record(file, *simulation.model.mesh)), file.inputs,
+                                       all_tables(), options.exact_fields},
+        options.force));
+    return run;
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   }
 }
 
-int resume_run(const RunOptions& options)
+std::unique_ptr<StartedRun> start_resumed_run(const RunOptions& options)
 {
   const std::string folder = run_folder_of(options.path);
   FolderLock lock(folder);
@@ -445,7 +303,9 @@ int resume_run(const RunOptions& options)
     seed_again(image, model);
     if (file.values.time.end != model.description.time.end) move_end(model, file.values.time.end);
     State restored = restore_from(checkpoint, model, image);
-    Simulation simulation(std::move(model), std::move(restored));
+    auto run = std::make_unique<StartedRun>(
+        options, file, folder, [&] { return Simulation(std::move(model), std::move(restored)); });
+    Simulation& simulation = run->simulation;
     check_end(file.values, simulation.model, simulation.state);
     warn_of_missing_threads(options, simulation.model.threads);
     const State& state = simulation.state;
@@ -457,14 +317,15 @@ int resume_run(const RunOptions& options)
         .checkpoint_keep = file.values.output.checkpoint_keep,
         .case_record = image.case_record,
         .tables = all_tables()};
-    const auto writer =
+    auto writer =
         RunWriter::resume(std::move(settings), std::move(lock), resume_point(simulation.model, state, image.tables));
     if (!options.quiet && is_alone(options))
       say("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, simulation.model.n_steps);
     for (const auto& warning : writer->warnings()) say(stderr, "warning: {}\n", warning);
     for (const ChangedValue& change : changes)
       if (!options.quiet) say("  from here on with another {}\n", change.text());
-    return solve_and_show(simulation, *writer, options, folder);
+    run->write_to(std::move(writer));
+    return run;
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   }

@@ -1,5 +1,8 @@
 #include "cli/coarse_column.hpp"
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 namespace check_test {
 
 /// The number before `unit` in the line of `terp check` that begins with `word`.
@@ -29,6 +32,20 @@ TEST(Check, SaysHowMuchDiskTheRunNeedsToAFactorOfTwo)
     EXPECT_GT(ratio, 0.5) << check.out;
     EXPECT_LT(ratio, 2.0) << check.out;
   }
+}
+
+TEST(Check, GivesItsNumbersToAProgram)
+{
+  const std::vector<std::string> coarse{"--set", "mesh.cell=0.2"};
+  const Finished text = succeeded(test::terp(column_command("check", coarse)));
+  std::vector<std::string> words = column_command("check", coarse);
+  words.push_back("--json");
+  const auto json = nlohmann::json::parse(succeeded(test::terp(words)).out);
+  EXPECT_THAT(text.out, HasSubstr(fmt::format("  points         {}\n", json["points"].get<long>())));
+  EXPECT_THAT(text.out, HasSubstr(fmt::format("  steps          {} to t = ", json["steps"].get<long>())));
+  EXPECT_EQ(json["bodies"].size(), 1u);
+  EXPECT_GT(json["expected_s"].get<double>(), 0.0);
+  EXPECT_NEAR(json["cell_size"].get<double>(), 0.2, 1e-12);
 }
 
 TEST(Check, AVariantOfAMeshFromAPolygonHasOtherCells)

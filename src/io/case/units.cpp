@@ -2,13 +2,13 @@
 // the same bits. Of units that several kinds of key take, the key decides.
 
 #include "io/case/units.hpp"
+#include "math/number_from.hpp"
 
 #include "math/utf8.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <utility>
 
@@ -101,7 +101,7 @@ std::string_view leading_number(std::string_view text)
   if (text.size() == sign || text[sign] < '0' || text[sign] > '9') return {};
   Real ignored = 0.0;
   const char* const begin = text.data() + sign;
-  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), ignored);
+  const auto [end, error] = from_chars(begin, text.data() + text.size(), ignored);
   return text.substr(0, static_cast<std::size_t>(end - text.data()));
 }
 
@@ -113,13 +113,13 @@ Real shifted(std::string_view number, int power)
   std::string_view digits = number.substr(std::min(e + 1, number.size()));
   if (digits.starts_with('+')) digits.remove_prefix(1);
   int exponent = 0;
-  if (std::from_chars(digits.data(), digits.data() + digits.size(), exponent).ec == std::errc::result_out_of_range)
+  if (from_chars(digits.data(), digits.data() + digits.size(), exponent).ec == std::errc::result_out_of_range)
     return std::numeric_limits<Real>::quiet_NaN();
   constexpr int beyond_all = 10000;  // no number has such an exponent
   exponent = std::clamp(exponent, -beyond_all, beyond_all) + power;
   const std::string text = fmt::format("{}e{}", number.substr(0, e), exponent);
   Real value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, error] = from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc{} ? value : std::numeric_limits<Real>::quiet_NaN();
 }
 

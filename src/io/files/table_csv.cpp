@@ -2,11 +2,11 @@
 // cut off by a kill is as no file. The checksum runs over all bytes, those of earlier processes included.
 
 #include "io/files/table_csv.hpp"
+#include "math/number_from.hpp"
 
 #include "os/csv.hpp"
 #include "math/errors.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -27,7 +27,7 @@ void add_number(std::string& line, Real value)
 Real time_of(std::string_view row)
 {
   Real time = std::nan("");
-  std::from_chars(row.data(), row.data() + row.size(), time);
+  from_chars(row.data(), row.data() + row.size(), time);
   return time;
 }
 

@@ -7,7 +7,6 @@
 #include "model/meshes/mesh_error.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -132,7 +131,7 @@ class MshScanner {
     if (binary_) return bytes<double>(what);
     const std::string_view text = token(what);
     Real value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] = from_chars(text.data(), text.data() + text.size(), value);
     const bool too_small = error == std::errc::result_out_of_range &&
                            std::abs(std::strtod(std::string(text).c_str(), nullptr)) < 1.0;  // a zero
     if ((error != std::errc{} && !too_small) || end != text.data() + text.size())

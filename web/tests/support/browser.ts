@@ -34,7 +34,7 @@ interface Screen {
 }
 
 /** Opens the file and waits for an element. */
-async function openUntil(browser: Browser, file: string, selector: string, { width = 1366, height = 768, dark = false }: Screen): Promise<Opened> {
+export async function openUntil(browser: Browser, file: string, selector: string, { width = 1366, height = 768, dark = false }: Screen): Promise<Opened> {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? "dark" : "light", acceptDownloads: true });
   const page = await context.newPage();
   const errors: string[] = [];
