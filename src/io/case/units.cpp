@@ -63,6 +63,8 @@ constexpr Unit table[] = {
     {"1/s", "1/s"},
     {"1/min", "1/s", 0, 1.0, minute},
     {"1/h", "1/s", 0, 1.0, hour},
+    {"1/m", "1/m"},
+    {"1/cm", "1/m", 2},
     {"kPa s", "Pa s", 3},
     {"Pa s", "Pa s"},
     {"mPa s", "Pa s", -3},
