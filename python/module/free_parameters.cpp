@@ -1,7 +1,6 @@
 // A formula that does not depend on the place is a field of the case: ratios, ranges and files of the run know it.
 #include "free_parameters.hpp"
 
-#include "math/errors.hpp"
 #include "model/soils/point_parameters.hpp"
 
 #include <algorithm>

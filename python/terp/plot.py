@@ -119,6 +119,8 @@ def fragility(study: Study, events: str | Sequence[str] = ("F_after_I",), panel:
     has_load = "levels" in study.results
     if not has_load and events != ["F_after_I"]:
         raise RunError(f"{study.folder} has no load: only F_after_I is known at other levels of the water")
+    if not has_load and not study.results.get("flood_after_slide_over_level"):
+        raise RunError(f"{study.folder} has no curve: nothing slid, or no water is judged (docs/flood.md)")
     with style.house_style():
         panel = panel or chart_page()
         for event, (colour, dashes) in zip(events, style.lines_of(events)):

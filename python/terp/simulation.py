@@ -253,7 +253,12 @@ class Simulation(Results):
         [n_points, n_components], sorted by number of the point, SI units. NaN where a material has no such variable.
         `field(name)[soil]` leaves out the points of which there is no soil. `units` and `components` list them all. A
         parameter of a law goes by its key, "su_peak", too; frames call it "parameter_su_peak"."""
-        return self._run.field(self._full_name(name))
+        try:
+            return self._run.field(name)
+        except CaseError:
+            if (full := self._full_name(name)) == name:
+                raise
+            return self._run.field(full)
 
     def values(self, name: str, k: int = -1) -> numpy.typing.NDArray[numpy.float64]:
         """field(name): of a run in memory there is one frame, the present."""

@@ -90,6 +90,17 @@ class StudyOfTheProgram(unittest.TestCase):
         with self.assertRaisesRegex(terp.RunError, "there is no .*fragility.csv"):
             self.study.levels
 
+    def test_a_curve_is_drawn_with_its_bounds(self):
+        panel = self.curve.plot(["I"])
+        self.assertEqual(panel.get_xlabel(), self.curve.results["load"])
+        np.testing.assert_array_equal(panel.lines[0].get_ydata(), self.curve.levels["P_I"])
+        ends = np.array(panel.collections[0].get_segments())[:, :, 1].T
+        np.testing.assert_allclose(ends, [self.curve.levels["P_I_low"], self.curve.levels["P_I_high"]])
+        with self.assertRaisesRegex(terp.RunError, "no event `G`.* I, F, F_after_I"):
+            self.curve.plot("G")
+        with self.assertRaisesRegex(terp.RunError, "has no curve: nothing slid, or no water is judged"):
+            self.study.plot()
+
     def test_a_table_has_rows_without_results(self):
         text = STUDY.replace("[[random]]", "[[field]]").replace('mean = "8 kPa"\n', "theta = [8.0, 4.0]\n").replace(
             'distribution = "lognormal"\n', "").replace("cov = 0.4", "cov = 0.3").replace("number = 8", "number = 12")
