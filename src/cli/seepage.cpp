@@ -8,6 +8,7 @@
 #include "io/files/level_wave.hpp"
 #include "io/files/run_folder.hpp"
 #include "io/files/section_svg.hpp"
+#include "io/files/svg.hpp"
 #include "model/meshes/setup_mesh.hpp"
 #include "model/parts/stage_case.hpp"
 #include "model/seepage/seepage_in_time.hpp"
@@ -39,15 +40,6 @@ std::string file_name(std::string_view kind, const std::string& name, std::strin
   for (char& c : file)
     if (c == ' ' || c == '/' || c == '\\' || c == ':') c = '_';
   return file;
-}
-
-/// A step of 1, 2 or 5 times a power of ten that gives about n lines.
-Real even_step(Real range, int n)
-{
-  const Real raw = range / n, power = std::pow(10.0, std::floor(std::log10(raw)));
-  for (const Real times : {1.0, 2.0, 5.0})
-    if (times * power >= raw) return times * power;
-  return 10.0 * power;
 }
 
 class SeepageCommandRun {
@@ -255,13 +247,13 @@ class SeepageCommandRun {
     overlay.subtitle = fmt::format("computed water `{}`", name);
     constexpr int about = 16;
     if (high > low) {
-      const Real step = even_step(high - low, about);
+      const Real step = nice_step(high - low, about);
       overlay.curves.push_back({lines_of_equal(*mesh_, section_, water, water.flow.heads, step), "#0e7c86",
           fmt::format("equal head, every {:g} m", step)});
       const std::vector<Real> psi = stream_function(*mesh_, water, band_);
       Real out = 0.0;
       for (const Real q : water.flow.outflow) out += std::max(q, 0.0);
-      const Real share = even_step(out * day, about) / day;
+      const Real share = nice_step(out * day, about) / day;
       if (out > 0.0)
         overlay.curves.push_back({lines_of_equal(*mesh_, section_, water, psi, share), "#1f3fa8",
             fmt::format("flow line, {:.2g} m2/day between two", share * day)});

@@ -140,13 +140,18 @@ def _find_factor(job, program, folder):
     measured = {name: math.nan if result[name] is None else result[name] for name in ("stable_at", "not_stable_at")}
     measured["factor"] = 0.5 * (measured["stable_at"] + measured["not_stable_at"])
 
-    def measure_factor(q):
+    return _find(job, result["scheme"], scope, _formulas_alone(
+        scope, measured, "a run for a factor of safety", "They may name factor, stable_at, not_stable_at."))
+
+
+def _formulas_alone(scope, measured, what, names):
+    """Measures quantities of numbers that no run folder holds."""
+    def measure_formula(q):
         if q.kind != "formula":
-            q.place.refuse("a run for a factor of safety has quantities of kind `formula` only",
-                           "They may name factor, stable_at, not_stable_at.")
+            q.place.refuse(f"{what} has quantities of kind `formula` only", names)
         scope.constants.update(measured)
         return measure(q, scope, None)
-    return _find(job, result["scheme"], scope, measure_factor)
+    return measure_formula
 
 
 def _find_flow(job, program, folder):
@@ -162,13 +167,8 @@ def _find_flow(job, program, folder):
     with open(folder / "along.csv", encoding="utf-8", newline="") as file:
         measured["head"] = next((float(row["head_m"]) for row in csv.DictReader(file)), math.nan)
 
-    def measure_flow(q):
-        if q.kind != "formula":
-            q.place.refuse("a run of `terp seepage` has quantities of kind `formula` only",
-                           "They may name out_NAME of each part, and head.")
-        scope.constants.update(measured)
-        return measure(q, scope, None)
-    return _find(job, case.get("scheme", "mpm_gp"), scope, measure_flow)
+    return _find(job, case.get("scheme", "mpm_gp"), scope, _formulas_alone(
+        scope, measured, "a run of `terp seepage`", "They may name out_NAME of each part, and head."))
 
 
 def _words(job, folder):
