@@ -15,6 +15,7 @@
 #include "model/seepage/seepage_results.hpp"
 #include "model/water/water_pressure.hpp"
 #include "os/say.hpp"
+#include "run/findings/water_warnings.hpp"
 #include "run/loop/simulation.hpp"
 
 #include <algorithm>
@@ -32,6 +33,15 @@ std::string name_of(const WaterSituation& situation, std::size_t number)
          : number == 0                   ? std::string(name_of_start)
          : std::isfinite(situation.time) ? fmt::format("{:g} s", situation.time)
                                          : fmt::format("{}", number);
+}
+
+/// A cell of a CSV file.
+std::string quoted(const std::string& text)
+{
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + '"';
 }
 
 std::string file_name(std::string_view kind, const std::string& name, std::string_view ending)
@@ -72,6 +82,11 @@ class SeepageCommandRun {
       Case of = section_alone(solved);
       of.water.standing = k;
       const Simulation simulation(of, 1);
+      if (k == 0) {
+        std::vector<Problem> warnings;
+        find_odd_seepage(simulation.model, warnings);
+        say(stderr, "{}", render_warnings(warnings, file_));
+      }
       const WaterSituation& situation = situation_of(simulation.model.description.water, k);
       const std::string name = name_of(situation, k);
       print_flow(name, situation.seepage, waters[k]);
@@ -160,8 +175,8 @@ class SeepageCommandRun {
   {
     const std::vector<std::string> names = names_of_parts(of);
     for (std::size_t k = 0; k < names.size(); ++k)
-      flows_ +=
-          fmt::format("{},{},{:.9g},{:.9g}\n", when, names[k], water.flow.outflow[k], water.flow.outflow[k] * day);
+      flows_ += fmt::format(
+          "{},{},{:.9g},{:.9g}\n", quoted(when), quoted(names[k]), water.flow.outflow[k], water.flow.outflow[k] * day);
   }
 
   void print_flow(const std::string& name, const SeepageCase& of, const ComputedWater& water)
@@ -187,8 +202,8 @@ class SeepageCommandRun {
     const std::vector<UpliftPlace> places = uplift_over_land(model, section_, situation);
     for (const UpliftPlace& p : places) {
       if (worst == nullptr || p.factor() < worst->factor()) worst = &p;
-      table += fmt::format("{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", name, p.x[0], p.x[1], p.ground,
-          p.stress, p.pressure, p.factor(), p.gradient);
+      table += fmt::format("{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", quoted(name), p.x[0], p.x[1],
+          p.ground, p.stress, p.pressure, p.factor(), p.gradient);
     }
     if (command_.run.quiet) return;
     if (worst != nullptr)
@@ -231,7 +246,7 @@ class SeepageCommandRun {
           std::lerp(command_.along[1], command_.along[3], static_cast<Real>(k) / parts)};
       const std::optional<Real> head = head_at(*mesh_, water.flow.heads, x);
       if (head)
-        text += fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g}\n", name, x[0], x[1], *head,
+        text += fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g}\n", quoted(name), x[0], x[1], *head,
             file_.values.water.unit_weight * std::max(*head - x[1], 0.0));
     }
   }

@@ -250,6 +250,15 @@ void check_computed(const WaterSituation& situation, const std::string& path, Fi
             fmt::format("From {:g} to {:g} m and from {:g} to {:g} m. Give each its own stretch.", of.ponds[a].from,
                 of.ponds[a].to, of.ponds[b].from, of.ponds[b].to),
             "water.ponds"});
+  std::vector<std::string> names{"river", "seepage faces"};
+  const auto check_name = [&](const std::string& name, const char* list, std::size_t k) {
+    if (!name.empty() && std::ranges::find(names, name) != names.end())
+      findings.problems.push_back({fmt::format("{}.{}[{}]", path, list, k), fmt::format("the name `{}` is taken", name),
+          "Flows are printed and levels given by these names. Give each its own.", std::string("water.") + list});
+    names.push_back(name);
+  };
+  for (std::size_t k = 0; k < of.ponds.size(); ++k) check_name(of.ponds[k].name, "ponds", k);
+  for (std::size_t k = 0; k < of.boundary.size(); ++k) check_name(of.boundary[k].name, "boundary", k);
   for (std::size_t a = 0; a < of.boundary.size(); ++a)
     for (std::size_t b = a + 1; b < of.boundary.size(); ++b) {
       const SideHead &one = of.boundary[a], &other = of.boundary[b];

@@ -206,7 +206,7 @@ bool read_level(const Entry& entry, Findings& findings, const std::string& folde
     return refuse(entry, entry.path + ".csv", "the table of levels cannot be used", error.what(), findings);
   }
   findings.notes.push_back(fmt::format("{}: {}{}", entry.path, describe(series),
-      gaps == 0 ? "" : fmt::format("; {} rows without a level are left out", gaps)));
+      gaps == 0 ? "" : fmt::format("; {} row{} without a level left out", gaps, gaps == 1 ? "" : "s")));
   into = std::move(series);
   return true;
 }

@@ -20,19 +20,47 @@ namespace {
 constexpr Real no_level = -std::numeric_limits<Real>::infinity();
 constexpr Real below_ground = 1e-3;  // of a cell: a table at bare ground stands this much lower, or it were free water
 
-/// To where the river reaches: the first ground at its level or above, from its side.
-Real end_of_river(const SeepageSection& section, const RiverCase& river)
+/// Which edges the river wets: open ones that hang together with its end of the soil by places below its level.
+std::vector<char> edges_in_river(const SeepageSection& section, const RiverCase& river)
 {
+  const std::vector<SoilEdge>& edges = section.edges;
   const bool from_left = river.side == SectionSide::left;
   Real end = from_left ? std::numeric_limits<Real>::infinity() : no_level;
-  for (const SoilEdge& edge : section.edges) {
-    if (!edge.is_open || edge.normal[1] < -1e-9) continue;
-    Vec<2> a = edge.a, b = edge.b;
+  for (const SoilEdge& edge : edges)
+    for (const Vec<2>& x : {edge.a, edge.b}) end = from_left ? std::min(end, x[0]) : std::max(end, x[0]);
+  const Real near = 1e-3 * section.cell;
+  const auto is_below = [&](Vec<2> x) { return x[1] < river.level; };
+  std::vector<char> wet(edges.size(), 0);
+  std::vector<std::size_t> next;
+  const auto enter = [&](std::size_t e) {
+    if (!wet[e] && edges[e].is_open) wet[e] = 1, next.push_back(e);
+  };
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    for (const Vec<2>& x : {edges[e].a, edges[e].b})
+      if (std::abs(x[0] - end) < near && is_below(x)) enter(e);
+  while (!next.empty()) {
+    const SoilEdge& from = edges[next.back()];
+    next.pop_back();
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      for (const Vec<2>& x : {from.a, from.b})
+        for (const Vec<2>& y : {edges[e].a, edges[e].b})
+          if (is_below(x) && std::hypot(x[0] - y[0], x[1] - y[1]) < near) enter(e);
+  }
+  return wet;
+}
+
+/// To where the river reaches: the wet place that lies furthest from its side.
+Real end_of_river(const SeepageSection& section, const RiverCase& river, const std::vector<char>& wet)
+{
+  const bool from_left = river.side == SectionSide::left;
+  Real end = from_left ? no_level : std::numeric_limits<Real>::infinity();
+  for (std::size_t e = 0; e < section.edges.size(); ++e) {
+    if (!wet[e]) continue;
+    Vec<2> a = section.edges[e].a, b = section.edges[e].b;
     if (a[1] > b[1]) std::swap(a, b);
-    if (b[1] < river.level) continue;
-    const Real x = a[1] >= river.level ? (from_left ? std::min(a[0], b[0]) : std::max(a[0], b[0]))
-                                       : std::lerp(a[0], b[0], (river.level - a[1]) / (b[1] - a[1]));
-    end = from_left ? std::min(end, x) : std::max(end, x);
+    if (a[1] >= river.level) continue;
+    const Real x = b[1] <= river.level ? b[0] : std::lerp(a[0], b[0], (river.level - a[1]) / (b[1] - a[1]));
+    for (const Real at : {a[0], x}) end = from_left ? std::max(end, at) : std::min(end, at);
   }
   return end;
 }
@@ -121,13 +149,25 @@ FreeWaterLevels::FreeWaterLevels(const SeepageSection& section, const SeepageCas
 {
   Index part = 1;
   if (of.river) {
-    const Real end = end_of_river(section, *of.river);
+    in_river_ = edges_in_river(section, *of.river);
+    const Real end = end_of_river(section, *of.river, in_river_);
     constexpr Real far = std::numeric_limits<Real>::infinity();
     stretches_.push_back(of.river->side == SectionSide::left ? Stretch{-far, end, of.river->level, part}
                                                              : Stretch{end, far, of.river->level, part});
     ++part;
   }
   for (const PondCase& pond : of.ponds) stretches_.push_back({pond.from, pond.to, pond.level, part++});
+}
+
+const FreeWaterLevels::Stretch* FreeWaterLevels::on(std::size_t edge, Vec<2> x) const
+{
+  for (std::size_t k = 0; k < stretches_.size(); ++k) {
+    const Stretch& stretch = stretches_[k];
+    if (x[1] >= stretch.level) continue;
+    const bool is_river = k == 0 && !in_river_.empty();
+    if (is_river ? in_river_[edge] != 0 : x[0] >= stretch.from && x[0] <= stretch.to) return &stretch;
+  }
+  return nullptr;
 }
 
 Real FreeWaterLevels::level_over(Real x) const
@@ -200,6 +240,30 @@ std::vector<SurfacePlace> side_conditions(
   return places;
 }
 
+/// A pond lies on ground, and not where the river is.
+static void check_ponds(
+    const SeepageSection& section, const SeepageCase& of, const FreeWaterLevels& free, const std::string& path)
+{
+  for (std::size_t k = 0; k < of.ponds.size(); ++k) {
+    const PondCase& pond = of.ponds[k];
+    const std::string key = fmt::format("{}.ponds[{}]", path, k);
+    Real left = std::numeric_limits<Real>::infinity(), right = no_level;
+    for (const SoilEdge& edge : section.edges)
+      for (const Vec<2>& x : {edge.a, edge.b}) left = std::min(left, x[0]), right = std::max(right, x[0]);
+    if (pond.to <= left || pond.from >= right)
+      throw InputError(Problem{key, "no ground lies where the pond is",
+          fmt::format("It lies from {:g} to {:g} m, the soil from {:g} to {:g} m.", pond.from, pond.to, left, right),
+          "water.ponds"});
+    if (!of.river) continue;
+    const auto& river = free.stretches()[0];
+    if (pond.from < river.to && pond.to > river.from && pond.level < river.level)
+      throw InputError(Problem{key, "the pond lies in the river",
+          fmt::format("The river stands at {:g} m there, the pond at {:g} m. Two levels cannot be at one place.",
+              river.level, pond.level),
+          "water.ponds", false, {path + ".river"}});
+  }
+}
+
 std::vector<SurfacePlace> surface_conditions(
     const Mesh<2>& mesh, const SeepageSection& section, const SeepageCase& of, const std::string& path)
 {
@@ -216,19 +280,16 @@ std::vector<SurfacePlace> surface_conditions(
         [&](const SideHead& side) { return kind_of(side.side) == part.kind && x[1] > side.from && x[1] < side.to; });
   };
   for (const SideHead& side : of.boundary) levels.insert(levels.end(), {side.from, side.to});
-  for (const SoilEdge& edge : section.edges)
-    if (edge.is_open)
-      for_each_part(edge, ends, levels, [&](const SoilEdge& part) {
+  for (std::size_t e = 0; e < section.edges.size(); ++e)
+    if (section.edges[e].is_open)
+      for_each_part(section.edges[e], ends, levels, [&](const SoilEdge& part) {
         if (has_head(part)) return;
-        const Vec<2> x = middle_of(part);
         EdgeCondition condition;
-        for (const FreeWaterLevels::Stretch& stretch : free.stretches())
-          if (x[0] >= stretch.from && x[0] <= stretch.to && x[1] < stretch.level) {
-            condition = {FlowCondition::head, stretch.level, 0.0, stretch.part};
-            break;
-          }
+        if (const FreeWaterLevels::Stretch* water = free.on(e, middle_of(part)))
+          condition = {FlowCondition::head, water->level, 0.0, water->part};
         add_places(mesh, part, condition, places);
       });
+  check_ponds(section, of, free, path);
   const std::vector<SurfacePlace> sides = side_conditions(mesh, section, of, path);
   places.insert(places.end(), sides.begin(), sides.end());
   return places;
@@ -293,7 +354,6 @@ ComputedWater compute_water(const Mesh<2>& mesh, const SeepageSection& section, 
       mesh, section.outlines, section.materials, surface_conditions(mesh, section, of, path), given.stores);
   FlowOptions options;
   options.band.width = given.band;
-  if (given.step) options.tolerance = 1e-6;
   const std::vector<std::string> names = names_of_parts(of);
   water.flow = find_flow(
       mesh, water.soil, names.size(), options, given.step ? given.step->heads : std::span<const Real>(), given.step);

@@ -36,10 +36,13 @@ class FreeWaterLevels {
     Index part;
   };
   const std::vector<Stretch>& stretches() const { return stretches_; }
+  /// Free water on a place of an edge of the section; nullptr: none.
+  const Stretch* on(std::size_t edge, Vec<2> x) const;
   Real level_over(Real x) const;
 
  private:
   std::vector<Stretch> stretches_;
+  std::vector<char> in_river_;  // by edges: below the level of the river, and linked to its side by such
 };
 
 /// Conditions on the way from one situation to another: levels run linearly where both have the same places.

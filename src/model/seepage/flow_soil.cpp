@@ -122,9 +122,14 @@ Real most_ratio(std::span<const CellShare> shares, std::span<const FlowMaterial>
   return most / least;
 }
 
+struct Mixture {
+  Conductivity k;
+  bool is_layered;  ///< of layers whose border runs along the cell: exact, whatever their ratio
+};
+
 /// Of soils in a cell: layers in series across their border and side by side along it, where the border runs along the
 /// cell; else in series in every direction.
-Conductivity mixed(
+Mixture mixed(
     const Mesh<2>& mesh, Index cell, std::span<const CellShare> shares, std::span<const FlowMaterial> materials)
 {
   Real area = 0.0;
@@ -137,7 +142,7 @@ Conductivity mixed(
     side_by_side.xx += part * k.horizontal, side_by_side.yy += part * k.vertical;
   }
   series = {1.0 / series.xx, 1.0 / series.yy, 0.0};
-  if (shares.size() != 2) return series;
+  if (shares.size() != 2) return {series, false};
   const Quad4::Map& map = mesh.geometry(cell).map;
   const auto middle = [](const CellShare& share) {
     return Vec<2>{share.moment[0] / share.area, share.moment[1] / share.area};
@@ -150,9 +155,10 @@ Conductivity mixed(
            std::min(std::abs(axis[0]), std::abs(axis[1])) < 1e-6 * std::hypot(axis[0], axis[1]);
   };
   const bool has_border_along = is_square_to(map.axis_xi) || is_square_to(map.axis_eta);
-  if (!map.affine || !has_border_along) return series;
-  return std::abs(across[1]) > std::abs(across[0]) ? Conductivity{side_by_side.xx, series.yy, 0.0}
-                                                   : Conductivity{series.xx, side_by_side.yy, 0.0};
+  if (!map.affine || !has_border_along) return {series, false};
+  const bool is_level = std::abs(across[1]) > std::abs(across[0]);
+  return {
+      is_level ? Conductivity{side_by_side.xx, series.yy, 0.0} : Conductivity{series.xx, side_by_side.yy, 0.0}, true};
 }
 
 void add_cell(const Drawing& drawing, Index cell, std::span<const FlowMaterial> materials, bool is_fine, FlowSoil& soil)
@@ -176,11 +182,11 @@ void add_cell(const Drawing& drawing, Index cell, std::span<const FlowMaterial> 
   for (const CellShare& share : shares) filled += share.area;
   if (filled < least_part * area) return;
   if (shares.size() == 1 && filled > (1.0 - 1e-9) * area) return add_whole(shares[0].body);
-  const bool is_mixed = shares.size() > 1 && most_ratio(shares, materials) > mixes_from;
-  const Conductivity one = is_mixed ? mixed(mesh, cell, shares, materials) : Conductivity{};
+  const Mixture mixture = shares.size() > 1 ? mixed(mesh, cell, shares, materials) : Mixture{};
+  const bool is_mixed = shares.size() > 1 && (mixture.is_layered || most_ratio(shares, materials) > mixes_from);
   for (const Part& part : parts) {
     FlowPlace place = like(part.body);
-    if (is_mixed) place.k = one;
+    if (is_mixed) place.k = mixture.k;
     place.x = part.centroid;
     place.weight = part.area;
     soil.places.push_back(place);

@@ -13,7 +13,9 @@
 namespace terp {
 namespace {
 
-constexpr Real beside = 1e-6;  // of a cell: distance at which a side is looked at
+constexpr Real beside = 5e-3;      // of a cell: distance at which a side is looked at; a thinner gap is none
+constexpr Real touches = 1e-7;     // of a cell: sides this near meet
+constexpr Real base_faces = -0.5;  // upward part of the normal below which a side may be the base
 constexpr Real inwards = 1e-7;
 constexpr Real least_piece = 1e-9;  // of an edge
 
@@ -93,7 +95,7 @@ std::vector<SoilEdge> surface_of(const Mesh<2>& mesh, std::span<const BodyOutlin
 {
   const SoilOutlines soil(mesh, bodies);
   const std::vector<Side> of_mesh = sides_of_mesh(mesh);
-  const Real tolerance = 0.1 * beside * mesh.smallest_altitude, step = beside * mesh.smallest_altitude;
+  const Real tolerance = touches * mesh.smallest_altitude, step = beside * mesh.smallest_altitude;
   std::vector<SoilEdge> edges;
   std::set<std::array<long long, 2>> known;  // by their middles
   const auto enter = [&](const Side& side, bool is_of_mesh) {
@@ -110,7 +112,7 @@ std::vector<SoilEdge> surface_of(const Mesh<2>& mesh, std::span<const BodyOutlin
       if (right == left) continue;
       if (right) normal = {-normal[0], -normal[1]};
       if (!is_of_mesh && !locate(mesh, at(right ? -step : step)).inside) continue;
-      const std::array key{std::llround(middle[0] / step), std::llround(middle[1] / step)};
+      const std::array key{std::llround(middle[0] / (10.0 * tolerance)), std::llround(middle[1] / (10.0 * tolerance))};
       if (!known.insert(key).second) continue;
       edges.push_back({a, b, normal, EdgeKind::ground, !is_of_mesh});
     }
@@ -128,7 +130,7 @@ std::vector<SoilEdge> surface_of(const Mesh<2>& mesh, std::span<const BodyOutlin
       edge.kind = EdgeKind::left;
     else if (std::min(edge.a[0], edge.b[0]) > right - step)
       edge.kind = EdgeKind::right;
-    else if (soil.has_soil(out, true) && !soil.has_soil(out, false))
+    else if (edge.normal[1] < base_faces && soil.has_soil(out, true) && !soil.has_soil(out, false))
       edge.kind = EdgeKind::base, edge.is_open = false;
     else
       edge.is_open = true;

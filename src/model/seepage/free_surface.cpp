@@ -18,7 +18,7 @@ constexpr std::size_t remembers = 6;  // steps of Anderson's mixing
 constexpr Real mixing = 0.5;
 constexpr Real least_flow = 1e-9;         // of k times the height: below it nothing flows
 constexpr int changes_allowed = 12;       // of a place of a seepage face before it stays as it is
-constexpr int permeability_settles = 10;  // iterations after which that of the surface stays
+constexpr int permeability_settles = 10;  // iterations after which that of the surface only falls
 constexpr Real balance_bound = 5e-4, misfit_bound = 1e-3;
 
 using Corners = Quad4::PerCorner<Real>;
@@ -152,7 +152,7 @@ class Flow {
   }
 
   /// 1 in saturated cells, 0 where the mean k_r is below one half: there the condition is a penalty alone.
-  void find_surface_permeability()
+  void find_surface_permeability(bool may_grow)
   {
     std::vector<Real> sum(mesh_.cells.size(), 0.0), area(mesh_.cells.size(), 0.0);
     for (std::size_t q = 0; q < soil_.places.size(); ++q) {
@@ -161,10 +161,11 @@ class Flow {
       sum[place.cell] += place.weight * k_r_[q];
       area[place.cell] += place.weight;
     }
-    surface_k_r_.resize(soil_.surface.size());
+    surface_k_r_.resize(soil_.surface.size(), 1.0);
     for (std::size_t q = 0; q < soil_.surface.size(); ++q) {
       const Index cell = soil_.surface[q].cell;
-      surface_k_r_[q] = std::clamp(2.0 * sum[cell] / area[cell] - 1.0, 0.0, 1.0);
+      const Real now = std::clamp(2.0 * sum[cell] / area[cell] - 1.0, 0.0, 1.0);
+      surface_k_r_[q] = may_grow ? now : std::min(surface_k_r_[q], now);
     }
   }
 
@@ -172,6 +173,9 @@ class Flow {
   {
     return place.condition == FlowCondition::leak ? place.penalty : beta * place.penalty;
   }
+
+  /// Not in debris in the air.
+  bool has_equation(std::size_t q) const { return unknown_[mesh_.cells[soil_.surface[q].cell][0]] >= 0; }
 
   /// Outflow of a place of the surface if it takes part [m/s].
   Real outflow(std::size_t q) const
@@ -324,7 +328,7 @@ class Flow {
     for (int it = 1; it <= most; ++it) {
       ++iterations_;
       for (std::size_t q = 0; q < soil_.places.size(); ++q) k_r_[q] = relative(soil_.places[q]);
-      if (it <= permeability_settles) find_surface_permeability();
+      find_surface_permeability(it <= permeability_settles);
       const int flips = switch_places();
       assemble();
       factor_.factor(static_cast<Index>(n), entries_);
@@ -362,6 +366,7 @@ class Flow {
   {
     Real sum = 0.0, flow = 0.0, wrong = 0.0;
     for (std::size_t q = 0; q < on_.size(); ++q) {
+      if (!has_equation(q)) continue;
       const Real t = soil_.surface[q].weight * outflow(q);
       const bool is_face = soil_.surface[q].condition == FlowCondition::seep;
       if (is_face && static_cast<bool>(on_[q]) != (t > 0.0)) wrong += std::abs(t);
@@ -382,7 +387,7 @@ class Flow {
     result.outflow.resize(parts_, 0.0);
     if (!nodes_.empty()) find_imbalance();
     for (std::size_t q = 0; q < soil_.surface.size(); ++q) {
-      const bool is_on = !nodes_.empty() && on_[q] != 0;
+      const bool is_on = !nodes_.empty() && on_[q] != 0 && has_equation(q);
       result.is_wet.push_back(is_on);
       result.q.push_back(is_on ? outflow(q) : 0.0);
       result.outflow[soil_.surface[q].part] += soil_.surface[q].weight * result.q.back();

@@ -11,6 +11,8 @@
 namespace terp {
 namespace {
 
+constexpr int most_halvings = 6;  // of a step in time
+
 /// The level that a name of the wave stands for; nullptr: none.
 Real* level_called(SeepageCase& of, const std::string& name)
 {
@@ -77,11 +79,22 @@ void follow_levels(const Mesh<2>& mesh, const SeepageSection& section, const See
   SeepageCase conditions = conditions_at(of, wave, times.front());
   ComputedWater water = compute_water(mesh, section, conditions, {.band = band, .stores = true}, path);
   use(times.front(), conditions, water);
+  // A step that finds no flow is taken in two halves.
+  const std::function<void(Real, Real, int)> go = [&](Real from, Real to, int halvings) {
+    const std::vector<Real> before = water.flow.heads;
+    conditions = conditions_at(of, wave, to);
+    try {
+      water = compute_water(
+          mesh, section, conditions, {.band = band, .stores = true, .step = FlowStep{to - from, before}}, path);
+    } catch (const InputError&) {
+      if (halvings == most_halvings) throw;
+      const Real middle = 0.5 * (from + to);
+      go(from, middle, halvings + 1);
+      go(middle, to, halvings + 1);
+    }
+  };
   for (std::size_t k = 1; k < times.size(); ++k) {
-    conditions = conditions_at(of, wave, times[k]);
-    const std::vector<Real> before = std::move(water.flow.heads);
-    water = compute_water(mesh, section, conditions,
-        {.band = band, .stores = true, .step = FlowStep{times[k] - times[k - 1], before}}, path);
+    go(times[k - 1], times[k], 0);
     use(times[k], conditions, water);
   }
 }

@@ -62,8 +62,13 @@ std::vector<UpliftPlace> uplift_over_land(
   std::vector<Real> ground(static_cast<std::size_t>(columns.n), -std::numeric_limits<Real>::infinity());
   for (Index k = 0; k < columns.n; ++k)
     ground[k] = overburden.ground(columns.left + (k + 0.5) * columns.width).value_or(ground[k]);
-  const auto crest = static_cast<Index>(std::ranges::max_element(ground) - ground.begin());
   const bool river_left = !situation.seepage.river || situation.seepage.river->side == SectionSide::left;
+  auto crest = static_cast<Index>(std::ranges::max_element(ground) - ground.begin());
+  if (situation.seepage.river) {  // beyond its reach, whatever stands on the land
+    const auto& river = FreeWaterLevels(section, situation.seepage).stretches()[0];
+    const Real end = (river_left ? river.to : river.from) - columns.left;
+    crest = static_cast<Index>(std::clamp(std::floor(end / columns.width), 0.0, columns.n - 1.0));
+  }
   std::vector<UpliftPlace> places;
   for (Index k = river_left ? crest : 0; k < (river_left ? columns.n : crest + 1); ++k) {
     const Real x = columns.left + (k + 0.5) * columns.width;
@@ -75,12 +80,14 @@ std::vector<UpliftPlace> uplift_over_land(
       if (below < (1.0 - 1e-9) * more_permeable * above) continue;
       UpliftPlace place{.x = {x, soils[s].bottom}, .ground = soils[0].top};
       place.stress = overburden.total(place.x, situation);
-      place.pressure = water_pressure(water, situation, place.x, 0.0);
+      // Where the border lies in a cell, its head is that of a mixture: the aquifer has it less deep than a cell.
+      const Real inside = place.x[1] - std::min(section.cell, 0.5 * (soils[s + 1].top - soils[s + 1].bottom));
       const auto head = [&](Real y) {
         return y + unlimited_pressure(water, situation, {x, y}, 0.0) / water.unit_weight;
       };
       const Real top = std::max(place.ground, elevation_at(situation.phreatic_line, x));
-      place.gradient = (head(place.x[1]) - top) / (place.ground - place.x[1]);
+      place.pressure = std::max(water.unit_weight * (head(inside) - place.x[1]), 0.0);
+      place.gradient = (head(inside) - top) / (place.ground - place.x[1]);
       if (!worst || place.factor() < worst->factor()) worst = place;
     }
     if (worst) places.push_back(*worst);

@@ -51,7 +51,7 @@ std::string describe(const LevelSeries& series)
   const Real begin = series.times.front();
   return fmt::format("{} levels in {:.4g} h, from {:.3f} m to {:.3f} m at {:.4g} h; 1 h takes {:.4g} s",
       series.levels.size(), (series.times.back() - begin) / hour, series.levels.front(), *highest,
-      series.times[at] / hour, hour / series.shorten);
+      (series.times[at] - begin) / hour, hour / series.shorten);
 }
 
 std::vector<Vec<2>> line_of_level(const Case& c, Real level, RiverSide side)

@@ -31,6 +31,7 @@ MaterialCase elastic_twin(const MaterialCase& material, const MaterialType& law)
       material.name, "linear_elastic", material.density, elastic_parameters(law.make(material.parameters)->moduli())};
   twin.drainage = material.stores_effective() ? Drainage::drained : Drainage::undrained;
   twin.k0 = material.k0;
+  twin.permeability = material.permeability;
   twin.soil = material.soil;
   twin.zone = material.zone;
   if (material.fields.empty()) return twin;
