@@ -60,10 +60,7 @@ int call_in_page(const CLI::App& app, const CommandLine& line)
 
 }  // namespace
 
-int main(int argc, char** argv)
-{
-  return answer(argc, argv, call_in_page);
-}
+int main(int argc, char** argv) { return answer(argc, argv, call_in_page); }
 
 extern "C" {
 
