@@ -66,7 +66,7 @@ windows: build   ## a zip with terp.exe for Windows, compiled by mingw-w64 and t
 browser: install ## terp.html: the solver in one page of a browser, by Debian 13's emscripten (docs/browser.md)
 	@tools/install-dependencies --browser
 	@tools/build_browser_libraries $(EMSCRIPTEN) $(BROWSER)/libraries
-	@cmake -S . -B $(BROWSER)/program -G Ninja -DCMAKE_TOOLCHAIN_FILE=$(CURDIR)/cmake/browser.cmake \
+	@cmake -S . -B $(BROWSER)/program -G Ninja -DCMAKE_TOOLCHAIN_FILE=$(CURDIR)/cmake/browser.cmake -DTERP_PYTHON=OFF \
 	   -DTERP_EMSCRIPTEN=$(EMSCRIPTEN) -DTERP_BROWSER_LIBRARIES=$(BROWSER)/libraries >/dev/null
 	@cmake --build $(BROWSER)/program --target terp
 	@cd web && { [ -e node_modules/.terp-lock ] || npm ci --silent; } && npm run --silent build:solver

@@ -165,8 +165,11 @@ describe.skipIf(!existsSync(PAGE))("the page with the solver", () => {
     const { page } = await open();
     const at = folder();
     const damaged = readFileSync(join(SAMPLES, "berm-fragility-2023.stix")).subarray(0, 9000);
+    const bomb = readFileSync(join(SAMPLES, "berm-fragility-2023.stix"));
+    bomb.writeUInt32LE(900e6, bomb.indexOf("PK\x01\x02") + 24); // what its first member unpacks to
     const files: [string, string | Uint8Array, RegExp][] = [
       ["damaged.stix", damaged, /damaged\.stix cannot be used.*zip/s],
+      ["bomb.stix", bomb, /bomb\.stix cannot be used.*is too large/s],
       ["photo.png", "x", /none of the files/],
       ["bad.toml", "[mesh]\ncell = 'wide'\n", /bad\.toml cannot be used.*bad\.toml:2:8/s],
       ["empty.stix", readFileSync(join(SAMPLES, "empty-2023.stix")), /empty\.stix cannot be used/],
