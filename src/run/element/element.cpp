@@ -25,10 +25,10 @@ namespace {
 
 constexpr int n_components = n_sym<2>, n_unknowns = n_components + 1;  // strains xx yy zz xy, pore pressure
 constexpr const char* component_names[] = {"xx", "yy", "zz", "xy"};
-constexpr Real small_change = 1e-6;   // of the strains of an increment, for the tangent
-constexpr Real least_change = 1e-10;  // [-]
-constexpr Real settled = 1e-13;       // of the largest stress
-constexpr Real near = 1e4;            // times that, where no step leads further: a law may not be smooth
+constexpr Real small_change = 1e-6;    // of the strains of an increment, for the tangent
+constexpr Real least_change = 1e-10;   // [-]
+constexpr Real settled = 1e-13;        // of the largest stress
+constexpr Real loosely_settled = 1e4;  // times that, where no step leads further: a law may not be smooth
 constexpr int most_iterations = 40, most_halvings = 10, most_cuts = 8;
 
 using Components = std::array<Real, n_components>;
@@ -38,14 +38,14 @@ using Matrix = std::array<Unknowns, n_unknowns>;
 struct PointState {
   Components sigma{}, strain{};
   std::vector<Real> state;
-  Real u = 0.0, time = 0.0;
+  Real pore_pressure = 0.0, time = 0.0;
   std::int64_t step = 0;
 };
 
 /// The answers of a law to up to eight strain increments from one state.
 class LawCall {
  public:
-  LawCall(const ElementSoil& soil) : soil_(soil), n_state_(soil.type->state.size()), state_(n_state_ + 1)
+  explicit LawCall(const ElementSoil& soil) : soil_(soil), n_state_(soil.type->state.size()), state_(n_state_ + 1)
   {
     id_.value.fill(0.0), zero_.value.fill(0.0), scale_.value.fill(1.0);
   }
@@ -153,7 +153,7 @@ class Element {
   /// What a leg prescribes of a component, now.
   Real value(const ElementLeg& leg, int k) const
   {
-    return leg.control[k] == Control::strain ? at_.strain[k] : at_.sigma[k] - (k < 3 ? at_.u : 0.0);
+    return leg.control[k] == Control::strain ? at_.strain[k] : at_.sigma[k] - (k < 3 ? at_.pore_pressure : 0.0);
   }
 
  private:
@@ -176,8 +176,9 @@ class Element {
     Trial trial{};
     for (int k = 0; k < n_components; ++k) {
       const bool is_strain = leg.control[k] == Control::strain;
-      const Real u = k < 3 ? at_.u + x[n_components] * modulus_ : 0.0;
-      trial.residual[k] = is_strain ? at_.strain[k] + x[k] - target[k] : (law_.sigma(k, 0) - u - target[k]) / modulus_;
+      const Real pore_pressure = k < 3 ? at_.pore_pressure + x[n_components] * modulus_ : 0.0;
+      trial.residual[k] =
+          is_strain ? at_.strain[k] + x[k] - target[k] : (law_.sigma(k, 0) - pore_pressure - target[k]) / modulus_;
       if (tangent == nullptr) continue;
       Unknowns& row = (*tangent)[k];
       for (int j = 0; j < n_components; ++j) row[j] = (law_.sigma(k, j + 1) - law_.sigma(k, 0)) / (h * modulus_);
@@ -229,10 +230,10 @@ class Element {
       }
       x = next, trial = better;
     }
-    if (!(trial.size <= near * limit(target, leg)) || !soil_.law->fault().empty()) return false;
+    if (!(trial.size <= loosely_settled * limit(target, leg)) || !soil_.law->fault().empty()) return false;
     for (int k = 0; k < n_components; ++k) at_.sigma[k] = law_.sigma(k, 0), at_.strain[k] += x[k];
     for (std::size_t k = 0; k < at_.state.size(); ++k) at_.state[k] = law_.state(k);
-    at_.u += x[n_components] * modulus_;
+    at_.pore_pressure += x[n_components] * modulus_;
     at_.time += dt;
     ++at_.step;
     return true;
@@ -274,7 +275,7 @@ class ElementTable {
     put(at.time);
     for (const Real strain : at.strain) put(strain);
     for (const Real stress : at.sigma) put(stress);
-    put(soil_.stores_effective ? at.u : std::numeric_limits<Real>::quiet_NaN());
+    put(soil_.stores_effective ? at.pore_pressure : std::numeric_limits<Real>::quiet_NaN());
     put(-mean);
     put(std::sqrt(1.5 * square_of_deviator(at.sigma)));
     put(volume);

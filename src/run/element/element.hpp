@@ -28,7 +28,7 @@ ElementSoil element_soil(const Case& c, const MaterialCase& material);
 /// The same at a place of the section, with the parameters and the stress that a start with K0 has there.
 struct ElementAtPlace {
   ElementSoil soil;
-  std::array<Real, 4> stress;  ///< as its law stores it, less the pore pressure of undrained soil of total stress [Pa]
+  std::array<Real, 4> stress;  ///< effective [Pa]
 };
 ElementAtPlace element_at(const Model& model, const MaterialCase& material, Vec<2> x);
 

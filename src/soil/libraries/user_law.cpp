@@ -103,8 +103,9 @@ std::shared_ptr<const MaterialType> load_user_law(const std::string& material, c
     std::span<const Real> moduli, LibraryCase& library, const LawTerms& terms, bool takes_turns)
 {
   const FoundLibrary found = find_library(folder, library);
-  const std::vector<std::string> units = take_units(library);
+  std::vector<std::string> units = take_units(library);
   const std::optional<LawVariables> said = describe_library(found, library);
+  units.resize(library.state.size());  // a UDSM adds those that the case leaves out
   check_terms(library, terms);
   if (takes_turns) library.thread_safe = false;
   const auto law = std::make_shared<UserLaw>();

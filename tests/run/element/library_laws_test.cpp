@@ -1,11 +1,11 @@
-// User-defined soil models of Plaxis on paths of an element, and in a run.
+// Laws of libraries on paths of an element, and those of Plaxis in a run.
 
 #include "run/element/element_tests.hpp"
 #include "support/law_cases.hpp"
 
 #include <numbers>
 
-namespace udsm_test {
+namespace library_laws_test {
 
 LibraryCase udsm(const std::string& file, std::initializer_list<Real> parameters, Index model = 1)
 {
@@ -92,4 +92,31 @@ TEST(Udsm, SaysHowManyStateVariablesItHas)
   EXPECT_EQ(of_library(two).from_library->state[0].name, "p_max");
 }
 
-}  // namespace udsm_test
+TEST(Umat, OnThePathOfAnElementIsTheLawThatTerpHas)
+{
+  if (!is_built("tresca.so")) GTEST_SKIP() << "no gfortran";
+  const MaterialCase umat =
+      of_library(library_case("tresca.so", LawInterface::umat, {2e6, 0.48, 8e3, 2e3, 50.0}, {{"eps_eq_p", 0.0}}));
+  MaterialCase own = clay();
+  own.drainage = Drainage::undrained;
+  for (const char* test : {"shear", "triaxial"}) {
+    const ElementTestOptions options{.stress = pressed, .strain = {0.1, 0.08}, .increments = 100};
+    const ElementResult a = tested(umat, test, options), b = tested(own, test, options);
+    ASSERT_EQ(a.fault + b.fault, "");
+    for (std::size_t i = 0; i <= 200; ++i) EXPECT_NEAR(a.at("deviator")[i], b.at("deviator")[i], 1e-8 * 16e3) << test;
+  }
+}
+
+TEST(Esm, OnThePathOfAnElementHasItsStrength)
+{
+  if (!is_built("esm_hardening.so")) GTEST_SKIP() << "no gfortran";
+  LibraryCase library =
+      library_case("esm_hardening.so", LawInterface::esm, {3000.0, 0.3, 8.0}, {{"k", 0.0}, {"calls", 0.0}});
+  library.stress_unit = 1e3;
+  const ElementResult result = tested(of_library(library), "triaxial", {.stress = pressed, .strain = {0.02}});
+  ASSERT_EQ(result.fault, "");
+  EXPECT_NEAR(result.at("deviator").back(), std::numbers::sqrt3 * 8e3, 1e-8 * 14e3);
+  EXPECT_EQ(result.at("calls").back(), 1000.0);
+}
+
+}  // namespace library_laws_test
