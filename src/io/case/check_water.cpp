@@ -250,7 +250,8 @@ void check_computed(const WaterSituation& situation, const std::string& path, Fi
             fmt::format("From {:g} to {:g} m and from {:g} to {:g} m. Give each its own stretch.", of.ponds[a].from,
                 of.ponds[a].to, of.ponds[b].from, of.ponds[b].to),
             "water.ponds"});
-  std::vector<std::string> names{"river", "seepage faces"};
+  std::vector<std::string> names{"seepage faces"};
+  if (of.river) names.emplace_back("river");
   const auto check_name = [&](const std::string& name, const char* list, std::size_t k) {
     if (!name.empty() && std::ranges::find(names, name) != names.end())
       findings.problems.push_back({fmt::format("{}.{}[{}]", path, list, k), fmt::format("the name `{}` is taken", name),

@@ -28,7 +28,7 @@ std::vector<char> edges_in_river(const SeepageSection& section, const RiverCase&
   Real end = from_left ? std::numeric_limits<Real>::infinity() : no_level;
   for (const SoilEdge& edge : edges)
     for (const Vec<2>& x : {edge.a, edge.b}) end = from_left ? std::min(end, x[0]) : std::max(end, x[0]);
-  const Real near = 1e-3 * section.cell;
+  const Real near = 1e-2 * section.cell;  // as a gap that is none
   const auto is_below = [&](Vec<2> x) { return x[1] < river.level; };
   std::vector<char> wet(edges.size(), 0);
   std::vector<std::size_t> next;
@@ -250,7 +250,7 @@ static void check_ponds(
     Real left = std::numeric_limits<Real>::infinity(), right = no_level;
     for (const SoilEdge& edge : section.edges)
       for (const Vec<2>& x : {edge.a, edge.b}) left = std::min(left, x[0]), right = std::max(right, x[0]);
-    if (pond.to <= left || pond.from >= right)
+    if (pond.to < left || pond.from > right)
       throw InputError(Problem{key, "no ground lies where the pond is",
           fmt::format("It lies from {:g} to {:g} m, the soil from {:g} to {:g} m.", pond.from, pond.to, left, right),
           "water.ponds"});

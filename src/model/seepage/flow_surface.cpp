@@ -101,7 +101,7 @@ std::vector<SoilEdge> surface_of(const Mesh<2>& mesh, std::span<const BodyOutlin
   const auto enter = [&](const Side& side, bool is_of_mesh) {
     const Real whole = distance(side.a, side.b);
     if (whole < tolerance) return;
-    const std::vector<Real> shares = meetings(side.a, side.b, soil.all(), tolerance);
+    const std::vector<Real> shares = meetings(side.a, side.b, soil.all(), step);
     for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
       if ((shares[k + 1] - shares[k]) * whole < 10.0 * tolerance) continue;
       const Vec<2> a = between(side.a, side.b, shares[k]), b = between(side.a, side.b, shares[k + 1]),

@@ -63,6 +63,8 @@ TEST(SeepageKeys, WhatCannotBeIsRefusedWithTheCure)
   EXPECT_THAT(message("boundary = [{ side = \"left\", head = 1 }, { side = \"left\", from = 0, to = 1, head = 2 }]\n"),
       HasSubstr("two heads are given at one place"));
   EXPECT_THAT(message("boundary = [{ side = \"left\", head = [[0, 1], [1, 2]] }]\n"), HasSubstr("is for the bottom"));
+  EXPECT_THAT(message(river + "ponds = [{ name = \"river\", from = 9, to = 10, level = 0.5 }]\n"),
+      HasSubstr("the name `river` is taken"));
   EXPECT_THAT(message(""), HasSubstr("no water enters the soil"));
   EXPECT_THAT(message(river, "permeability = { horizontal = 1e-6, vertical = 1e-5 }\n"),
       HasSubstr("the vertical permeability is unusual"));

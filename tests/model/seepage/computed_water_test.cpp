@@ -69,6 +69,60 @@ TEST(ComputedWater, ASideWithoutSoilIsRefused)
       test::refusal<InputError>([&] { build_model(c, 1); }), HasSubstr("no soil lies at this part of the side"));
 }
 
+/// Flow through the sand dike of free_surface_test, 6 m of water on the left.
+Real flow_through(const std::vector<Polygon>& bodies)
+{
+  Case c = dam();
+  c.mesh.size = {60.0, 8.0};
+  c.water.start.seepage.ponds.clear();
+  c.water.start.seepage.river = RiverCase{SectionSide::left, 6.0};
+  const BodyCase like = c.bodies[0];
+  c.bodies.clear();
+  for (const Polygon& polygon : bodies) c.bodies.push_back(like), c.bodies.back().polygon = polygon;
+  const SharedMesh mesh = mesh_of(c);
+  return compute_water(*mesh, seepage_section(c, mesh), c.water.start.seepage, {.band = 0.25}, "water").flow.outflow[0];
+}
+
+TEST(ComputedWater, AHairlineGapBetweenBodiesHoldsNoRiver)
+{
+  const Real exact = 0.6486e-5;
+  for (const Real gap : {0.0, 1e-7, 1e-5, 1e-3}) {
+    const Polygon subsoil{{0.0, 0.0}, {60.0, 0.0}, {60.0, 2.0}, {0.0, 2.0}},
+        dike{{13.0, 2.0 + gap}, {47.0, 2.0 + gap}, {32.0, 7.0}, {28.0, 7.0}};
+    EXPECT_NEAR(flow_through({subsoil, dike}), exact, 0.01 * exact) << gap;
+  }
+}
+
+TEST(ComputedWater, TheRiverStandsBelowAWallThatLeansOverIt)
+{
+  const auto quay = [](Real lean) {
+    return flow_through({{{0.0, 0.0}, {60.0, 0.0}, {60.0, 2.0}, {40.0, 2.0}, {40.0, 7.0}, {20.0 - lean, 7.0},
+        {20.0, 2.0}, {0.0, 2.0}}});
+  };
+  EXPECT_NEAR(quay(0.02), quay(0.0), 0.01 * quay(0.0));
+  EXPECT_NEAR(quay(0.3), quay(0.0), 0.02 * quay(0.0));
+}
+
+TEST(ComputedWater, LayersWhoseBorderRunsThroughCellsAreExactAtAnyRatio)
+{
+  for (const Real ratio : {2.0, 5.0, 9.0, 1e5}) {
+    Case c = dam(1.0);
+    c.mesh.origin = {0.0, -0.5}, c.mesh.size = {4.0, 11.0};
+    c.materials.push_back(c.materials[0]);
+    c.materials[1].name = "clay";
+    c.materials[1].permeability = {1e-5 / ratio, 1e-5 / ratio};
+    c.bodies = {body("rock", {0.0, 0.0}, {4.0, 5.0}), body("clay", {0.0, 5.0}, {4.0, 8.0})};
+    c.water.start.seepage = {};
+    c.water.start.seepage.ponds = {{"lake", 0.0, 4.0, 9.0}};
+    c.water.start.seepage.boundary = {{"base", SectionSide::bottom, 0.0, 4.0, {{0.0, 6.0}}, 0.0}};
+    const SharedMesh mesh = mesh_of(c);
+    const ComputedWater water =
+        compute_water(*mesh, seepage_section(c, mesh), c.water.start.seepage, {.band = 0.5}, "water");
+    const Real exact = 4.0 * 3.0 / (5.0 / 1e-5 + 3.0 * ratio / 1e-5);
+    EXPECT_NEAR(water.flow.outflow[2], exact, 0.01 * exact) << ratio;
+  }
+}
+
 TEST(ComputedWater, AnAquiferThatGoesOnHasTheHeadOfItsLeakageLength)
 {
   // 10 m of sand below 2 m of clay; the first mode decays by 45.10 m, so that the end at 30 m has 2 exp(-x/45.1).
