@@ -27,7 +27,8 @@ std::vector<char> edges_in_river(const SeepageSection& section, const RiverCase&
   const bool from_left = river.side == SectionSide::left;
   Real end = from_left ? std::numeric_limits<Real>::infinity() : no_level;
   for (const SoilEdge& edge : edges)
-    for (const Vec<2>& x : {edge.a, edge.b}) end = from_left ? std::min(end, x[0]) : std::max(end, x[0]);
+    for (const Vec<2>& x : {edge.a, edge.b})
+      if (edge.is_open && x[1] < river.level) end = from_left ? std::min(end, x[0]) : std::max(end, x[0]);
   const Real near = 1e-2 * section.cell;  // as a gap that is none
   const auto is_below = [&](Vec<2> x) { return x[1] < river.level; };
   std::vector<char> wet(edges.size(), 0);

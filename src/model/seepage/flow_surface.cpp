@@ -103,7 +103,7 @@ std::vector<SoilEdge> surface_of(const Mesh<2>& mesh, std::span<const BodyOutlin
     if (whole < tolerance) return;
     const std::vector<Real> shares = meetings(side.a, side.b, soil.all(), step);
     for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
-      if ((shares[k + 1] - shares[k]) * whole < 10.0 * tolerance) continue;
+      if ((shares[k + 1] - shares[k]) * whole < step) continue;
       const Vec<2> a = between(side.a, side.b, shares[k]), b = between(side.a, side.b, shares[k + 1]),
                    middle = between(a, b, 0.5), way = between(a, b);
       Vec<2> normal{way[1] / length(way), -way[0] / length(way)};
