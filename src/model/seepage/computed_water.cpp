@@ -388,6 +388,20 @@ void set_computed(WaterSituation& situation, const SharedMesh& mesh, const Compu
   situation.formula_text = "computed";
 }
 
+/// The cases of stages and ground of a case have the water of the case.
+static void take_over(const WaterCase& water, Case& of)
+{
+  const auto changed = [&](const std::shared_ptr<const Case>& inner) {
+    auto other = std::make_shared<Case>(*inner);
+    other->water.start = water.start;
+    other->water.situations = water.situations;
+    take_over(water, *other);
+    return other;
+  };
+  for (StageCase& stage : of.stages) stage.changed = changed(stage.changed);
+  if (of.ground_of) of.ground_of = changed(of.ground_of);
+}
+
 Case with_computed_water(const Case& whole, const SharedMesh& mesh)
 {
   Case solved = whole;
@@ -411,13 +425,7 @@ Case with_computed_water(const Case& whole, const SharedMesh& mesh)
       solve(situation, fmt::format("water.situation[{}]", k));
     }
   }
-  const auto with_water = [&](const Case& of) {
-    auto other = std::make_shared<Case>(of);
-    other->water = solved.water;
-    return other;
-  };
-  for (StageCase& stage : solved.stages) stage.changed = with_water(*stage.changed);
-  if (solved.ground_of) solved.ground_of = with_water(*solved.ground_of);
+  take_over(solved.water, solved);
   return solved;
 }
 

@@ -54,6 +54,27 @@ TEST(ComputedWater, BecomesTheHeadsAndTheLineOfItsSituation)
   EXPECT_LT(unlimited_pressure(water, water.start, {15.0, 11.0}, 0.0), -1e3);  // drier than that
 }
 
+TEST(ComputedWater, IsThatOfStagesAndOfTheGroundTooWhoseStandingWaterStays)
+{
+  Case c = dam();
+  c.water.situations = {c.water.start};
+  c.water.situations[0].name = "low";
+  c.water.situations[0].seepage.river->level = 8.0;
+  StageCase stage;
+  stage.changed = std::make_shared<const Case>(c);
+  c.stages = {stage};
+  c.ground_of = std::make_shared<const Case>(c);
+  c.water.standing = 1;
+  const Case solved = with_computed_water(c, mesh_of(c));
+  const Case &of_stage = *solved.stages[0].changed, &ground = *solved.ground_of, &its_stage = *ground.stages[0].changed;
+  for (const Case* of : {&solved, &of_stage, &ground, &its_stage}) {
+    EXPECT_NEAR(water_pressure(of->water, of->water.start, {10.5, 1.0}, 0.0), 9810.0 * 8.9, 9810.0 * 0.4);
+    EXPECT_NEAR(water_pressure(of->water, of->water.situations[0], {10.5, 1.0}, 0.0), 9810.0 * 6.9, 9810.0 * 0.4);
+  }
+  EXPECT_FALSE(ground.water.standing);
+  EXPECT_EQ(solved.water.standing, 1u);
+}
+
 TEST(ComputedWater, EverySoilNeedsAPermeability)
 {
   Case c = dam();
