@@ -31,11 +31,11 @@ function take(from, to) {
 
 FS.mkdir("/terp");
 if (process.env.REPORT_PAGE) FS.writeFile("/terp/page.html", fs.readFileSync(process.env.REPORT_PAGE));
-FS.mkdir("/work");
-put(folder, "/work");
-FS.chdir("/work");
+FS.mkdir("/job");
+put(folder, "/job");
+FS.chdir("/job");
 let status = terp.callMain(words);
 const part = Number(process.env.PART_S ?? Infinity); // of the run [s]; infinite: in one go
 while (status === GOES_ON) status = terp._terp_go_on(terp._terp_time() + part);
-take("/work", folder);
+take("/job", folder);
 process.exitCode = status;

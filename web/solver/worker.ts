@@ -103,14 +103,14 @@ export function workInWorker(makeProgram: MakeProgram): void {
     const fs = program.FS;
     fs.mkdir("/terp");
     fs.writeFile("/terp/page.html", template);
-    fs.mkdir("/work");
-    fs.chdir("/work");
+    fs.mkdir("/job");
+    fs.chdir("/job");
     for (const [path, bytes] of files) {
       path.split("/").slice(0, -1).reduce((folder, name) => {
         if (!fs.analyzePath(folder + name).exists) fs.mkdir(folder + name);
         return `${folder}${name}/`;
-      }, "/work/");
-      fs.writeFile(`/work/${path}`, bytes);
+      }, "/job/");
+      fs.writeFile(`/job/${path}`, bytes);
     }
     const statuses: number[] = [];
     for (const { words, always } of calls) {
@@ -118,7 +118,7 @@ export function workInWorker(makeProgram: MakeProgram): void {
       const status = program.callMain(words);
       statuses.push(status === GOES_ON ? await goOn(program) : status);
     }
-    const made = filesBelow(fs, "/work", "");
+    const made = filesBelow(fs, "/job", "");
     tell({ kind: "end", statuses, files: made }, made.map(([, bytes]) => bytes.buffer));
   }
 
