@@ -7,13 +7,13 @@
 #include "io/case/units.hpp"
 #include "io/case/values.hpp"
 #include "math/closest.hpp"
+#include "math/number_from.hpp"
 #include "model/water/level_series.hpp"
 #include "os/read_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
@@ -53,11 +53,8 @@ std::vector<std::string> cells_of(std::string_view line)
 std::optional<Real> number_of_cell(std::string text)
 {
   std::ranges::replace(text, ',', '.');
-  Real value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data() + (text.starts_with('+') ? 1 : 0), end, value);
-  if (text.empty() || result.ec != std::errc() || result.ptr != end || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const std::optional<Real> value = number_from<Real>(std::string_view(text).substr(text.starts_with('+') ? 1 : 0));
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 /// Days from 1970-01-01 of a date of the Gregorian calendar.
