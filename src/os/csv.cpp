@@ -28,7 +28,7 @@ std::string plain_csv_cell(std::string_view text)
   return csv_cell(*end == '\0' ? number : "'" + number);
 }
 
-std::vector<std::string> csv_cells(std::string_view line)
+std::vector<std::string> csv_cells(std::string_view line, char separator)
 {
   std::vector<std::string> cells(1);
   bool quoted = false;
@@ -38,7 +38,7 @@ std::vector<std::string> csv_cells(std::string_view line)
       cells.back() += line[++k];
     else if (c == '"')
       quoted = !quoted;
-    else if (c == ',' && !quoted)
+    else if (c == separator && !quoted)
       cells.emplace_back();
     else
       cells.back() += c;

@@ -15,6 +15,6 @@ std::string csv_cell(std::string_view text);
 std::string plain_csv_cell(std::string_view text);
 
 /// The cells of a line, without their quotes.
-std::vector<std::string> csv_cells(std::string_view line);
+std::vector<std::string> csv_cells(std::string_view line, char separator = ',');
 
 }  // namespace terp

@@ -162,6 +162,11 @@ std::vector<Real> crossings_of_vertical(std::span<const Side> sides, Real x)
   return heights;
 }
 
+bool encloses(std::span<const Side> sides, Vec<2> x)
+{
+  return std::ranges::count_if(crossings_of_vertical(sides, x[0]), [&](Real y) { return y > x[1]; }) % 2 == 1;
+}
+
 Real area(const BodyOutline& body)
 {
   Real sum = std::abs(signed_area(body.polygon));

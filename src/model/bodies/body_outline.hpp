@@ -32,6 +32,9 @@ std::vector<Side> outline_sides(const Mesh<2>& mesh, const BodyOutline& body);
 /// Heights at which the vertical line through x crosses the sides [m], ascending.
 std::vector<Real> crossings_of_vertical(std::span<const Side> sides, Real x);
 
+/// Whether a place lies within these sides of a body.
+bool encloses(std::span<const Side> sides, Vec<2> x);
+
 /// Area of the polygon less that of its holes [m^2].
 Real area(const BodyOutline& body);
 

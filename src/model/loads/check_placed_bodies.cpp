@@ -9,12 +9,6 @@
 namespace terp {
 namespace {
 
-bool encloses(const std::vector<Side>& sides, Vec<2> x)
-{
-  const std::vector<Real> crossings = crossings_of_vertical(sides, x[0]);
-  return std::ranges::count_if(crossings, [&](Real y) { return y > x[1]; }) % 2 == 1;
-}
-
 /// The points of a body that are to come where another one is drawn.
 struct Overlap {
   Index n = 0;

@@ -108,6 +108,13 @@ Real ground_over(const SeepageSection& section, Real x)
   return ground;
 }
 
+std::optional<std::size_t> SeepageSection::soil_at(Vec<2> x) const
+{
+  for (std::size_t b = sides.size(); b-- > 0;)  // the last one lies on top
+    if (encloses(sides[b], x)) return b;
+  return std::nullopt;
+}
+
 SeepageSection seepage_section(const Case& whole, const SharedMesh& mesh)
 {
   Model model;
@@ -141,7 +148,12 @@ SeepageSection seepage_section(const Case& whole, const SharedMesh& mesh)
         "m/d\n(1e-10 to 1e-8 and 1e-5 to 1e-3 m/s).",
         "material.permeability", false, {"water.model"}});
   if (!problems.empty()) throw InputError(std::move(problems));
+  for (const BodyOutline& outline : section.outlines) section.sides.push_back(outline_sides(*mesh, outline));
   section.edges = surface_of(*mesh, section.outlines);
+  section.left = std::numeric_limits<Real>::infinity(), section.right = no_level;
+  for (const SoilEdge& edge : section.edges)
+    for (const Vec<2>& x : {edge.a, edge.b})
+      section.left = std::min(section.left, x[0]), section.right = std::max(section.right, x[0]);
   section.cell = columns_of_section(*mesh).width;
   return section;
 }
@@ -248,12 +260,10 @@ static void check_ponds(
   for (std::size_t k = 0; k < of.ponds.size(); ++k) {
     const PondCase& pond = of.ponds[k];
     const std::string key = fmt::format("{}.ponds[{}]", path, k);
-    Real left = std::numeric_limits<Real>::infinity(), right = no_level;
-    for (const SoilEdge& edge : section.edges)
-      for (const Vec<2>& x : {edge.a, edge.b}) left = std::min(left, x[0]), right = std::max(right, x[0]);
-    if (pond.to < left || pond.from > right)
+    if (pond.to < section.left || pond.from > section.right)
       throw InputError(Problem{key, "no ground lies where the pond is",
-          fmt::format("It lies from {:g} to {:g} m, the soil from {:g} to {:g} m.", pond.from, pond.to, left, right),
+          fmt::format("It lies from {:g} to {:g} m, the soil from {:g} to {:g} m.", pond.from, pond.to, section.left,
+              section.right),
           "water.ponds"});
     if (!of.river) continue;
     const auto& river = free.stretches()[0];
@@ -304,11 +314,12 @@ Real suction_band_of(const WaterCase& water, const SeepageSection& section)
 std::vector<Vec<2>> table_of(
     const Mesh<2>& mesh, const SeepageSection& section, const FreeWaterLevels& free, std::span<const Real> heads)
 {
-  Real left = std::numeric_limits<Real>::infinity(), right = -left, base = left;
+  const Real left = section.left, right = section.right;
+  Real base = std::numeric_limits<Real>::infinity();
   std::vector<Real> xs;
   for (const SoilEdge& edge : section.edges)
     for (const Vec<2>& x : {edge.a, edge.b}) {
-      left = std::min(left, x[0]), right = std::max(right, x[0]), base = std::min(base, x[1]);
+      base = std::min(base, x[1]);
       if (edge.is_open) xs.push_back(x[0]);
     }
   const Real step = 0.5 * section.cell;

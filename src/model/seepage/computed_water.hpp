@@ -6,6 +6,7 @@
 #include "model/seepage/flow_surface.hpp"
 #include "model/seepage/free_surface.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,9 +16,14 @@ namespace terp {
 /// The soil of a case at t = 0 as water sees it.
 struct SeepageSection {
   std::vector<BodyOutline> outlines;
-  std::vector<FlowMaterial> materials;  ///< by outline
-  std::vector<SoilEdge> edges;          ///< surface of the soil
-  Real cell = 0.0;                      ///< typical size [m]
+  std::vector<FlowMaterial> materials;        ///< by outline
+  std::vector<std::vector<Side>> sides = {};  ///< by outline
+  std::vector<SoilEdge> edges;                ///< surface of the soil
+  Real left = 0.0, right = 0.0;               ///< ends of the soil [m]
+  Real cell = 0.0;                            ///< typical size [m]
+
+  /// Number of the outline at a place; none: no soil.
+  std::optional<std::size_t> soil_at(Vec<2> x) const;
 };
 
 /// Throws InputError where a soil has no permeability, or no outline.

@@ -20,23 +20,14 @@ constexpr Real mixes_from = 10.0;     // ratio of permeabilities in a cell from 
 constexpr Real least_part = 1e-10;    // of a cell that counts as soil
 constexpr std::array<Index, 2> parts_of_cell{3, 3};
 
-Conductivity conductivity(const Permeability& k) { return {k.horizontal, k.vertical, 0.0}; }
-
-std::array<Real, 2> gauss_local(int g)
-{
-  const auto place = Quad4::gauss_place(g);
-  return {place[0], place[1]};
-}
-
 void set_shape(
     const Mesh<2>& mesh, Index cell, Vec<2> local, Quad4::PerCorner<Real>& shape, Quad4::PerCorner<Vec<2>>& gradient)
 {
   const Quad4::Map& map = mesh.geometry(cell).map;
-  const std::array at{local[0], local[1]};
-  shape = Quad4::shape_functions(at);
-  const auto j = Quad4::jacobian(map, at);
+  shape = Quad4::shape_functions(local);
+  const auto j = Quad4::jacobian(map, local);
   const Real det = Quad4::determinant(j);
-  const auto derivatives = Quad4::shape_derivatives(at);
+  const auto derivatives = Quad4::shape_derivatives(local);
   for (int i = 0; i < Quad4::n_corners; ++i) {
     const auto scaled = Quad4::scaled_gradient(j, derivatives[i]);
     gradient[i] = {scaled[0] / det, scaled[1] / det};
@@ -46,20 +37,7 @@ void set_shape(
 Vec<2> local_of(const Mesh<2>& mesh, Index cell, Vec<2> x)
 {
   const Vec<2>& centre = mesh.centres[cell];
-  const auto at = Quad4::local_coordinates(mesh.geometry(cell).map, std::array{x[0] - centre[0], x[1] - centre[1]});
-  return {at[0], at[1]};
-}
-
-void add_gauss_places(const Mesh<2>& mesh, Index cell, const FlowPlace& like, Real share, FlowSoil& soil)
-{
-  const CellGeometry<Quad4>& geometry = mesh.geometry(cell);
-  for (int g = 0; g < Quad4::n_gauss; ++g) {
-    FlowPlace place = like;
-    const auto local = gauss_local(g);
-    place.x = place_in_cell(mesh, cell, {local[0], local[1]});
-    place.weight = share * geometry.gauss_volume[g];
-    soil.places.push_back(place);
-  }
+  return Quad4::local_coordinates(mesh.geometry(cell).map, Vec<2>{x[0] - centre[0], x[1] - centre[1]});
 }
 
 void add_fine_places(const Mesh<2>& mesh, Index cell, const FlowPlace& like, FlowSoil& soil)
@@ -71,14 +49,14 @@ void add_fine_places(const Mesh<2>& mesh, Index cell, const FlowPlace& like, Flo
     for (std::size_t j = 0; j < 4; ++j) {
       FlowPlace place = like;
       place.x = place_in_cell(mesh, cell, {at[i], at[j]});
-      place.weight = weight[i] * weight[j] * Quad4::determinant(Quad4::jacobian(map, std::array{at[i], at[j]}));
+      place.weight = weight[i] * weight[j] * Quad4::determinant(Quad4::jacobian(map, Vec<2>{at[i], at[j]}));
       soil.places.push_back(place);
     }
 }
 
-/// The part of a cell that a body has.
+/// The part of a cell that a soil has, of one body or of several.
 struct CellShare {
-  Index body;
+  Permeability k;
   Real area = 0.0;
   Vec<2> moment{0.0, 0.0};
 };
@@ -99,49 +77,46 @@ std::vector<Part> parts_in(const Drawing& drawing, const Overlay& overlay, Index
   return parts;
 }
 
-std::vector<CellShare> shares_of(std::span<const Part> parts)
+std::vector<CellShare> shares_of(std::span<const Part> parts, std::span<const FlowMaterial> materials)
 {
   std::vector<CellShare> shares;
   for (const Part& part : parts) {
-    auto share = std::ranges::find(shares, part.body, &CellShare::body);
-    if (share == shares.end()) share = shares.insert(share, CellShare{part.body});
+    auto share = std::ranges::find(shares, materials[part.body].k, &CellShare::k);
+    if (share == shares.end()) share = shares.insert(share, CellShare{materials[part.body].k});
     share->area += part.area;
     for (int d = 0; d < 2; ++d) share->moment[d] += part.area * part.centroid[d];
   }
   return shares;
 }
 
-Real most_ratio(std::span<const CellShare> shares, std::span<const FlowMaterial> materials)
+Real most_ratio(std::span<const CellShare> shares)
 {
   Real least = std::numeric_limits<Real>::infinity(), most = 0.0;
   for (const CellShare& share : shares) {
-    const Permeability& k = materials[share.body].k;
-    least = std::min({least, k.horizontal, k.vertical});
-    most = std::max({most, k.horizontal, k.vertical});
+    least = std::min({least, share.k.horizontal, share.k.vertical});
+    most = std::max({most, share.k.horizontal, share.k.vertical});
   }
   return most / least;
 }
 
 struct Mixture {
-  Conductivity k;
+  Permeability k;
   bool is_layered;  ///< of layers whose border runs along the cell: exact, whatever their ratio
 };
 
 /// Of soils in a cell: layers in series across their border and side by side along it, where the border runs along the
 /// cell; else in series in every direction.
-Mixture mixed(
-    const Mesh<2>& mesh, Index cell, std::span<const CellShare> shares, std::span<const FlowMaterial> materials)
+Mixture mixed(const Mesh<2>& mesh, Index cell, std::span<const CellShare> shares)
 {
   Real area = 0.0;
   for (const CellShare& share : shares) area += share.area;
-  Conductivity series{0.0, 0.0, 0.0}, side_by_side{0.0, 0.0, 0.0};
+  Permeability series, side_by_side;
   for (const CellShare& share : shares) {
-    const Permeability& k = materials[share.body].k;
     const Real part = share.area / area;
-    series.xx += part / k.horizontal, series.yy += part / k.vertical;
-    side_by_side.xx += part * k.horizontal, side_by_side.yy += part * k.vertical;
+    series.horizontal += part / share.k.horizontal, series.vertical += part / share.k.vertical;
+    side_by_side.horizontal += part * share.k.horizontal, side_by_side.vertical += part * share.k.vertical;
   }
-  series = {1.0 / series.xx, 1.0 / series.yy, 0.0};
+  series = {1.0 / series.horizontal, 1.0 / series.vertical};
   if (shares.size() != 2) return {series, false};
   const Quad4::Map& map = mesh.geometry(cell).map;
   const auto middle = [](const CellShare& share) {
@@ -157,33 +132,32 @@ Mixture mixed(
   const bool has_border_along = is_square_to(map.axis_xi) || is_square_to(map.axis_eta);
   if (!map.affine || !has_border_along) return {series, false};
   const bool is_level = std::abs(across[1]) > std::abs(across[0]);
-  return {
-      is_level ? Conductivity{side_by_side.xx, series.yy, 0.0} : Conductivity{series.xx, side_by_side.yy, 0.0}, true};
+  return {is_level ? Permeability{side_by_side.horizontal, series.vertical}
+                   : Permeability{series.horizontal, side_by_side.vertical},
+      true};
 }
 
 void add_cell(const Drawing& drawing, Index cell, std::span<const FlowMaterial> materials, bool is_fine, FlowSoil& soil)
 {
   const Overlay overlay = draw_cell(drawing, cell);
-  const auto like = [&](Index body) {
-    return FlowPlace{cell, {}, 0.0, conductivity(materials[body].k), materials[body].storage};
-  };
+  const auto like = [&](Index body) { return FlowPlace{cell, {}, 0.0, materials[body].k, materials[body].storage}; };
   const Mesh<2>& mesh = drawing.mesh;
   const auto add_whole = [&](Index body) {
-    is_fine ? add_fine_places(mesh, cell, like(body), soil) : add_gauss_places(mesh, cell, like(body), 1.0, soil);
+    is_fine ? add_fine_places(mesh, cell, like(body), soil) : add_gauss_places(mesh, cell, like(body), soil);
   };
   if (overlay.rings.empty()) {
     if (overlay.ground >= 0) add_whole(overlay.ground);
     return;
   }
   const std::vector<Part> parts = parts_in(drawing, overlay, cell);
-  const std::vector<CellShare> shares = shares_of(parts);
+  const std::vector<CellShare> shares = shares_of(parts, materials);
   const Real area = mesh.geometry(cell).volume;
   Real filled = 0.0;
   for (const CellShare& share : shares) filled += share.area;
   if (filled < least_part * area) return;
-  if (shares.size() == 1 && filled > (1.0 - 1e-9) * area) return add_whole(shares[0].body);
-  const Mixture mixture = shares.size() > 1 ? mixed(mesh, cell, shares, materials) : Mixture{};
-  const bool is_mixed = shares.size() > 1 && (mixture.is_layered || most_ratio(shares, materials) > mixes_from);
+  if (shares.size() == 1 && filled > (1.0 - 1e-9) * area) return add_whole(parts[0].body);
+  const Mixture mixture = shares.size() > 1 ? mixed(mesh, cell, shares) : Mixture{};
+  const bool is_mixed = shares.size() > 1 && (mixture.is_layered || most_ratio(shares) > mixes_from);
   for (const Part& part : parts) {
     FlowPlace place = like(part.body);
     if (is_mixed) place.k = mixture.k;
@@ -196,7 +170,7 @@ void add_cell(const Drawing& drawing, Index cell, std::span<const FlowMaterial> 
 /// Of the soil of a cell.
 struct CellSoil {
   Real area = 0.0;
-  Conductivity k = {};  // times the area
+  Permeability k = {};  // times the area
   Real length = 0.0;    // of its surface
 };
 
@@ -207,16 +181,25 @@ std::vector<CellSoil> soil_of_cells(const Mesh<2>& mesh, const FlowSoil& soil)
     if (!place.is_soil) continue;
     CellSoil& cell = cells[place.cell];
     cell.area += place.weight;
-    cell.k.xx += place.weight * place.k.xx, cell.k.yy += place.weight * place.k.yy;
-    cell.k.xy += place.weight * place.k.xy;
+    cell.k.horizontal += place.weight * place.k.horizontal, cell.k.vertical += place.weight * place.k.vertical;
   }
   for (const SurfacePlace& place : soil.surface) cells[place.cell].length += place.weight;
   for (CellSoil& cell : cells)
-    if (cell.area > 0.0) cell.k = {cell.k.xx / cell.area, cell.k.yy / cell.area, cell.k.xy / cell.area};
+    if (cell.area > 0.0) cell.k = {cell.k.horizontal / cell.area, cell.k.vertical / cell.area};
   return cells;
 }
 
 }  // namespace
+
+void add_gauss_places(const Mesh<2>& mesh, Index cell, const FlowPlace& like, FlowSoil& soil)
+{
+  for (int g = 0; g < Quad4::n_gauss; ++g) {
+    FlowPlace place = like;
+    place.x = place_in_cell(mesh, cell, Quad4::gauss_place(g));
+    place.weight = mesh.geometry(cell).gauss_volume[g];
+    soil.places.push_back(place);
+  }
+}
 
 FlowSoil make_flow_soil(const Mesh<2>& mesh, std::span<const BodyOutline> bodies,
     std::span<const FlowMaterial> materials, std::vector<SurfacePlace> surface, bool is_fine)
@@ -237,9 +220,9 @@ void complete_flow_soil(const Mesh<2>& mesh, FlowSoil& soil)
     const Real empty = 1.0 - cell.area / mesh.geometry(c).volume;
     if (cell.area <= 0.0 || empty < 1e-3) continue;
     const Real share = of_empty_part * empty;
-    FlowPlace place{c, {}, 0.0, {share * cell.k.xx, share * cell.k.yy, share * cell.k.xy}};
+    FlowPlace place{c, {}, 0.0, {share * cell.k.horizontal, share * cell.k.vertical}};
     place.is_soil = false;
-    add_gauss_places(mesh, c, place, 1.0, soil);
+    add_gauss_places(mesh, c, place, soil);
   }
   Real low = std::numeric_limits<Real>::infinity(), high = -low;
   for (FlowPlace& place : soil.places) {

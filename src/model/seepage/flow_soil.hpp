@@ -12,19 +12,12 @@
 
 namespace terp {
 
-/// A symmetric tensor [m/s].
-struct Conductivity {
-  Real xx = 0.0, yy = 0.0, xy = 0.0;
-
-  Vec<2> times(Vec<2> g) const { return {xx * g[0] + xy * g[1], xy * g[0] + yy * g[1]}; }
-};
-
 /// A place of the quadrature of the soil.
 struct FlowPlace {
   Index cell;
   Vec<2> x;     ///< [m]
   Real weight;  ///< [m^2]
-  Conductivity k;
+  Permeability k;
   Storage storage = {};
   bool is_soil = true;  ///< false: the empty part of a cut cell, which carries its nodes
   Quad4::PerCorner<Real> shape = {};
@@ -69,6 +62,9 @@ struct FlowMaterial {
 /// is_fine: whole cells have 4 x 4 places, as what soil stores over a band narrower than a cell needs.
 FlowSoil make_flow_soil(const Mesh<2>& mesh, std::span<const BodyOutline> bodies,
     std::span<const FlowMaterial> materials, std::vector<SurfacePlace> surface, bool is_fine = false);
+
+/// The four places of Gauss in a cell; like: the rest of them.
+void add_gauss_places(const Mesh<2>& mesh, Index cell, const FlowPlace& like, FlowSoil& soil);
 
 /// What follows from places and permeabilities: shapes, the empty parts of cut cells, fluxes and penalties.
 void complete_flow_soil(const Mesh<2>& mesh, FlowSoil& soil);

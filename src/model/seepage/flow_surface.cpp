@@ -32,9 +32,8 @@ class SoilOutlines {
   /// Within the mesh.
   bool is_soil(Vec<2> x) const
   {
-    return locate(mesh_, x).inside && std::ranges::any_of(sides_, [&](const std::vector<Side>& sides) {
-      return std::ranges::count_if(crossings_of_vertical(sides, x[0]), [&](Real y) { return y > x[1]; }) % 2 == 1;
-    });
+    return locate(mesh_, x).inside &&
+           std::ranges::any_of(sides_, [&](const std::vector<Side>& sides) { return encloses(sides, x); });
   }
 
   /// Whether soil lies right above a place, or right below.

@@ -85,7 +85,7 @@ class Flow {
         for (int j = 0; j <= i; ++j)
           stiffness_[q][lower(i, j)] = place.weight * (flux[0] * place.gradient[j][0] + flux[1] * place.gradient[j][1]);
       }
-      most_k_ = std::max({most_k_, place.is_soil ? place.k.xx : 0.0, place.is_soil ? place.k.yy : 0.0});
+      most_k_ = std::max({most_k_, place.is_soil ? place.k.horizontal : 0.0, place.is_soil ? place.k.vertical : 0.0});
     }
     if (step_) held_before_ = held(step_->heads);
   }

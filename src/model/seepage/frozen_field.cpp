@@ -36,7 +36,7 @@ std::vector<Real> shares_at_nodes(const Mesh<2>& mesh, std::span<const WetPoint>
 }
 
 /// In series in every direction; cells without points have that of all.
-std::vector<Conductivity> permeabilities(const Mesh<2>& mesh, std::span<const WetPoint> points)
+std::vector<Permeability> permeabilities(const Mesh<2>& mesh, std::span<const WetPoint> points)
 {
   struct Sum {
     Real volume = 0.0, horizontal = 0.0, vertical = 0.0;
@@ -47,7 +47,7 @@ std::vector<Conductivity> permeabilities(const Mesh<2>& mesh, std::span<const We
       horizontal += p.volume / p.k.horizontal;
       vertical += p.volume / p.k.vertical;
     }
-    Conductivity mean() const { return {volume / horizontal, volume / vertical, 0.0}; }
+    Permeability mean() const { return {volume / horizontal, volume / vertical}; }
   };
   std::vector<Sum> sums(mesh.cells.size());
   Sum all;
@@ -56,7 +56,7 @@ std::vector<Conductivity> permeabilities(const Mesh<2>& mesh, std::span<const We
     sums[point.cell].enter(point);
     all.enter(point);
   }
-  std::vector<Conductivity> k;
+  std::vector<Permeability> k;
   for (const Sum& sum : sums) k.push_back(sum.volume > 0.0 ? sum.mean() : all.mean());
   return k;
 }
@@ -65,7 +65,7 @@ class WetDomain {
  public:
   WetDomain(const Mesh<2>& mesh, const AboveSoil& above, FlowSoil& soil) : mesh_(mesh), above_(above), soil_(soil) {}
 
-  void add_cell(Index cell, const std::vector<Real>& share, const Conductivity& k)
+  void add_cell(Index cell, const std::vector<Real>& share, const Permeability& k)
   {
     std::array<Real, 4> over;
     int n_over = 0;
@@ -74,7 +74,7 @@ class WetDomain {
       n_over += over[i] >= 0.0;
     }
     if (n_over == 0) return;
-    if (n_over == 4) return add_whole(cell, k);
+    if (n_over == 4) return add_gauss_places(mesh_, cell, {cell, {}, 0.0, k}, soil_);
     const auto corners = mesh_.corners(cell);
     std::vector<Vec<2>> ring;
     std::vector<std::pair<bool, Vec<2>>> crossings;  // true: the way round the cell leaves the wet soil
@@ -92,18 +92,8 @@ class WetDomain {
   }
 
  private:
-  void add_whole(Index cell, const Conductivity& k)
-  {
-    const CellGeometry<Quad4>& geometry = mesh_.geometry(cell);
-    const Vec<2>& centre = mesh_.centres[cell];
-    for (int g = 0; g < Quad4::n_gauss; ++g) {
-      const auto offset = Quad4::offset_from_centre(geometry.map, Quad4::gauss_place(g));
-      soil_.places.push_back({cell, {centre[0] + offset[0], centre[1] + offset[1]}, geometry.gauss_volume[g], k});
-    }
-  }
-
   /// Triangles with three places each; false: next to nothing.
-  bool add_ring(Index cell, const std::vector<Vec<2>>& ring, const Conductivity& k)
+  bool add_ring(Index cell, const std::vector<Vec<2>>& ring, const Permeability& k)
   {
     Real area = 0.0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) area += 0.5 * cross(ring[0], ring[i], ring[i + 1]);
@@ -148,7 +138,7 @@ std::vector<Real> frozen_heads(
     const Mesh<2>& mesh, std::span<const WetPoint> points, const AboveSoil& above, std::vector<SurfacePlace> sides)
 {
   const std::vector<Real> share = shares_at_nodes(mesh, points);
-  const std::vector<Conductivity> k = permeabilities(mesh, points);
+  const std::vector<Permeability> k = permeabilities(mesh, points);
   FlowSoil soil;
   soil.surface = std::move(sides);
   for (SurfacePlace& place : soil.surface) place.part = 0;

@@ -10,6 +10,7 @@ struct Permeability {
   Real horizontal = 0.0, vertical = 0.0;
 
   bool is_given() const { return horizontal != 0.0; }
+  Vec<2> times(Vec<2> g) const { return {horizontal * g[0], vertical * g[1]}; }
   bool operator==(const Permeability&) const = default;
 };
 

@@ -37,12 +37,33 @@ std::vector<std::string> names_of_levels(const SeepageCase& of)
 
 }  // namespace
 
+std::vector<Real> levels_at(const LevelWave& wave, Real time)
+{
+  const auto after = std::ranges::upper_bound(wave.times, time);
+  if (after == wave.times.begin()) return wave.levels.front();
+  if (after == wave.times.end()) return wave.levels.back();
+  const auto k = static_cast<std::size_t>(after - wave.times.begin());
+  const Real share = (time - wave.times[k - 1]) / (wave.times[k] - wave.times[k - 1]);
+  std::vector<Real> levels = wave.levels[k - 1];
+  for (std::size_t n = 0; n < levels.size(); ++n) levels[n] = std::lerp(levels[n], wave.levels[k][n], share);
+  return levels;
+}
+
+LevelWave with_times(LevelWave wave, const std::vector<Real>& times)
+{
+  for (const Real time : times) {
+    const auto at = std::ranges::lower_bound(wave.times, time);
+    if (at != wave.times.end() && *at == time) continue;
+    wave.levels.insert(wave.levels.begin() + (at - wave.times.begin()), levels_at(wave, time));
+    wave.times.insert(at, time);
+  }
+  return wave;
+}
+
 SeepageCase conditions_at(const SeepageCase& of, const LevelWave& wave, Real time)
 {
   SeepageCase now = of;
-  const auto after = std::ranges::upper_bound(wave.times, time);
-  const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-      after - wave.times.begin(), 1, std::max<std::ptrdiff_t>(std::ssize(wave.times) - 1, 1)));
+  const std::vector<Real> levels = levels_at(wave, time);
   for (std::size_t n = 0; n < wave.names.size(); ++n) {
     Real* level = level_called(now, wave.names[n]);
     if (level == nullptr) {
@@ -51,12 +72,7 @@ SeepageCase conditions_at(const SeepageCase& of, const LevelWave& wave, Real tim
           did_you_mean(wave.names[n], known) + fmt::format("Levels of this case: {}", fmt::join(known, ", ")),
           "water.river"});
     }
-    if (wave.times.size() == 1) {
-      *level = wave.levels[0][n];
-      continue;
-    }
-    const Real share = std::clamp((time - wave.times[k - 1]) / (wave.times[k] - wave.times[k - 1]), 0.0, 1.0);
-    *level = std::lerp(wave.levels[k - 1][n], wave.levels[k][n], share);
+    *level = levels[n];
   }
   return now;
 }
@@ -73,11 +89,11 @@ std::vector<Real> times_of_steps(const LevelWave& wave, Real longest)
 }
 
 void follow_levels(const Mesh<2>& mesh, const SeepageSection& section, const SeepageCase& of, const LevelWave& wave,
-    Real longest_step, Real band, const std::string& path, const WaterAtTime& use)
+    Real longest_step, Real band, const WaterAtTime& use)
 {
   const std::vector<Real> times = times_of_steps(wave, longest_step);
   SeepageCase conditions = conditions_at(of, wave, times.front());
-  ComputedWater water = compute_water(mesh, section, conditions, {.band = band, .stores = true}, path);
+  ComputedWater water = compute_water(mesh, section, conditions, {.band = band, .stores = true}, "water");
   use(times.front(), conditions, water);
   // A step that finds no flow is taken in two halves.
   const std::function<void(Real, Real, int)> go = [&](Real from, Real to, int halvings) {
@@ -85,7 +101,7 @@ void follow_levels(const Mesh<2>& mesh, const SeepageSection& section, const See
     conditions = conditions_at(of, wave, to);
     try {
       water = compute_water(
-          mesh, section, conditions, {.band = band, .stores = true, .step = FlowStep{to - from, before}}, path);
+          mesh, section, conditions, {.band = band, .stores = true, .step = FlowStep{to - from, before}}, "water");
     } catch (const InputError&) {
       if (halvings == most_halvings) throw;
       const Real middle = 0.5 * (from + to);

@@ -24,29 +24,23 @@ struct SoilStretch {
   std::size_t body;
 };
 
-std::vector<SoilStretch> soils_along(const Mesh<2>& mesh, const SeepageSection& section, Real x)
+std::vector<SoilStretch> soils_along(const SeepageSection& section, Real x)
 {
-  std::vector<std::vector<Side>> sides;
   std::vector<Real> heights;
-  for (const BodyOutline& outline : section.outlines) {
-    sides.push_back(outline_sides(mesh, outline));
-    const std::vector<Real> of = crossings_of_vertical(sides.back(), x);
+  for (const std::vector<Side>& sides : section.sides) {
+    const std::vector<Real> of = crossings_of_vertical(sides, x);
     heights.insert(heights.end(), of.begin(), of.end());
   }
   std::ranges::sort(heights, std::ranges::greater{});
   std::vector<SoilStretch> soils;
   for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
-    const Real middle = 0.5 * (heights[k] + heights[k + 1]);
     if (heights[k] - heights[k + 1] < 1e-9 * section.cell) continue;
-    for (std::size_t b = sides.size(); b-- > 0;) {
-      const std::vector<Real> of = crossings_of_vertical(sides[b], x);
-      if (std::ranges::count_if(of, [&](Real y) { return y > middle; }) % 2 == 0) continue;
-      if (!soils.empty() && soils.back().body == b && soils.back().bottom == heights[k])
-        soils.back().bottom = heights[k + 1];
-      else
-        soils.push_back({heights[k], heights[k + 1], b});
-      break;
-    }
+    const auto body = section.soil_at({x, 0.5 * (heights[k] + heights[k + 1])});
+    if (!body) continue;
+    if (!soils.empty() && soils.back().body == *body && soils.back().bottom == heights[k])
+      soils.back().bottom = heights[k + 1];
+    else
+      soils.push_back({heights[k], heights[k + 1], *body});
   }
   return soils;
 }
@@ -72,7 +66,7 @@ std::vector<UpliftPlace> uplift_over_land(
   std::vector<UpliftPlace> places;
   for (Index k = river_left ? crest : 0; k < (river_left ? columns.n : crest + 1); ++k) {
     const Real x = columns.left + (k + 0.5) * columns.width;
-    const std::vector<SoilStretch> soils = soils_along(*model.mesh, section, x);
+    const std::vector<SoilStretch> soils = soils_along(section, x);
     std::optional<UpliftPlace> worst;
     for (std::size_t s = 0; s + 1 < soils.size(); ++s) {
       const Real above = section.materials[soils[s].body].k.vertical,
@@ -80,14 +74,15 @@ std::vector<UpliftPlace> uplift_over_land(
       if (below < (1.0 - 1e-9) * more_permeable * above) continue;
       UpliftPlace place{.x = {x, soils[s].bottom}, .ground = soils[0].top};
       place.stress = overburden.total(place.x, situation);
-      // Where the border lies in a cell, its head is that of a mixture: the aquifer has it less deep than a cell.
-      const Real inside = place.x[1] - std::min(section.cell, 0.5 * (soils[s + 1].top - soils[s + 1].bottom));
+      // Where the border lies in a cell, the head there is that of a mixture: it is taken from two places below.
+      const Real depth = std::min(section.cell, (soils[s + 1].top - soils[s + 1].bottom) / 3.0);
       const auto head = [&](Real y) {
         return y + unlimited_pressure(water, situation, {x, y}, 0.0) / water.unit_weight;
       };
       const Real top = std::max(place.ground, elevation_at(situation.phreatic_line, x));
-      place.pressure = std::max(water.unit_weight * (head(inside) - place.x[1]), 0.0);
-      place.gradient = (head(inside) - top) / (place.ground - place.x[1]);
+      const Real below_cover = 2.0 * head(place.x[1] - depth) - head(place.x[1] - 2.0 * depth);
+      place.pressure = std::max(water.unit_weight * (below_cover - place.x[1]), 0.0);
+      place.gradient = (below_cover - top) / (place.ground - place.x[1]);
       if (!worst || place.factor() < worst->factor()) worst = place;
     }
     if (worst) places.push_back(*worst);
@@ -160,13 +155,8 @@ std::vector<Side> lines_of_equal(const Mesh<2>& mesh, const SeepageSection& sect
 {
   std::vector<Side> lines;
   if (!(step > 0.0)) return lines;
-  std::vector<std::vector<Side>> outlines;
-  for (const BodyOutline& outline : section.outlines) outlines.push_back(outline_sides(mesh, outline));
   const auto is_wet_soil = [&](Vec<2> x) {
-    const bool is_soil = std::ranges::any_of(outlines, [&](const std::vector<Side>& sides) {
-      return std::ranges::count_if(crossings_of_vertical(sides, x[0]), [&](Real y) { return y > x[1]; }) % 2 == 1;
-    });
-    return is_soil && head_at(mesh, water.flow.heads, x).value_or(x[1]) > x[1];
+    return section.soil_at(x) && head_at(mesh, water.flow.heads, x).value_or(x[1]) > x[1];
   };
   constexpr int parts = 4;  // of a piece that may leave the wet soil
   std::vector<char> has_soil(mesh.cells.size(), 0);

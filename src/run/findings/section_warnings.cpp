@@ -59,11 +59,6 @@ std::optional<Real> meet(Vec<2> x, Vec<2> d, const Side& line)
   return t;
 }
 
-bool encloses(const std::vector<Side>& sides, Vec<2> x)
-{
-  return std::ranges::count_if(crossings_of_vertical(sides, x[0]), [&](Real y) { return y > x[1]; }) % 2 == 1;
-}
-
 /// "body `berm`", or without a name "body 3 (`clay`)": numbers alone say little of layers.
 std::string name_of(const BodyCase& body, std::size_t number)
 {

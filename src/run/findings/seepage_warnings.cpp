@@ -37,10 +37,7 @@ void find_odd_levels(
   const std::string path = path_of_situation(number);
   if (const auto& river = of.seepage.river) {
     const EdgeKind kind = river->side == SectionSide::left ? EdgeKind::left : EdgeKind::right;
-    Real end = river->side == SectionSide::left ? INFINITY : -INFINITY;
-    for (const SoilEdge& edge : section.edges)
-      for (const Vec<2>& x : {edge.a, edge.b})
-        end = river->side == SectionSide::left ? std::min(end, x[0]) : std::max(end, x[0]);
+    const Real end = river->side == SectionSide::left ? section.left : section.right;
     const Real ground = ground_over(section, end), from_end = heights_of(section, kind)[1];
     if (river->level < std::max(ground, from_end) - 1e-9)
       warnings.push_back({path + ".river", "the river lies below the ground at its side",
@@ -81,21 +78,16 @@ void find_open_aquifers(const Model& model, const SeepageSection& section, std::
       };
       if (std::ranges::any_of(of.boundary, has_head)) continue;
       const Vec<2> inside{0.5 * (edge.a[0] + edge.b[0]) - 1e-3 * section.cell * edge.normal[0], y};
-      for (std::size_t b = section.outlines.size(); b-- > 0;) {
-        const std::vector<Side> sides = outline_sides(*model.mesh, section.outlines[b]);
-        if (std::ranges::count_if(crossings_of_vertical(sides, inside[0]), [&](Real at) { return at > y; }) % 2 == 0)
-          continue;
-        if (section.materials[b].k.horizontal < aquifer_over_cover * least) break;
-        warnings.push_back({"water.boundary",
-            fmt::format("an aquifer meets the {} side without a head", kind == EdgeKind::left ? "left" : "right"),
-            fmt::format("At y = {:.4g} m the soil is {:.0f} times as permeable as its cover, and no water passes its "
-                        "side.\nGive {{ side = \"{}\", from = Y, to = Y, head = H, leakage_length = L }} "
-                        "(docs/seepage.md).",
-                y, section.materials[b].k.horizontal / least, kind == EdgeKind::left ? "left" : "right"),
-            "water.boundary", true, {"water"}});
-        is_found = true;
-        break;
-      }
+      const auto soil = section.soil_at(inside);
+      if (!soil || section.materials[*soil].k.horizontal < aquifer_over_cover * least) continue;
+      const char* name = kind == EdgeKind::left ? "left" : "right";
+      warnings.push_back({"water.boundary", fmt::format("an aquifer meets the {} side without a head", name),
+          fmt::format("At y = {:.4g} m the soil is {:.0f} times as permeable as its cover, and no water passes its "
+                      "side.\nGive {{ side = \"{}\", from = Y, to = Y, head = H, leakage_length = L }} "
+                      "(docs/seepage.md).",
+              y, section.materials[*soil].k.horizontal / least, name),
+          "water.boundary", true, {"water"}});
+      is_found = true;
     }
   }
 }

@@ -35,9 +35,7 @@ Index SoilPieces::material_at(Real x, Real y) const
 {
   for (std::size_t b = sides_.size(); b-- > 0;) {
     if (!model_.description.bodies[b].is_there) continue;
-    const std::vector<Real> crossings = crossings_of_vertical(sides_[b], x);
-    if (std::ranges::count_if(crossings, [&](Real level) { return level > y; }) % 2 == 1)
-      return material_number(model_, model_.description.bodies[b].material);
+    if (encloses(sides_[b], {x, y})) return material_number(model_, model_.description.bodies[b].material);
   }
   return -1;
 }

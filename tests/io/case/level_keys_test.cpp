@@ -65,7 +65,7 @@ TEST_F(LevelKeys, HaveTheirUnitTheirSideAndALineByFormulas)
 TEST_F(LevelKeys, TakeDatesAndLeaveGapsOut)
 {
   EXPECT_THAT(message("tijd;stand\n31-12-2025 23:00;0,6\n2026-01-01 01:00;\n2026-01-01T02:00:00Z;1,0\n", ""),
-      HasSubstr("2 levels in 3 h, from 0.600 m to 1.000 m at"));
+      HasSubstr("2 levels in 3 h, from 0.600 m to 1.000 m at 3 h"));
   EXPECT_THAT(message("tijd;stand\n31-12-2025 23:00;0,6\n2026-01-01 01:00;\n2026-01-01T02:00:00Z;1,0\n", ""),
       HasSubstr("1 row without a level"));
 }

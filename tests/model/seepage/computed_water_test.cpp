@@ -1,5 +1,6 @@
 // From a case with permeabilities to the pressure at a place.
 #include "model/seepage/computed_water.hpp"
+#include "model/seepage/seepage_results.hpp"
 #include "model/parts/setup.hpp"
 #include "model/water/water_pressure.hpp"
 #include "model/meshes/setup_mesh.hpp"
@@ -141,6 +142,28 @@ TEST(ComputedWater, LayersWhoseBorderRunsThroughCellsAreExactAtAnyRatio)
         compute_water(*mesh, seepage_section(c, mesh), c.water.start.seepage, {.band = 0.5}, "water");
     const Real exact = 4.0 * 3.0 / (5.0 / 1e-5 + 3.0 * ratio / 1e-5);
     EXPECT_NEAR(water.flow.outflow[2], exact, 0.01 * exact) << ratio;
+  }
+}
+
+TEST(ComputedWater, UpliftIsThatOfTheHeadBelowTheCoverWhereverItsBaseLiesInTheCells)
+{
+  // Water rises through 3 m of clay from sand with a head of 9 m: p = 9.81 (9 - 5) kPa, stress 3 x 19.62 kPa.
+  for (const Real lower : {0.0, 0.5, 0.3}) {
+    Case c = dam(1.0);
+    c.mesh.origin = {0.0, -lower}, c.mesh.size = {6.0, 11.0};
+    c.materials.push_back(c.materials[0]);
+    c.materials[1].name = "clay";
+    c.materials[1].permeability = {1e-8, 1e-8};
+    c.bodies = {body("rock", {0.0, 0.0}, {6.0, 5.0}), body("clay", {0.0, 5.0}, {6.0, 8.0})};
+    c.water.start.seepage = {};
+    c.water.start.seepage.boundary = {{"base", SectionSide::bottom, 0.0, 6.0, {{0.0, 9.0}}, 0.0}};
+    const Model model = build_model(c, 1);
+    const SeepageSection section = seepage_section(c, model.mesh);
+    for (const UpliftPlace& place : uplift_over_land(model, section, model.description.water.start)) {
+      EXPECT_NEAR(place.x[1], 5.0, 1e-9) << lower;
+      EXPECT_NEAR(place.factor(), 3.0 * 2000.0 * 9.81 / (9810.0 * 4.0), 0.005) << lower;
+      EXPECT_NEAR(place.gradient, 1.0 / 3.0, 0.005) << lower;
+    }
   }
 }
 

@@ -22,6 +22,13 @@ TEST(SeepageInTime, LevelsRunLinearlyBetweenTheTimesOfTheWave)
   EXPECT_EQ(conditions_at(conditions(), wave(), 3600.0).river->level, 3.0);
 }
 
+TEST(SeepageInTime, RowsAtOtherTimesHaveTheLevelsOfTheWave)
+{
+  const LevelWave more = with_times(wave(), {1800.0, 3600.0});
+  EXPECT_THAT(more.times, ElementsAre(0.0, 1800.0, 3600.0, 10800.0));
+  EXPECT_THAT(more.levels[1], ElementsAre(2.0, 0.75));
+}
+
 TEST(SeepageInTime, StepsEndAtTheTimesOfTheWave)
 {
   EXPECT_THAT(times_of_steps(wave(), 3000.0), ElementsAre(0.0, 1800.0, 3600.0, 6000.0, 8400.0, 10800.0));
