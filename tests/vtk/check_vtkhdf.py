@@ -37,7 +37,7 @@ def command_of(vtk):
         found = subprocess.run([*command, "-c", "import vtkmodules.vtkIOHDF"], capture_output=True,
                                env=environment).returncode == 0
         return (command, environment) if found else None
-    root = Path(vtk).resolve() / "root" / "usr"
+    root = Path(vtk).resolve() / "debian" / "usr"
     libraries = root / "lib" / "x86_64-linux-gnu"
     pythons = sorted(path for path in root.glob("bin/python3.*") if re.fullmatch(r"python3\.\d+", path.name))
     if not pythons:
