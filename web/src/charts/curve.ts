@@ -24,7 +24,8 @@ export interface Axis {
   log?: boolean; // by ten
 }
 
-const WIDTH = 460, HEIGHT = 270, LEFT = 64, RIGHT = 14, TOP = 8, BOTTOM = 44;
+const WIDTH = 460, HEIGHT = 270, RIGHT = 14, TOP = 8, BOTTOM = 44;
+const TITLE = 24, CHARACTER = 6.6; // room left of the ticks, and of each character of theirs
 
 /** An axis with its ticks; `at` gives the place of a value between 0 and 1. */
 export interface Scale {
@@ -51,7 +52,7 @@ export function scaleOf(values: number[], axis: Axis): Scale {
     label: `${axis.label}${unitSuffix(unit)}` };
 }
 
-/** 1, 2, 5, 10, ... between two powers of ten. */
+/** 1, 2, 5, 10, ... between two powers of ten; round numbers where fewer than three of them lie there. */
 function logTicks(low: number, high: number): number[] {
   const ticks: number[] = [];
   for (let decade = Math.floor(low); decade <= high; decade++)
@@ -59,7 +60,7 @@ function logTicks(low: number, high: number): number[] {
       const tick = digit * 10 ** decade;
       if (Math.log10(tick) >= low && Math.log10(tick) <= high) ticks.push(tick);
     }
-  return ticks;
+  return ticks.length > 2 ? ticks : niceTicks(10 ** low, 10 ** high, 6).filter((tick) => tick > 0);
 }
 
 function svg(tag: string, attributes: Record<string, string | number>, text = ""): SVGElement {
@@ -69,11 +70,17 @@ function svg(tag: string, attributes: Record<string, string | number>, text = ""
   return made;
 }
 
+function line(curve: Curve, k: number, points: string): SVGElement {
+  return svg("polyline", { points, fill: "none", stroke: curve.colour, "stroke-width": 1.7,
+    "stroke-dasharray": DASHES[k % DASHES.length]!.join(" ") });
+}
+
 /** A figure like that of a Chart. */
 export function drawCurves(options: CurveOptions, curves: Curve[]): HTMLElement {
   const [x, y] = [scaleOf(curves.flatMap((c) => Array.from(c.x)), options.x),
     scaleOf(curves.flatMap((c) => Array.from(c.y)), options.y)];
-  const across = (share: number) => LEFT + share * (WIDTH - LEFT - RIGHT);
+  const left = TITLE + CHARACTER * Math.max(...y.ticks.map(({ text }) => text.length));
+  const across = (share: number) => left + share * (WIDTH - left - RIGHT);
   const up = (share: number) => HEIGHT - BOTTOM - share * (HEIGHT - TOP - BOTTOM);
   const root = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": options.title,
     class: "curves" });
@@ -82,7 +89,7 @@ export function drawCurves(options: CurveOptions, curves: Curve[]): HTMLElement 
       svg("text", { x: across(at), y: up(0) + 15, "text-anchor": "middle" }, text));
   for (const { at, text } of y.ticks)
     root.append(svg("line", { x1: across(0), x2: across(1), y1: up(at), y2: up(at), class: "grid" }),
-      svg("text", { x: LEFT - 6, y: up(at) + 4, "text-anchor": "end" }, text));
+      svg("text", { x: left - 6, y: up(at) + 4, "text-anchor": "end" }, text));
   root.append(svg("text", { x: across(0.5), y: HEIGHT - 8, "text-anchor": "middle" }, x.label),
     svg("text", { transform: `translate(12 ${up(0.5)}) rotate(-90)`, "text-anchor": "middle" }, y.label));
   curves.forEach((curve, k) => {
@@ -91,10 +98,13 @@ export function drawCurves(options: CurveOptions, curves: Curve[]): HTMLElement 
       const [px, py] = [across(x.at(curve.x[i]!)), up(y.at(curve.y[i]!))];
       if (Number.isFinite(px) && Number.isFinite(py)) places.push(`${px.toFixed(2)} ${py.toFixed(2)}`);
     }
-    root.append(svg("polyline", { points: places.join(" "), fill: "none", stroke: curve.colour, "stroke-width": 1.7,
-      "stroke-dasharray": DASHES[k % DASHES.length]!.join(" ") }));
+    root.append(line(curve, k, places.join(" ")));
   });
-  const legend = curves.map(({ label, colour }) => element("li", { style: `--line: ${colour}` }, label));
+  const legend = curves.map((curve, k) => {
+    const sample = svg("svg", { viewBox: "0 0 26 4", "aria-hidden": "true" });
+    sample.append(line(curve, k, "0 2 26 2"));
+    return element("li", {}, sample, curve.label);
+  });
   return element("figure", { class: "chart" }, element("figcaption", {}, options.title), root,
     element("ul", { class: "curve-legend" }, ...legend));
 }
