@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 
@@ -30,6 +31,7 @@ constexpr Real flat = 0.005;                   // [m]: distance of chords from a
 constexpr int most_depth = 16;                 // of blocks in blocks
 constexpr Real most_copies = 1e4;              // of a block by one INSERT
 constexpr std::size_t most_inserted = 1'000'000;
+constexpr DxfPlacement seen_from_behind{-1.0, 0.0, 0.0, 1.0, {0.0, 0.0}};
 constexpr Real most_metres = 1e7;  // a coordinate beyond the Earth's grids is a fault of the file
 
 struct Unit {
@@ -158,66 +160,19 @@ class DxfReader {
     std::vector<Entity> entities = {};
   };
 
-  /// A place of a bent or straight line, a spline or an insert.
-  void take_shape(Entity& e)
-  {
-    switch (pair_.code) {
-      case 2: e.block = pair_.value; break;
-      case 10: e.places.push_back({number(), missing}), e.bulges.push_back(0.0); break;
-      case 20:
-        if (!e.places.empty()) e.places.back()[1] = number();
-        break;
-      case 11:
-        e.end[0] = number();
-        if (e.kind == "SPLINE") e.spline.fit.push_back({number(), missing});
-        break;
-      case 21:
-        e.end[1] = number();
-        if (!e.spline.fit.empty()) e.spline.fit.back()[1] = number();
-        break;
-      case 30:
-      case 31: e.z.push_back(number()); break;
-      case 40: (e.kind == "SPLINE" ? e.spline.knots.emplace_back() : e.radius) = number(); break;
-      case 41:
-        if (e.kind == "SPLINE") e.spline.weights.push_back(number());
-        e.scale[0] = number();
-        break;
-      case 42:
-        e.scale[1] = number();
-        if (!e.bulges.empty() && e.kind != "SPLINE" && e.kind != "INSERT") e.bulges.back() = number();
-        break;
-      case 44: e.spacing[0] = number(); break;
-      case 45: e.spacing[1] = number(); break;
-      case 50: e.rotation = number(); break;
-      case 51: e.to_angle = number(); break;
-      case 70:
-        e.flags = static_cast<int>(number());
-        e.columns = std::max(1, e.flags);
-        break;
-      case 71:
-        e.rows = std::max(1, static_cast<int>(number()));
-        e.spline.degree = static_cast<std::size_t>(e.rows);
-        break;
-      case 230:
-        e.turned = std::abs(number() - 1.0) > 1e-9;
-        e.mirrored = std::abs(number() + 1.0) < 1e-9;
-        break;
-      default: break;
-    }
-  }
-
   /// One entity with its groups; stops at the next code 0. Of a kind that bounds nothing only what all have.
   bool read_groups(Entity& entity)
   {
-    const bool has_shape = entity.is({"LINE", "LWPOLYLINE", "POLYLINE", "VERTEX", "ARC", "SPLINE", "INSERT", "BLOCK"});
+    const bool has_shape = entity.is_line() || entity.is({"VERTEX", "INSERT", "BLOCK"});
     bool more = next();
     for (; more && pair_.code != 0; more = next()) switch (pair_.code) {
+        case 2: entity.block = pair_.value; break;
         case 5: entity.handle = pair_.value; break;
         case 8: entity.layer = pair_.value; break;
         case 60: entity.hidden = number() != 0.0; break;
         case 67: entity.on_paper = number() != 0.0; break;
         default:
-          if (has_shape) take_shape(entity);
+          if (has_shape && is_number_of_shape(pair_.code)) take_group(entity, pair_.code, number());
       }
     return more;
   }
@@ -226,6 +181,7 @@ class DxfReader {
   bool read_entity(Entity& entity)
   {
     entity.kind = pair_.value;
+    if (entity.kind == "ELLIPSE") entity.scale = {0.0, 2.0 * std::numbers::pi};  // from and to, where not given
     bool more = read_groups(entity);
     if (entity.kind != "POLYLINE") return more;
     entity.places.clear(), entity.bulges.clear(), entity.z.clear();  // of a POLYLINE itself: no place
@@ -301,30 +257,34 @@ class DxfReader {
   {
     if (entity.on_paper) return ++n_on_paper_, true;
     if (entity.hidden) return ++n_hidden_, true;
-    all_layers_.insert(layer);
+    const bool is_insert = entity.kind == "INSERT";
     const auto state = layer_states_.find(raw_layer);
-    if (layers_.empty() && state != layer_states_.end())
-      return left_layers_.insert(fmt::format("{} ({})", layer, state->second)), true;
+    const bool is_shown = state == layer_states_.end() || (is_insert && state->second != "frozen");
+    if (layers_.empty() && !is_shown) return left_layers_.insert(fmt::format("{} ({})", layer, state->second)), true;
+    if (is_insert) return false;  // entities of its block have layers of their own
+    all_layers_.insert(layer);
     if (!layers_.empty() && !is_chosen(layer)) return left_layers_.insert(layer), true;
-    if (entity.is({"LINE", "LWPOLYLINE", "POLYLINE", "ARC", "SPLINE", "INSERT"})) return false;
+    if (entity.is_line()) return false;
     if (!entity.is({"SEQEND", "ATTRIB", "VERTEX"})) ++others_[{layer, entity.kind}];
     return true;
   }
 
   /// outer_layer: that of the INSERT, which holds for layer 0 of its block.
-  void take(const Entity& given, const DxfPlacement& placement, const std::string& outer_layer, int depth)
+  void take(const Entity& given, const DxfPlacement& outer, const std::string& outer_layer, int depth)
   {
     Entity entity = given;
     if (depth > 0 && entity.layer == "0") entity.layer = outer_layer;
     const std::string layer = dxf_letters(entity.layer, code_page_);
     if (is_left_out(entity, entity.layer, layer)) return;
-    if (entity.kind == "INSERT") return take_block(entity, placement, depth);
+    if (entity.kind == "INSERT") return take_block(entity, outer, depth);
     const bool is_line = entity.kind == "LINE";
     if (entity.kind == "POLYLINE" && (entity.flags & (16 | 64)))
       return problem(entity, "is a mesh", "Terp reads polylines only. Delete it, or draw its outline.");
-    if (entity.turned)
+    // Places of other kinds are those of the world, whatever their normal says.
+    const bool has_own_plane = entity.is({"LWPOLYLINE", "ARC"}) || (entity.kind == "POLYLINE" && !(entity.flags & 8));
+    if (entity.turned && (has_own_plane || entity.kind == "ELLIPSE"))
       return problem(entity, "does not lie in the plane of the drawing",
-          "Its normal (code 210 to 230) is not 0, 0, 1. Draw the section in the plane of x and y.");
+          "Its normal (code 210 to 230) is not 0, 0, 1 or 0, 0, -1. Draw the section in the plane of x and y.");
     if (std::ranges::any_of(entity.z, [&](Real z) { return std::abs(z - entity.z[0]) > 1e-9; }))
       return problem(entity, "does not lie in one plane",
           fmt::format("Its z goes from {:g} to {:g}. The elevation is y in a section: draw it in the plane of x and y.",
@@ -336,6 +296,7 @@ class DxfReader {
             "Codes 10 and 20 give x and y of a place, 11 and 21 of the end of a LINE. Save the drawing once more.");
     bool closed = entity.is({"LWPOLYLINE", "POLYLINE"}) && (entity.flags & 1);
     n_bent_ += is_bent(entity) ? 1 : 0;
+    const DxfPlacement placement = has_own_plane && entity.mirrored ? joined(outer, seen_from_behind) : outer;
     entity.places = chords_of(entity, closed, flat / (metres_of_unit() * placement.largest()));
     if (entity.places.size() < 2) {
       ++others_[{layer, entity.kind}];
@@ -352,15 +313,14 @@ class DxfReader {
   {
     const auto block = blocks_.find(insert.block);
     if (block == blocks_.end() || insert.places.empty() || std::isnan(insert.places[0][1])) return;
-    if (depth == most_depth || static_cast<Real>(insert.columns) * insert.rows > most_copies ||
-        (insert.turned && !insert.mirrored))
+    if (depth == most_depth || static_cast<Real>(insert.columns) * insert.rows > most_copies || insert.turned)
       return problem(insert, "is not read", "Its block is nested too deep, repeated too often or turned. Explode it.");
     for (int i = 0; i < insert.columns; ++i)
       for (int j = 0; j < insert.rows; ++j) {
         const DxfPlacement grid = placement_of(insert.places[0], {0.0, 0.0}, {1.0, 1.0}, insert.rotation);
         const Vec<2> at = grid({i * insert.spacing[0], j * insert.spacing[1]});
         DxfPlacement placement = placement_of(at, block->second.base, insert.scale, insert.rotation);
-        if (insert.mirrored) placement = joined({-1.0, 0.0, 0.0, 1.0, {0.0, 0.0}}, placement);
+        if (insert.mirrored) placement = joined(seen_from_behind, placement);
         for (const Entity& entity : block->second.entities) {
           if (++n_inserted_ > most_inserted)
             refuse("inserts its blocks too often", "Explode them, or leave out their layer.");
@@ -377,7 +337,7 @@ class DxfReader {
     check_chosen_layers();
     if (drawing_.lines.empty())
       refuse("has no lines",
-          fmt::format("No LINE, LWPOLYLINE, POLYLINE, ARC or SPLINE bounds a region.{}{} Draw outlines.",
+          fmt::format("No LINE, LWPOLYLINE, POLYLINE, ARC, ELLIPSE or SPLINE bounds a region.{}{} Draw outlines.",
               others_.empty() ? "" : " It has " + others_text() + ".",
               left_layers_.empty() ? "" : fmt::format(" Layers left out: {}.", fmt::join(left_layers_, ", "))));
     if (!others_.empty()) drawing_.notes.push_back(fmt::format("Bounds no region: {}.", others_text()));

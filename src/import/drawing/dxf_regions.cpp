@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
 namespace terp {
 namespace {
@@ -24,14 +26,16 @@ std::string name_of(const TidyLines& drawing, const PlanarGraph& graph, const Fa
         (around == nullptr || std::abs(signed_area(line.places)) < std::abs(signed_area(around->places))))
       around = &line;
   if (around != nullptr) return around->layer;
-  std::string name;
-  for (const Index edge : ring.edges)
-    for (const int owner : graph.edges[edge].owners) {
-      const std::string& layer = drawing.lines[owner].layer;
-      if (!name.empty() && !layer.empty() && name != layer) return "";
-      if (!layer.empty()) name = layer;
-    }
-  return name;
+  std::optional<std::set<std::string>> layers;  // that each side of the face is drawn on
+  for (const Index edge : ring.edges) {
+    std::set<std::string> here;
+    for (const int owner : graph.edges[edge].owners) here.insert(drawing.lines[owner].layer);
+    here.erase("");  // of a side that closes the section
+    if (here.empty()) continue;
+    if (layers) std::erase_if(here, [&](const std::string& layer) { return !layers->contains(layer); });
+    layers = std::move(here);
+  }
+  return layers && layers->size() == 1 ? *layers->begin() : "";
 }
 
 }  // namespace

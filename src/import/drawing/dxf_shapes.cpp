@@ -105,6 +105,16 @@ std::vector<Vec<2>> arc_chords(Vec<2> centre, Real radius, Real from, Real to, R
   return places;
 }
 
+std::vector<Vec<2>> ellipse_chords(Vec<2> centre, Vec<2> major, Vec<2> minor, Real from, Real to, Real tolerance)
+{
+  const Real degree = 180.0 / std::numbers::pi, length = std::max(distance(major, {0, 0}), distance(minor, {0, 0}));
+  std::vector<Vec<2>> places = arc_chords({0.0, 0.0}, 1.0, degree * from, degree * to, tolerance / length);
+  for (Vec<2>& p : places)
+    p = {centre[0] + p[0] * major[0] + p[1] * minor[0], centre[1] + p[0] * major[1] + p[1] * minor[1]};
+  if (distance(places.front(), places.back()) < 1e-6 * length) places.back() = places.front();  // a whole one
+  return places;
+}
+
 std::vector<Vec<2>> spline_chords(const DxfSpline& s, Real tolerance)
 {
   if (s.control.empty()) return s.fit;
@@ -126,9 +136,60 @@ std::vector<Vec<2>> spline_chords(const DxfSpline& s, Real tolerance)
   return kept;
 }
 
+void take_group(DxfEntity& e, int code, Real value)
+{
+  switch (code) {
+    case 10: e.places.push_back({value, DxfEntity::missing}), e.bulges.push_back(0.0); break;
+    case 20:
+      if (!e.places.empty()) e.places.back()[1] = value;
+      break;
+    case 11:
+      e.end[0] = value;
+      if (e.kind == "SPLINE") e.spline.fit.push_back({value, DxfEntity::missing});
+      break;
+    case 21:
+      e.end[1] = value;
+      if (!e.spline.fit.empty()) e.spline.fit.back()[1] = value;
+      break;
+    case 30: e.z.push_back(value); break;
+    case 31:
+      if (e.kind == "ELLIPSE")
+        e.turned = e.turned || value != 0.0;  // its major axis leaves the plane
+      else
+        e.z.push_back(value);
+      break;
+    case 40: (e.kind == "SPLINE" ? e.spline.knots.emplace_back() : e.radius) = value; break;
+    case 41:
+      if (e.kind == "SPLINE") e.spline.weights.push_back(value);
+      e.scale[0] = value;
+      break;
+    case 42:
+      e.scale[1] = value;
+      if (!e.bulges.empty() && e.is({"LWPOLYLINE", "VERTEX"})) e.bulges.back() = value;
+      break;
+    case 44: e.spacing[0] = value; break;
+    case 45: e.spacing[1] = value; break;
+    case 50: e.rotation = value; break;
+    case 51: e.to_angle = value; break;
+    case 70:
+      e.flags = static_cast<int>(value);
+      e.columns = std::max(1, e.flags);
+      break;
+    case 71:
+      e.rows = std::max(1, static_cast<int>(value));
+      e.spline.degree = static_cast<std::size_t>(e.rows);
+      break;
+    case 230:
+      e.mirrored = std::abs(value + 1.0) < 1e-9;
+      e.turned = e.turned || (!e.mirrored && std::abs(value - 1.0) > 1e-9);
+      break;
+    default: break;
+  }
+}
+
 bool is_bent(const DxfEntity& entity)
 {
-  return entity.is({"ARC", "SPLINE"}) || std::ranges::any_of(entity.bulges, [](Real b) { return b != 0.0; });
+  return entity.is({"ARC", "ELLIPSE", "SPLINE"}) || std::ranges::any_of(entity.bulges, [](Real b) { return b != 0.0; });
 }
 
 std::vector<Vec<2>> chords_of(const DxfEntity& entity, bool closed, Real tolerance)
@@ -142,6 +203,13 @@ std::vector<Vec<2>> chords_of(const DxfEntity& entity, bool closed, Real toleran
     return entity.places.empty() || !(entity.radius > 0.0)
                ? std::vector<Vec<2>>()
                : arc_chords(entity.places[0], entity.radius, entity.rotation, entity.to_angle, tolerance);
+  if (entity.kind == "ELLIPSE") {
+    const Vec<2> major = entity.end;
+    const Real turn = entity.mirrored ? -entity.radius : entity.radius;
+    if (entity.places.empty() || !(distance(major, {0, 0}) > 0.0) || !(entity.radius > 0.0)) return {};
+    return ellipse_chords(
+        entity.places[0], major, {-turn * major[1], turn * major[0]}, entity.scale[0], entity.scale[1], tolerance);
+  }
   std::vector<Vec<2>> places;
   const std::size_t n = entity.places.size();
   for (std::size_t k = 0; k < n; ++k) {

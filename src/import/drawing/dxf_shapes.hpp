@@ -35,6 +35,9 @@ void append_arc(std::vector<Vec<2>>& places, Vec<2> b, Real bulge, Real toleranc
 /// Chords of an ARC, counter-clockwise from one angle to the other [degrees].
 std::vector<Vec<2>> arc_chords(Vec<2> centre, Real radius, Real from, Real to, Real tolerance);
 
+/// Chords of an ELLIPSE about its centre from one parameter to the other [rad]; `minor` is at a quarter of a turn.
+std::vector<Vec<2>> ellipse_chords(Vec<2> centre, Vec<2> major, Vec<2> minor, Real from, Real to, Real tolerance);
+
 struct DxfSpline {
   std::size_t degree = 3;
   std::vector<Real> knots = {}, weights = {};  ///< no weights: all are 1
@@ -56,12 +59,22 @@ struct DxfEntity {
   std::vector<Real> z = {};  ///< all that are given
   int flags = 0, columns = 1, rows = 1;
   Real radius = 0.0, rotation = 0.0, to_angle = 0.0;
-  Vec<2> scale{1.0, 1.0}, spacing{0.0, 0.0};
+  Vec<2> scale{1.0, 1.0}, spacing{0.0, 0.0};  ///< of an ELLIPSE `scale` is from and to [rad], `radius` the ratio
   DxfSpline spline = {};
   bool on_paper = false, turned = false, mirrored = false, hidden = false;
 
+  bool is_line() const { return is({"LINE", "LWPOLYLINE", "POLYLINE", "ARC", "ELLIPSE", "SPLINE"}); }
   bool is(std::initializer_list<const char*> kinds) const { return std::ranges::find(kinds, kind) != kinds.end(); }
 };
+
+/// Codes of places, sizes and flags: their values are numbers.
+constexpr bool is_number_of_shape(int code)
+{
+  return (code >= 10 && code < 60) || code == 70 || code == 71 || code == 230;
+}
+
+/// Takes a group of an entity that is a line, an insert or a part of these.
+void take_group(DxfEntity& e, int code, Real value);
 
 bool is_bent(const DxfEntity& entity);
 
