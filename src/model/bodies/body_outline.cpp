@@ -156,8 +156,8 @@ std::vector<Side> outline_sides(const Mesh<2>& mesh, const BodyOutline& body)
 std::vector<Real> crossings_of_vertical(std::span<const Side> sides, Real x)
 {
   std::vector<Real> heights;
-  for (const auto& [a, b] : sides)
-    if ((a[0] > x) != (b[0] > x)) heights.push_back(a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]));
+  for (const Side& side : sides)
+    if ((side.a[0] > x) != (side.b[0] > x)) heights.push_back(height_at(side, x));
   std::ranges::sort(heights);
   return heights;
 }

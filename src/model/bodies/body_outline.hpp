@@ -29,6 +29,9 @@ struct Side {
 /// A place is in the body if a line from it to far away crosses an odd number of them.
 std::vector<Side> outline_sides(const Mesh<2>& mesh, const BodyOutline& body);
 
+/// Height of a side, or of the line through it, at x [m].
+inline Real height_at(const Side& s, Real x) { return s.a[1] + (s.b[1] - s.a[1]) * (x - s.a[0]) / (s.b[0] - s.a[0]); }
+
 /// Heights at which the vertical line through x crosses the sides [m], ascending.
 std::vector<Real> crossings_of_vertical(std::span<const Side> sides, Real x);
 

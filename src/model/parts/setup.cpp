@@ -233,9 +233,9 @@ Case as_solved(const Case& c) { return c.at_strength == 1.0 ? c : reduce_strengt
 struct StepLimit {
   Real stable = std::numeric_limits<Real>::infinity(), fastest = 0.0, largest_density = 0.0;
 
-  void enter(const Model& model, const std::vector<Index>& used)
+  void enter(const Model& model, const std::vector<Index>& used, const FieldsOfPoints& fields)
   {
-    for (const Stiffness& s : list_stiffness(model, used)) {
+    for (const Stiffness& s : list_stiffness(model, used, fields)) {
       const Real density = model.materials[s.material].density;
       fastest = std::max(fastest, wave_speed(s.moduli.p_wave(), density));
       stable = std::min(stable, stable_step(model, s));
@@ -244,17 +244,19 @@ struct StepLimit {
   }
 };
 
-void settle_laws(const Case& whole, const std::vector<Index>& used, Model& model)
+FieldsOfPoints settle_laws(const Case& whole, const std::vector<Index>& used, Model& model)
 {
-  settle_fields(model);
+  FieldsOfPoints fields = settle_fields(model);
   add_rows_of_materials(whole, used, model);
-  set_water_stiffness(model, used);
+  set_water_stiffness(model, used, fields);
+  return fields;
 }
 
-StepLimit find_step_limit(const Case& whole, const Model& model, const std::vector<Index>& used)
+StepLimit find_step_limit(
+    const Case& whole, const Model& model, const std::vector<Index>& used, const FieldsOfPoints& fields)
 {
   StepLimit limit;
-  limit.enter(model, used);
+  limit.enter(model, used, fields);
   for (std::size_t k = 0; k < whole.stages.size(); ++k) {
     if (k == model.stage.number) continue;
     Model other;
@@ -264,17 +266,16 @@ StepLimit find_step_limit(const Case& whole, const Model& model, const std::vect
     other.materials = make_materials(other.description, whole);
     other.ground = model.ground;
     other.later_ground = model.later_ground;
-    settle_laws(whole, used, other);
-    limit.enter(other, used);
+    limit.enter(other, used, settle_laws(whole, used, other));
   }
   return limit;
 }
 
 /// dt is the stable step, shortened so that the end is a whole number of steps (decision 0024).
-void set_time_step(const Case& whole, const std::vector<Index>& used, Model& model)
+void set_time_step(const Case& whole, const std::vector<Index>& used, const FieldsOfPoints& fields, Model& model)
 {
   const TimeCase& time = whole.time;
-  const StepLimit limit = find_step_limit(whole, model, used);
+  const StepLimit limit = find_step_limit(whole, model, used, fields);
   model.largest_density = limit.largest_density;
   const Real stable = limit.stable, n = steps_to(time.end, stable);
   if (!(n < most_steps))
@@ -349,7 +350,7 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
   else
     set_ground(whole, model);
   const std::vector<Index> used = used_materials(whole);
-  settle_laws(whole, used, model);
+  const FieldsOfPoints fields = settle_laws(whole, used, model);
   set_method_by_law(used, model);
   if (slips_in_cut_cells(model, used))
     model.with.slip = std::make_shared<const SlipModel>(SlipModel{add_slip_row(model.rows)});
@@ -373,7 +374,7 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
   if (of_run != nullptr)
     model.largest_density = of_run->largest_density, model.n_steps = of_run->n_steps, model.dt = of_run->dt;
   else
-    set_time_step(whole, used, model);
+    set_time_step(whole, used, fields, model);
   if (description.water.is_given()) model.with.water = model.nodal_water = std::make_shared<const NodalWater>(model);
   model.flood_level = find_flood_level(whole, model);
   set_stage(whole, number, model);

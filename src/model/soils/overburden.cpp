@@ -1,5 +1,4 @@
-// The vertical line through a place is cut by the sides of all bodies and followed from the highest crossing down. Each
-// crossing turns its body on or off; of the bodies that are on, the last one of the case counts.
+// What lies above a place is found in its column of soil: per place there is no list to make.
 
 #include "model/soils/overburden.hpp"
 
@@ -10,15 +9,6 @@
 #include <algorithm>
 
 namespace terp {
-namespace {
-
-/// Where the vertical line through a place enters or leaves a body above it.
-struct Crossing {
-  Real y;  ///< [m]
-  std::size_t body;
-};
-
-}  // namespace
 
 Overburden::Overburden(const Model& model, Real gravity)
     : Overburden(model, gravity, [](const BodyCase& body) { return body.is_there; })
@@ -38,6 +28,7 @@ Overburden::Overburden(const Model& model, Real gravity, const IsThere& is_there
   for (const Load& load : loads_of(model))
     if (load.is_permanent()) loads_.push_back({load.from, load.to, pressure_of(model, load, 0.0)});
   const std::vector<BodyOutline> outlines = outlines_of(model);
+  std::vector<std::vector<Side>> sides;
   for (std::size_t b = 0; b < outlines.size(); ++b) {
     const BodyCase& body = model.description.bodies[b];
     if (!is_there(body)) continue;
@@ -48,8 +39,10 @@ Overburden::Overburden(const Model& model, Real gravity, const IsThere& is_there
     const auto density = [&](Zone zone) {
       return model.materials[material_number(model, body.material, zone)].density;
     };
-    drawn_.push_back({outline_sides(*model.mesh, outlines[b]), density(Zone::below), density(Zone::above)});
+    sides.push_back(outline_sides(*model.mesh, outlines[b]));
+    drawn_.push_back({density(Zone::below), density(Zone::above)});
   }
+  columns_ = DrawnColumns(sides);
 }
 
 /// Mass per area of a body between two elevations [kg/m^2].
@@ -62,29 +55,23 @@ Real Overburden::mass_between(const DrawnBody& body, Real x, Real low, Real high
 
 Real Overburden::mass_above(Vec<2> x) const
 {
-  std::vector<Crossing> above;
-  for (std::size_t b = 0; b < drawn_.size(); ++b)
-    for (const Real y : crossings_of_vertical(drawn_[b].sides, x[0]))
-      if (y > x[1]) above.push_back({y, b});
-  std::ranges::sort(above, [](const Crossing& a, const Crossing& b) { return a.y > b.y; });
-  std::vector<char> is_there(drawn_.size(), 0);  // going down
+  const std::span<const DrawnLayer> layers = columns_.at(x[0]);
   Real mass = 0.0;
-  for (std::size_t k = 0; k < above.size(); ++k) {
-    is_there[above[k].body] ^= 1;
-    const auto top = std::find(is_there.rbegin(), is_there.rend(), 1);
-    if (top == is_there.rend()) continue;
-    const Real below = k + 1 < above.size() ? above[k + 1].y : x[1];
-    mass += mass_between(drawn_[static_cast<std::size_t>(is_there.rend() - top) - 1], x[0], below, above[k].y);
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const Real top = height_at(layers[k].top, x[0]);
+    if (!(top > x[1])) break;
+    if (layers[k].body == DrawnColumns::nothing) continue;
+    const Real low = k + 1 < layers.size() ? std::max(height_at(layers[k + 1].top, x[0]), x[1]) : x[1];
+    mass += mass_between(drawn_[static_cast<std::size_t>(layers[k].body)], x[0], low, top);
   }
   return mass;
 }
 
 std::optional<Real> Overburden::ground(Real x) const
 {
-  std::optional<Real> highest;
-  for (const DrawnBody& body : drawn_)
-    for (const Real y : crossings_of_vertical(body.sides, x)) highest = std::max(highest.value_or(y), y);
-  return highest;
+  const std::span<const DrawnLayer> layers = columns_.at(x);
+  if (layers.empty()) return std::nullopt;
+  return height_at(layers.front().top, x);
 }
 
 /// Pressure of the water that stands on the ground above a place, or at the place if it is above the ground [Pa].

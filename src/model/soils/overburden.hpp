@@ -4,7 +4,7 @@
 // Not for: stress that points already have.
 #pragma once
 
-#include "model/bodies/body_outline.hpp"
+#include "model/bodies/drawn_columns.hpp"
 #include "model/parts/model.hpp"
 
 #include <functional>
@@ -46,10 +46,9 @@ class Overburden {
   using IsThere = std::function<bool(const BodyCase&)>;
   Overburden(const Model& model, Real gravity, const IsThere& is_there);
 
-  /// The outline of a body as loose sides, and its density below and above the phreatic line of the start.
+  /// Density of a body below and above the phreatic line of the start [kg/m^3].
   struct DrawnBody {
-    std::vector<Side> sides;
-    Real below, above;  // [kg/m^3]
+    Real below, above;
   };
 
   Real mass_between(const DrawnBody& body, Real x, Real low, Real high) const;
@@ -64,7 +63,8 @@ class Overburden {
 
   WaterCase water_;
   Real gravity_;  // downwards [m/s^2]
-  std::vector<DrawnBody> drawn_;
+  DrawnColumns columns_;
+  std::vector<DrawnBody> drawn_;  // shape [n_bodies] of the columns
   std::vector<LoadAbove> loads_;
   bool is_known_ = true;
 };

@@ -1,5 +1,5 @@
 // A value is set once, at t = 0, and goes where its point goes. The time step must be known before there are points, so
-// that their places are seeded once more for it, if any stiffness or viscosity could vary.
+// fields are asked at the places of points to be (settle_fields).
 
 #include "model/soils/point_parameters.hpp"
 
@@ -160,31 +160,29 @@ void set_point_parameters(const Model& model, const Seeds& seeds, StepState& sta
   });
 }
 
-std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index> used)
+std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index> used, const FieldsOfPoints& fields)
 {
   std::vector<Stiffness> list;
-  bool any_varies = false;
-  for (const Index number : used) {
-    const SoilMaterial& material = model.materials[number];
-    any_varies |= material.varies();
-    if (!material.varies())
+  for (const Index number : used)
+    if (const SoilMaterial& material = model.materials[number]; !material.varies())
       list.push_back({number, undrained(material, material.law->moduli()), material.law->viscosity()});
+  std::vector<Real> all, own;
+  for (const FieldsOfPoints::Point& point : fields.points) {
+    if (std::ranges::find(used, point.material) == used.end()) continue;
+    const SoilMaterial& material = model.materials[point.material];
+    const MaterialCase& description = model.description.materials[point.material];
+    all = description.parameters;
+    const auto first = fields.values.begin() + static_cast<std::ptrdiff_t>(point.first);
+    own.assign(first, first + static_cast<std::ptrdiff_t>(description.fields.size()));
+    for (std::size_t f = 0; f < description.fields.size(); ++f) all[description.fields[f].parameter] = own[f];
+    check_parameters(description, *material.type, all, point.x);
+    const LawRows at{.state = {}, .parameters = {.data = own.data()}};
+    list.push_back({point.material, undrained(material, material.law->moduli(at)), material.law->viscosity(at)});
   }
-  if (!any_varies) return list;
-  for (const auto& batch : make_points(model))
-    for (const NewPoint& point : batch) {
-      const SoilMaterial& material = model.materials[point.key.material];
-      if (!material.varies() || !model.description.bodies[static_cast<std::size_t>(point.body)].is_there) continue;
-      std::vector<Real> values =
-          varying_values(material, parameters_at(model.description.materials[point.key.material], *material.type,
-                                       {point.x, model.ground_with(point.body)}));
-      const LawRows at{.state = {}, .parameters = {.data = values.data()}};
-      list.push_back({point.key.material, undrained(material, material.law->moduli(at)), material.law->viscosity(at)});
-    }
   return list;
 }
 
-void set_water_stiffness(Model& model, std::span<const Index> used)
+void set_water_stiffness(Model& model, std::span<const Index> used, const FieldsOfPoints& fields)
 {
   for (const Index number : used) {
     const MaterialCase& c = model.description.materials[number];
@@ -195,7 +193,7 @@ void set_water_stiffness(Model& model, std::span<const Index> used)
       continue;
     }
     Moduli stiffest{0.0, 0.0};
-    for (const Stiffness& s : list_stiffness(model, std::array{number})) {
+    for (const Stiffness& s : list_stiffness(model, std::array{number}, fields)) {
       const Real nu = poisson_ratio_of(s.moduli);
       if (!(c.undrained_poisson_ratio > nu))
         throw InputError(Problem{parameter_key(c, "undrained_poisson_ratio"), less_compressible_than_soil,

@@ -9,6 +9,17 @@ namespace terp {
 /// Numbers of the parameters of a material that vary, ascending. Throws InputError if the law does not let one.
 std::vector<int> varying_parameters(const MaterialCase& material, const MaterialType& type);
 
+/// Of each point to be whose material has fields: their values there, in the order of the fields.
+struct FieldsOfPoints {
+  struct Point {
+    Index material;
+    Vec<2> x;           ///< [m]
+    std::size_t first;  ///< of its values
+  };
+  std::vector<Point> points = {};
+  std::vector<Real> values = {};
+};
+
 /// Parameters of a material at a place, in the order of the law's table. Throws InputError if one is outside its range
 /// there, or the law refuses them together.
 std::vector<Real> parameters_at(const MaterialCase& material, const MaterialType& type, const PlaceInSoil& at);
@@ -32,7 +43,7 @@ inline constexpr const char* less_compressible_than_soil = "undrained soil must 
 /// K_w/n of the materials in use that are undrained and store effective stress: given, or from nu_u where the soil is
 /// stiffest, so that the time step is that of nu_u and softer soil is nearer to incompressible. Throws InputError where
 /// nu_u is not above the Poisson's ratio of the soil.
-void set_water_stiffness(Model& model, std::span<const Index> used);
+void set_water_stiffness(Model& model, std::span<const Index> used, const FieldsOfPoints& fields);
 
 /// The longest time step that is stable with it [s].
 Real stable_step(const Model& model, const Stiffness& stiffness);
@@ -45,7 +56,7 @@ void check_point_parameter(
 /// Sets it. Parameters that the case finds from it, by a ratio or as a default, change in proportion.
 void set_point_parameter(const Model& model, const PointBlock<2>& block, Index lane, int row, Real value);
 
-/// Of each material in use; of each point of those whose parameters vary.
-std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index> used);
+/// Of each material in use; of each point of those whose parameters vary. Throws as parameters_at.
+std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index> used, const FieldsOfPoints& fields);
 
 }  // namespace terp

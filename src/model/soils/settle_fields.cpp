@@ -65,16 +65,6 @@ std::string cover_text(const FieldCover& cover)
       coordinate_text(cover.high[0]), coordinate_text(cover.low[1]), coordinate_text(cover.high[1]));
 }
 
-/// Calls visit(material number, place in the soil) for each point to be of the bodies that are there.
-template <class Visit>
-void for_each_new_point(const Model& model, Visit visit)
-{
-  for (const auto& batch : make_points(model))
-    for (const NewPoint& point : batch)
-      if (model.description.bodies[static_cast<std::size_t>(point.body)].is_there)
-        visit(point.key.material, PlaceInSoil{point.x, model.ground_with(point.body)});
-}
-
 /// Whether the parameter that a field is found from is wrong somewhere: then that is reported, and not what follows.
 bool follows_a_wrong_one(
     const MaterialCase& material, const ParameterField& field, const std::vector<FieldRange>& found)
@@ -97,25 +87,40 @@ void check_covers(const MaterialCase& material, const ParameterField& field, con
 
 }  // namespace
 
-void settle_fields(Model& model)
+FieldsOfPoints fields_of_points(const Model& model)
+{
+  const std::vector<MaterialCase>& materials = model.description.materials;
+  FieldsOfPoints fields;
+  if (std::ranges::all_of(materials, [](const MaterialCase& m) { return m.fields.empty(); })) return fields;
+  TERP_ASSERT(model.ground != nullptr);
+  for (const auto& batch : make_points(model))
+    for (const NewPoint& point : batch) {
+      const Index m = point.key.material;
+      if (materials[m].fields.empty() || !model.description.bodies[static_cast<std::size_t>(point.body)].is_there)
+        continue;
+      fields.points.push_back({m, point.x, fields.values.size()});
+      const PlaceInSoil place{point.x, model.ground_with(point.body)};
+      for (const ParameterField& field : materials[m].fields) fields.values.push_back(field.value_at(place));
+    }
+  return fields;
+}
+
+FieldsOfPoints settle_fields(Model& model)
 {
   std::vector<MaterialCase>& materials = model.description.materials;
-  if (std::ranges::all_of(materials, [](const MaterialCase& m) { return m.fields.empty(); })) return;
-  TERP_ASSERT(model.ground != nullptr);
+  FieldsOfPoints fields = fields_of_points(model);
   std::vector<std::vector<FieldRange>> found(materials.size());
   std::vector<std::vector<std::vector<Index>>> n_covered(materials.size());  // of each material, field and file
   for (std::size_t m = 0; m < materials.size(); ++m) {
     found[m].resize(materials[m].fields.size());
     for (const ParameterField& field : materials[m].fields) n_covered[m].emplace_back(field.needs.covers.size());
   }
-  for_each_new_point(model, [&](Index m, const PlaceInSoil& x) {
-    const MaterialCase& material = materials[m];
-    for (std::size_t f = 0; f < material.fields.size(); ++f) {
-      const ParameterField& field = material.fields[f];
-      found[m][f].add(field.value_at(x), model.materials[m].type->parameters[field.parameter].range, x);
+  for (const auto& [m, x, first] : fields.points)
+    for (std::size_t f = 0; f < materials[m].fields.size(); ++f) {
+      const ParameterField& field = materials[m].fields[f];
+      found[m][f].add(fields.values[first + f], model.materials[m].type->parameters[field.parameter].range, x);
       for (std::size_t c = 0; c < field.needs.covers.size(); ++c) n_covered[m][f][c] += is_in(field.needs.covers[c], x);
     }
-  });
   std::vector<Problem> problems;
   for (std::size_t m = 0; m < materials.size(); ++m) {
     for (std::size_t f = 0; f < found[m].size(); ++f) {
@@ -135,6 +140,7 @@ void settle_fields(Model& model)
       const MaterialType& type = *model.materials[m].type;
       model.materials[m].law = type.make_varying(materials[m].parameters, varying_parameters(materials[m], type));
     }
+  return fields;
 }
 
 void find_uncovered_soil(const Model& model, const StepState& state, std::vector<Problem>& warnings)

@@ -4,6 +4,7 @@
 
 #include "math/errors.hpp"
 #include "model/parts/model.hpp"
+#include "model/soils/point_parameters.hpp"
 #include "mpm/step/step_state.hpp"
 
 #include <vector>
@@ -12,8 +13,11 @@ namespace terp {
 
 /// Where parameters vary: gives the laws, and the description, the mean over the points as the value of each. Throws
 /// InputError where a field leaves its range, with the place where it is worst, and where the file of a field covers
-/// none of its soil. Of a model whose mesh, materials and ground are set.
-void settle_fields(Model& model);
+/// none of its soil. Of a model whose mesh, materials and ground are set. Gives the values of all points to be.
+FieldsOfPoints settle_fields(Model& model);
+
+/// The same values of a model whose laws have been made.
+FieldsOfPoints fields_of_points(const Model& model);
 
 /// Fields from files that do not cover all of their soil.
 void find_uncovered_soil(const Model& model, const StepState& state, std::vector<Problem>& warnings);

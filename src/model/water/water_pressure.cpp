@@ -19,9 +19,12 @@ WaterColumn::WaterColumn(const WaterSituation& situation, Real x) : phreatic_(el
     const auto found = std::ranges::find(situation.head_lines, name, &HeadLine::name);
     return found == situation.head_lines.end() ? Head{0.0, 1.0} : Head{elevation_at(found->places, x), 0.0};
   };
-  for (const ReferenceLine& line : situation.reference_lines)
-    levels_.push_back({elevation_at(line.places, x), head_of(line.head), head_of(line.head_bottom)});
-  std::ranges::stable_sort(levels_, std::ranges::greater{}, &Level::y);
+  levels_.reserve(situation.reference_lines.size());
+  for (const ReferenceLine& line : situation.reference_lines) {
+    const Real y = elevation_at(line.places, x);
+    const auto place = std::ranges::upper_bound(levels_, y, std::ranges::greater{}, &Level::y);
+    levels_.insert(place, {y, head_of(line.head), head_of(line.head_bottom)});
+  }
 }
 
 Real WaterColumn::head(Real y) const

@@ -14,9 +14,10 @@ Real strength_near(const Model& model, const State& state, const Vec<2>& place)
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     const SoilMaterial& material = model.materials[block.material];
     for (Index lane = 0; lane < block.n; ++lane) {
-      const Real distance = std::hypot(block.row(Rows::x)[lane] - place[0], block.row(Rows::x + 1)[lane] - place[1]);
-      if (distance >= nearest) continue;
-      nearest = distance;
+      const Real dx = block.row(Rows::x)[lane] - place[0], dy = block.row(Rows::x + 1)[lane] - place[1];
+      const Real square = dx * dx + dy * dy;
+      if (square >= nearest) continue;
+      nearest = square;
       strength = has_strength(material) ? strength_of(material, block, lane) : std::numeric_limits<Real>::quiet_NaN();
     }
   });

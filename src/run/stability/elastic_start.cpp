@@ -10,7 +10,7 @@
 #include "run/rest/elastic_model.hpp"
 #include "run/rest/equilibrium.hpp"
 #include "model/ground/ground_section.hpp"
-#include "model/soils/point_parameters.hpp"
+#include "model/soils/settle_fields.hpp"
 #include "model/parts/reduce.hpp"
 #include "model/parts/setup.hpp"
 #include "model/meshes/setup_mesh.hpp"
@@ -43,7 +43,7 @@ void set_scales(const Model& model, const State& state, ElasticStart& start)
   start.height = extent_along(state, model.damping.down);
   std::vector<Index> all(model.materials.size());
   std::iota(all.begin(), all.end(), 0);
-  for (const Stiffness& s : list_stiffness(model, all)) {
+  for (const Stiffness& s : list_stiffness(model, all, fields_of_points(model))) {
     const Real density = model.materials[s.material].density;
     const Real bulk = s.moduli.bulk / start.stiffening, shear = s.moduli.shear / start.stiffening;
     if (!(shear > 0.0)) continue;
