@@ -367,7 +367,7 @@ class FolderMaker {
         .trigger = trigger_};
     if (plan.is_held) doubts_.push_back(held_sentence());
     const auto stages = stage_tables(plan);
-    text_.before.push_back(time_table(stages.empty()));
+    text_.before.push_back(time_table(stages.empty() ? last_end(plan.has_flood) : ""));
     text_.after.insert(text_.after.end(), stages.begin(), stages.end());
     if (const auto before = earlier_ground(
             project_, options_.scenario, options_.stage, {layout_.low[0], layout_.high[0]}, 0.25 * layout_.cell)) {

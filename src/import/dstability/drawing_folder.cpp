@@ -8,6 +8,7 @@
 #include "import/dstability/section_layout.hpp"
 #include "import/dstability/section_part.hpp"
 #include "import/dstability/soil_text.hpp"
+#include "import/dstability/stage_text.hpp"
 #include "io/case/printable.hpp"
 
 #include <fmt/format.h>
@@ -56,7 +57,7 @@ CaseFolder drawing_folder_of(
                   "water. Fill in what is a default.",
           options.path),
       "Units: m, s, Pa, kg unless one stands with the number."};
-  text.before = {mesh_table(layout), time_table(true)};
+  text.before = {mesh_table(layout), time_table(until_rest)};
   BodyOrder order;
   std::map<std::string, std::string> materials;  // name of a layer -> key
   for (const CleanRegion& region : clean.regions) {

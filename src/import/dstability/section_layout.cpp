@@ -229,13 +229,13 @@ std::vector<CaseTableText> common_tables(const SectionLayout& layout)
               {"points", fmt::format("{{ crest = [{:.2f}, {:.2f}] }}", layout.crest[0], layout.crest[1] - 0.3), ""}}}};
 }
 
-CaseTableText time_table(bool is_one_stage)
+CaseTableText time_table(const std::string& end)
 {
   CaseTableText table{"[time]",
       "At rest: soil with 2e-4 of its weight out of balance gains this speed in this time, half a period of soft soil "
       "of some 25 m.",
       {{"rest_speed", "4e-3", "m/s"}, {"rest_time", "2.0", "s"}}};
-  if (is_one_stage) table.lines.insert(table.lines.begin(), {{"until", "\"at_rest\"", ""}, {"at_most", "30.0", "s"}});
+  if (!end.empty()) table.lines.insert(table.lines.begin(), {{"until", end, ""}, {"at_most", "30.0", "s"}});
   return table;
 }
 

@@ -52,8 +52,8 @@ CaseTableText mesh_table(const SectionLayout& layout);
 /// [boundary], [forces], [method], [initial], [output].
 std::vector<CaseTableText> common_tables(const SectionLayout& layout);
 
-/// [time]: what counts as rest; of a run of one stage its end, too.
-CaseTableText time_table(bool is_one_stage);
+/// [time]: what counts as rest. end: `until` of a run of one stage; empty: stages have their own.
+CaseTableText time_table(const std::string& end);
 
 /// What lies on one side of a line that cuts a region.
 struct CutRegion {

@@ -15,11 +15,11 @@ namespace {
 
 CaseLine ramp() { return {"ramp", "10.0", "s: slow beside the vibrations of the section; nothing drains meanwhile"}; }
 
-/// A stage that ends at rest. longest: [s].
-CaseTableText stage_until_rest(const std::string& name, const std::string& comment, const char* longest)
+/// longest: [s].
+CaseTableText stage_until(
+    const std::string& end, const std::string& name, const std::string& comment, const char* longest)
 {
-  return {
-      "[[stage]]", comment, {{"name", in_quotes(name), ""}, {"until", "\"at_rest\"", ""}, {"at_most", longest, "s"}}};
+  return {"[[stage]]", comment, {{"name", in_quotes(name), ""}, {"until", end, ""}, {"at_most", longest, "s"}}};
 }
 
 void add_sets(const std::vector<std::string>& sets, CaseTableText& stage)
@@ -29,7 +29,8 @@ void add_sets(const std::vector<std::string>& sets, CaseTableText& stage)
 
 CaseTableText analysed_stage(const StagePlan& plan, const std::string& name)
 {
-  CaseTableText stage = stage_until_rest(name, fmt::format("Stage {} of the file", in_quotes(plan.analysed)), "30.0");
+  CaseTableText stage = stage_until(last_end(plan.has_flood && plan.trigger.name.empty()), name,
+      fmt::format("Stage {} of the file", in_quotes(plan.analysed)), "30.0");
   if (plan.first.empty()) return stage;
   stage.lines.insert(stage.lines.begin() + 1, ramp());
   if (!plan.water.empty()) stage.lines.insert(stage.lines.begin() + 1, {"water", in_quotes(plan.water), ""});
@@ -58,19 +59,19 @@ CaseTableText rise_stage(const StagePlan& plan, const std::string& name)
 
 CaseTableText release_stage(const StagePlan& plan, const std::string& name)
 {
-  const bool ends_with_verdict = plan.has_flood && plan.trigger.name.empty();
-  CaseTableText stage{"[[stage]]",
+  CaseTableText stage = stage_until(last_end(plan.has_flood && plan.trigger.name.empty()), name,
       "Strengths go from twice those of the file to those of the file. at_strength where it fails is its factor",
-      {{"name", in_quotes(name), ""}, {"ramp", "12.0", "s"},
-          {"until", ends_with_verdict ? "\"verdict\"" : "\"at_rest\"", ""}, {"at_most", "42.0", "s"}}};
+      "42.0");
+  stage.lines.insert(stage.lines.begin() + 1, {"ramp", "12.0", "s"});
   add_sets({"\"forces.damping.local\" = 0.05", "at_strength = 1.0"}, stage);
   stage.lines.push_back({"reset_displacement", "true", ""});
   return stage;
 }
 
-CaseTableText trigger_stage(const TriggerStage& trigger, const std::string& name)
+CaseTableText trigger_stage(const StagePlan& plan, const std::string& name)
 {
-  CaseTableText stage = stage_until_rest(name, trigger.comment, "30.0");
+  const TriggerStage& trigger = plan.trigger;
+  CaseTableText stage = stage_until(last_end(plan.has_flood), name, trigger.comment, "30.0");
   stage.lines.insert(stage.lines.begin() + 1, {"trigger", "true", "the verdict is not that of the section as it is"});
   if (!trigger.water.empty())
     stage.lines.insert(stage.lines.begin() + 2, {{"water", in_quotes(trigger.water), ""}, ramp()});
@@ -97,13 +98,13 @@ std::vector<CaseTableText> stage_tables(const StagePlan& plan)
     tables.push_back(release_stage(plan, own_name("release")));
   } else {
     if (!plan.first.empty()) {
-      tables.push_back(stage_until_rest(own_name(key_of_name(plan.first, "stage")),
+      tables.push_back(stage_until(until_rest, own_name(key_of_name(plan.first, "stage")),
           fmt::format("Stage {} of the file", in_quotes(plan.first)), "20.0"));
       add_sets({"\"forces.damping.local\" = 0.5"}, tables.back());
     }
     tables.push_back(analysed_stage(plan, own_name(key_of_name(plan.analysed, "stage"))));
   }
-  if (is_triggered) tables.push_back(trigger_stage(plan.trigger, own_name(plan.trigger.name)));
+  if (is_triggered) tables.push_back(trigger_stage(plan, own_name(plan.trigger.name)));
   return tables;
 }
 

@@ -33,6 +33,11 @@ inline Sentence held_sentence()
       "terug naar die van het bestand. Anders zou hij niet blijven staan."};
 }
 
+/// Value of `until`.
+inline constexpr const char* until_rest = "\"at_rest\"";
+/// That of the run or of its last stage: with the verdict, where the case asks for one.
+inline const char* last_end(bool has_flood) { return has_flood ? "\"verdict\"" : until_rest; }
+
 /// In their order; none: the run is one of the analysed stage alone.
 std::vector<CaseTableText> stage_tables(const StagePlan& plan);
 
