@@ -165,7 +165,7 @@ bool read_grid(const Entry& entry, const std::string& folder, Findings& findings
   if (!std::filesystem::is_regular_file(file)) return false;  // check_files says so
   try {
     const auto map = std::make_shared<const ValueMap>(read_values_csv(file));
-    if (!map->is_grid())
+    if (!map->is_grid() || std::isinf(map->low()[0]) || std::isinf(map->low()[1]))
       return refuse(entry, path, "the table of the water is no grid",
           "Give every x with every y, two or more of each: between them the values are bilinear.", findings);
     situation.formula = [map](Vec<2> x, Real) { return map->at(x); };

@@ -1,6 +1,7 @@
 // Places form a grid only if there are as many of them as distinct x times distinct y. This count suffices because
-// no place occurs twice, which the reader makes sure of. Coordinates are compared without a tolerance, as a file writes
-// a line of a grid with the same digits. Beyond a grid, the value at its edge holds.
+// no place occurs twice, which the reader makes sure of. One line of places, as a boring has, is put twice. Coordinates
+// are compared without a tolerance, as a file writes a line of a grid with the same digits. Beyond a grid, the value at
+// its edge holds.
 
 #include "model/bodies/values_csv.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -47,9 +49,17 @@ ValueMap::ValueMap(std::vector<PlacedValue> values) : values_(std::move(values))
   std::vector<Real> x = distinct(values_, 0), y = distinct(values_, 1);
   low_ = {x.front(), y.front()};
   high_ = {x.back(), y.back()};
-  const bool has_lines = x.size() >= 2 && y.size() >= 2;
-  if (has_lines) share_of_grid_ = static_cast<Real>(values_.size()) / static_cast<Real>(x.size() * y.size());
-  if (!has_lines || x.size() * y.size() != values_.size()) return;
+  if (x.size() * y.size() == 1) return;
+  if (x.size() > 1 && y.size() > 1)
+    share_of_grid_ = static_cast<Real>(values_.size()) / static_cast<Real>(x.size() * y.size());
+  if (x.size() * y.size() != values_.size()) return;
+  for (const auto& [line, axis] : {std::pair(&x, 0), std::pair(&y, 1)}) {
+    if (line->size() > 1) continue;  // else the values hold along the whole axis
+    low_[axis] = -std::numeric_limits<Real>::infinity(), high_[axis] = -low_[axis];
+    const std::size_t n = values_.size();
+    for (std::size_t k = 0; k < n; ++k) values_.push_back(values_[k]), values_.back().x[axis] += 1.0;
+    line->push_back(line->front() + 1.0);
+  }
   x_ = std::move(x);
   y_ = std::move(y);
   at_grid_.resize(values_.size());

@@ -1,5 +1,6 @@
 // Values at places from a table: a CSV file with the columns x, y, value. Between the places: bilinear where they form
-// a grid, else the mean of the nearest ones, weighted by the inverse square of their distance.
+// a grid, else the mean of the nearest ones, weighted by the inverse square of their distance. With one x, as of a
+// boring, or one y the values hold along the whole other axis.
 // Not for: what the values are.
 #pragma once
 
@@ -20,14 +21,14 @@ class ValueMap {
   static constexpr std::size_t n_nearest = 8;           ///< scattered places that a value is made of
   static constexpr std::size_t most_scattered = 20000;  ///< each value looks at all of them
 
-  /// values: at least one, at places that differ. A grid: each x of the table with each y, two or more of both.
+  /// values: at least one, at places that differ. A grid: each x of the table with each y, two places or more.
   explicit ValueMap(std::vector<PlacedValue> values);
 
   bool is_grid() const { return !at_grid_.empty(); }
   std::size_t n_places() const { return values_.size(); }
   Real share_of_grid() const { return share_of_grid_; }  ///< of all places with an x and a y that occur
-  Vec<2> low() const { return low_; }                    ///< of the box about the places [m]
-  Vec<2> high() const { return high_; }                  ///< [m]
+  Vec<2> low() const { return low_; }    ///< of the box about the places, -inf where they hold for all [m]
+  Vec<2> high() const { return high_; }  ///< [m]
 
   /// Beyond a grid: the value at the nearest place of its edge.
   Real at(Vec<2> x) const;

@@ -61,8 +61,13 @@ bool is_in(const FieldCover& cover, Vec<2> x)
 
 std::string cover_text(const FieldCover& cover)
 {
-  return fmt::format("Its places lie in x = {} to {} m, y = {} to {} m", coordinate_text(cover.low[0]),
-      coordinate_text(cover.high[0]), coordinate_text(cover.low[1]), coordinate_text(cover.high[1]));
+  const auto along = [&](int axis) {
+    return std::isinf(cover.low[axis]) ? std::string()
+                                       : fmt::format("{} = {} to {} m", axis == 0 ? "x" : "y",
+                                             coordinate_text(cover.low[axis]), coordinate_text(cover.high[axis]));
+  };
+  const std::string x = along(0), y = along(1);
+  return fmt::format("Its places lie in {}{}{}", x, x.empty() || y.empty() ? "" : ", ", y);
 }
 
 /// Whether the parameter that a field is found from is wrong somewhere: then that is reported, and not what follows.

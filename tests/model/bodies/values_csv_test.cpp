@@ -18,6 +18,22 @@ TEST(ValuesCsv, AreBilinearOnAGridInAnyOrderAndConstantBeyondIt)
   EXPECT_EQ(map.high(), (Vec<2>{6.0, 1.0}));
 }
 
+TEST(ValuesCsv, OfABoringHoldAlongX)
+{
+  const ValueMap map = read_values_csv_text("su.csv", "x,y,value\n5,0,20\n5,4,10\n");
+  EXPECT_TRUE(map.is_grid());
+  EXPECT_EQ(map.at({-80.0, 1.0}), 17.5);
+  EXPECT_EQ(map.at({90.0, 5.0}), 10.0);
+  EXPECT_TRUE(std::isinf(map.low()[0]));
+  EXPECT_EQ(map.high()[1], 4.0);
+}
+
+TEST(ValuesCsv, AlongALineHoldAtAllHeights)
+{
+  const ValueMap map = read_values_csv_text("su.csv", "x,y,value\n0,-3,20\n4,-3,10\n");
+  EXPECT_EQ(map.at({1.0, 50.0}), 17.5);
+}
+
 TEST(ValuesCsv, AreWeightedByTheInverseSquareOfTheDistanceElsewhere)
 {
   const ValueMap map = read_values_csv_text("su.csv", "x,y,value\n0,0,10\n3,0,40\n0,9,70\n");
