@@ -60,6 +60,8 @@ void declare_import(CLI::App& app, ImportCommand& command)
   add_option(
       import, "--depth D", command.depth, "of a profile: the base lies D m below the lowest\nground (default 10)")
       ->check(CLI::PositiveNumber);
+  add_option(import, "--soils FILE,NAME", command.soils,
+      "of a profile: its soils by the level of their tops\n(soilprofiles.csv of DAM; NAME: of one of several)");
   import->add_flag("--soil-defaults-table", command.print_defaults, "print the table that holds without it");
 }
 

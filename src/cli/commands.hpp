@@ -76,6 +76,7 @@ struct ImportCommand {
   std::string unit;                     ///< of a drawing or profile; empty: that of its header
   std::string layers;                   ///< of a drawing, apart by commas, or the name of a profile; empty: all
   double depth = 0.0;                   ///< of the base of a profile below its lowest ground [m]; 0: the usual one
+  std::string soils;                    ///< of a profile: a table of soils by level, and after a comma a name in it
   std::string soil_defaults;            ///< CSV file; empty: the table of the program
   bool no_film = false;                 ///< no film at the top of aquifers
   std::optional<double> face_cohesion;  ///< of cohesionless faces [kPa]; none: the usual one

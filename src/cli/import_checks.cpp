@@ -32,8 +32,8 @@ std::vector<ImportOption> import_options(const ImportCommand& c)
       {"--between", fmt::format("{}", fmt::join(c.between, ",")), Of::all, In::case_folder},
       {"--base", level(c.base), Of::all, In::case_folder}, {"--unit", c.unit, Of::drawn, In::both},
       {"--layers", c.layers, Of::drawn, In::both}, {"--depth", number(c.depth), Of::profile, In::both},
-      {"--river", level(c.river), Of::stix, In::case_folder}, {"--held", flag(c.is_held), Of::stix, In::case_folder},
-      {"--no-film", flag(c.no_film), Of::stix, In::case_folder},
+      {"--soils", c.soils, Of::profile, In::both}, {"--river", level(c.river), Of::stix, In::case_folder},
+      {"--held", flag(c.is_held), Of::stix, In::case_folder}, {"--no-film", flag(c.no_film), Of::stix, In::case_folder},
       {"--face-cohesion", level(c.face_cohesion), Of::stix, In::case_folder},
       {"--soil-defaults", c.soil_defaults, Of::all, In::case_folder},
       {"--trigger", c.trigger, Of::stix, In::case_folder}};

@@ -84,6 +84,16 @@ int import_drawing(const ImportCommand& command)
   return import_regions(command, regions, notes);
 }
 
+DxfRegions profile_of(const ImportCommand& command)
+{
+  const DxfRegions ground = read_profile(
+      command.path, read_file(command.path), {command.layers, unit_of(command), command.depth, command.base});
+  if (command.soils.empty()) return ground;
+  const std::size_t comma = std::min(command.soils.find(','), command.soils.size());
+  const std::string file = command.soils.substr(0, comma);
+  return with_soils(ground, file, read_file(file), command.soils.substr(std::min(comma + 1, command.soils.size())));
+}
+
 }  // namespace
 
 int import_file(const ImportCommand& command)
@@ -97,11 +107,7 @@ try {
   const SectionFile kind = kind_of_section(command.path);
   refuse_unused_options(command, kind);
   if (kind == SectionFile::drawing) return import_drawing(command);
-  if (kind == SectionFile::profile)
-    return import_regions(command,
-        read_profile(
-            command.path, read_file(command.path), {command.layers, unit_of(command), command.depth, command.base}),
-        {});
+  if (kind == SectionFile::profile) return import_regions(command, profile_of(command), {});
   if (command.output.empty()) return import_stix(command);
   refuse_to_replace(command);
   const StixProject project = read_stix(command.path);

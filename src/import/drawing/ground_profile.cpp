@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <span>
 
 namespace terp {
 namespace {
@@ -81,21 +82,28 @@ const std::vector<std::string> distance_words{"l", "s", "d", "distance", "dist",
 const std::vector<std::string> level_words{"z", "level", "elevation", "elev", "height", "hoogte", "peil", "h", "nap",
     "mnap", "hoehe", "h\xC3\xB6he", "kote", "niveau", "altitude", "cota", "quota", "zcoord", "maaiveld"};
 const std::vector<std::string> name_words{
-    "name", "naam", "profile", "profiel", "id", "section", "profil", "nom", "dwp"};
+    "name", "naam", "profile", "profiel", "id", "locationid", "section", "profil", "nom", "dwp"};
+const std::vector<std::string> soil_profile_words{"soilprofileid", "soilprofilename", "profile", "profiel", "id"};
+const std::vector<std::string> top_words{"toplevel", "top", "bovenkant", "level", "z"};
+const std::vector<std::string> soil_words{"soilname", "soil", "grondsoort", "grond", "material", "name", "naam"};
 
 struct Columns {
   int distance = 0, level = 1, y = -1, name = -1;
   Real unit_x = 1.0, unit_z = 1.0;
 };
 
+/// The column whose head is one of the words, the first of them first; -1: none.
+int find_column(const Cells& heads, const std::vector<std::string>& words)
+{
+  for (const std::string& word : words)
+    for (std::size_t k = 0; k < heads.size(); ++k)
+      if (word_of(heads[k]) == word) return static_cast<int>(k);
+  return -1;
+}
+
 Columns columns_of(const Cells& heads)
 {
-  const auto find = [&](const std::vector<std::string>& words) {
-    for (const std::string& word : words)
-      for (std::size_t k = 0; k < heads.size(); ++k)
-        if (word_of(heads[k]) == word) return static_cast<int>(k);
-    return -1;
-  };
+  const auto find = [&](const std::vector<std::string>& words) { return find_column(heads, words); };
   const int x = find({"x"}), y = find({"y"}), l = find(distance_words), z = find(level_words);
   Columns c{l >= 0 ? l : std::max(0, x), z >= 0 ? z : y >= 0 ? y : 1, -1, find(name_words)};
   if (l < 0 && x >= 0 && y >= 0 && z >= 0) c.y = y;
@@ -104,25 +112,42 @@ Columns columns_of(const Cells& heads)
   return c;
 }
 
+/// Calls take(cells, number of the line) for each line that is neither empty nor a comment.
+template <class Take>
+void for_each_row(std::string_view text, char separator, Take take)
+{
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  for (int number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);  // with its blanks: with tabs a first cell may be empty
+    if (const auto words = trimmed(line); !words.empty() && !words.starts_with('#'))
+      take(cells_of(line, separator), number);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
+/// "A, B, C and 12 more".
+std::string some_of(const Cells& names)
+{
+  constexpr std::size_t most = 20;
+  const std::span first = std::span(names).first(std::min(names.size(), most));
+  return fmt::format(
+      "{}{}", fmt::join(first, ", "), names.size() > most ? fmt::format(" and {} more", names.size() - most) : "");
+}
+
 class ProfileReader {
  public:
   ProfileReader(const std::string& path, std::string_view text, const ProfileOptions& options)
       : path_(path), options_(options), separator_(separator_of(text))
   {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    while (!text.empty()) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      const std::string_view line = text.substr(0, end);  // with its blanks: with tabs a first cell may be empty
-      if (const auto words = trimmed(line); !words.empty() && !words.starts_with('#')) take(cells_of(line, separator_));
-      text.remove_prefix(std::min(end + 1, text.size()));
-    }
+    for_each_row(text, separator_, [&](const Cells& cells, int) { take(cells); });
   }
 
   DxfRegions regions()
   {
     if (profiles_.size() > 1)
       refuse(fmt::format("holds {} profiles", profiles_.size()),
-          fmt::format("Name the one to read: --layers NAME. There are: {}.", fmt::join(profiles_, ", ")));
+          fmt::format("Name the one to read: --layers NAME. There are: {}.", some_of(profiles_)));
     if (!options_.name.empty() && ground_.empty())
       refuse(fmt::format("has no profile `{}`", options_.name), "--layers names a profile of a table of several.");
     put_in_order();
@@ -168,9 +193,11 @@ class ProfileReader {
       for (const std::string& cell : cells) n_numbers += !std::isnan(number_of(cell, separator_));
       if (n_numbers < 2) {
         columns_ = columns_of(cells);
+        is_wide_ = cells.size() >= 4 && word_of(cells[0]) == "locationid" && word_of(cells[1]) == "x1";
         return;
       }
     }
+    if (is_wide_) return take_line(cells);
     const Real z = number_at(cells, columns_.level), at = number_at(cells, columns_.distance);
     const std::string name = columns_.name >= 0 && columns_.name < std::ssize(cells) ? cells[columns_.name] : "";
     if (!options_.name.empty() && name != options_.name) return;
@@ -179,13 +206,28 @@ class ProfileReader {
       return;
     }
     if (columns_.name >= 0 && std::ranges::find(profiles_, name) == profiles_.end()) profiles_.push_back(name);
-    Real x = at * (options_.unit > 0.0 ? options_.unit : columns_.unit_x);
-    if (columns_.y >= 0) {  // places on a map: the distance along the line
-      const Vec<2> place{x, number_at(cells, columns_.y) * columns_.unit_x};
-      x = ground_.empty() ? 0.0 : ground_.back()[0] + distance(before_, place);
-      before_ = place;
-    }
-    ground_.push_back({x, z * (options_.unit > 0.0 ? options_.unit : columns_.unit_z)});
+    if (columns_.y >= 0) return add_place({at, number_at(cells, columns_.y)}, z);
+    ground_.push_back({at * (options_.unit > 0.0 ? options_.unit : columns_.unit_x),
+        z * (options_.unit > 0.0 ? options_.unit : columns_.unit_z)});
+  }
+
+  /// A profile on one line: its name, then x, y, z of each place.
+  void take_line(const Cells& cells)
+  {
+    if (!options_.name.empty() && cells[0] != options_.name) return;
+    profiles_.push_back(cells[0]);
+    for (int k = 1; k + 2 < std::ssize(cells) && !std::isnan(number_at(cells, k + 2)); k += 3)
+      add_place({number_at(cells, k), number_at(cells, k + 1)}, number_at(cells, k + 2));
+  }
+
+  /// Of a map: at its distance along the line.
+  void add_place(Vec<2> place, Real z)
+  {
+    const Real unit = options_.unit > 0.0 ? options_.unit : columns_.unit_x;
+    place = {unit * place[0], unit * place[1]};
+    ground_.push_back({ground_.empty() ? 0.0 : ground_.back()[0] + distance(before_, place),
+        z * (options_.unit > 0.0 ? options_.unit : columns_.unit_z)});
+    before_ = place;
   }
 
   void put_in_order()
@@ -206,14 +248,93 @@ class ProfileReader {
   const ProfileOptions& options_;
   char separator_;
   Columns columns_;
-  bool has_heads_ = false, is_turned_ = false;
+  bool has_heads_ = false, is_turned_ = false, is_wide_ = false;
   int n_without_ = 0;
   Vec<2> before_{};
   Cells profiles_;
   Polygon ground_;
 };
 
+struct SoilTop {
+  std::string soil;
+  Real level;  ///< [m]
+};
+
+/// From the highest to the lowest.
+std::vector<SoilTop> read_soil_tops(const std::string& path, std::string_view text, const std::string& name)
+{
+  const auto refuse = [&](const std::string& what, const std::string& cure) {
+    throw InputError({path, what, cure, ""});
+  };
+  const char separator = separator_of(text);
+  int profile = -1, top = -1, soil = -1;
+  Cells profiles;
+  std::vector<SoilTop> tops;
+  for_each_row(text, separator, [&](const Cells& cells, int line) {
+    if (top < 0) {
+      profile = find_column(cells, soil_profile_words);
+      top = find_column(cells, top_words), soil = find_column(cells, soil_words);
+      if (top < 0 || soil < 0)
+        refuse("is no table of soils", "Its first line names the columns: soilprofile_id;top_level;soil_name.");
+      return;
+    }
+    const auto at = [&](int column) { return column >= 0 && column < std::ssize(cells) ? cells[column] : ""; };
+    if (!name.empty() && at(profile) != name) return;
+    if (std::ranges::find(profiles, at(profile)) == profiles.end()) profiles.push_back(at(profile));
+    const Real level = number_of(at(top), separator);
+    if (!std::isfinite(level) || at(soil).empty())
+      refuse(fmt::format("has no level or no soil in line {}", line), "Each line has the level of a top, and a soil.");
+    tops.push_back({at(soil), level});
+  });
+  if (profiles.size() > 1)
+    refuse(fmt::format("holds {} profiles of soils", profiles.size()),
+        fmt::format("Name the one to take: --soils FILE,NAME. There are: {}.", some_of(profiles)));
+  if (tops.empty())
+    refuse(name.empty() ? "has no soil" : fmt::format("has no profile `{}`", name), "Each line has a top and a soil.");
+  std::ranges::stable_sort(tops, std::ranges::greater{}, &SoilTop::level);
+  return tops;
+}
+
+/// The part of an outline below a level. The outline runs along the base, then along the ground from right to left.
+Polygon below(const Polygon& outline, Real level)
+{
+  Polygon part;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Vec<2> a = outline[k], b = outline[(k + 1) % outline.size()];
+    part.push_back({a[0], std::min(a[1], level)});
+    if ((a[1] > level) != (b[1] > level))
+      part.push_back({std::lerp(a[0], b[0], (level - a[1]) / (b[1] - a[1])), level});
+  }
+  part.erase(std::unique(part.begin(), part.end()), part.end());
+  return part;
+}
+
 }  // namespace
+
+DxfRegions with_soils(
+    const DxfRegions& profile, const std::string& path, std::string_view text, const std::string& name)
+{
+  const std::vector<SoilTop> tops = read_soil_tops(path, text, name);
+  const Polygon& ground = profile.regions.front().polygon;
+  const BoundingBox box = box_around(ground);
+  DxfRegions found{{}, profile.notes, profile.doubts};
+  for (std::size_t k = 0; k < tops.size(); ++k) {
+    const bool reaches_up = k + 1 < tops.size() && tops[k + 1].level >= box.high[1];
+    if (reaches_up || tops[k].level <= box.low[1]) {
+      found.notes.push_back(fmt::format("`{}` from {:g} m down lies {} the section.", tops[k].soil, tops[k].level,
+          reaches_up ? "above" : "below the base of"));
+      continue;
+    }
+    // Each soil lies on all below it, whose outlines are smaller and so count.
+    found.regions.push_back({tops[k].soil, found.regions.empty() ? ground : below(ground, tops[k].level)});
+  }
+  if (found.regions.empty()) throw InputError({path, "has no soil in the section", "Are its levels in m?", ""});
+  if (tops.front().level < box.high[1])
+    found.notes.push_back(
+        fmt::format("The ground reaches {:g} m above the highest soil, `{}`, which was taken up to it.",
+            box.high[1] - tops.front().level, tops.front().soil));
+  return found;
+}
 
 DxfRegions read_profile(const std::string& path, std::string_view text, const ProfileOptions& options)
 {

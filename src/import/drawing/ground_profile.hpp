@@ -1,4 +1,5 @@
-// A surveyed ground as a table of distance and level: with a base below it, it is a section of one soil.
+// A surveyed ground as a table of distance and level, or as DAM's surfacelines.csv: with a base below it, it is a
+// section of one soil. A table of soils by level, as DAM's soilprofiles.csv, makes layers of it.
 // Not for: tables that a case names (model/bodies/csv_rows.hpp), which have one form.
 #pragma once
 
@@ -18,5 +19,10 @@ inline constexpr Real usual_depth = 10.0;  // [m]
 
 /// One region, `ground`. Throws InputError.
 DxfRegions read_profile(const std::string& path, std::string_view text, const ProfileOptions& options);
+
+/// Level layers of soils below the ground of a profile. text: a table of the level of the top of each soil; of a table
+/// of several profiles, `name` chooses one. The highest soil reaches up to the ground. Throws InputError.
+DxfRegions with_soils(
+    const DxfRegions& profile, const std::string& path, std::string_view text, const std::string& name);
 
 }  // namespace terp

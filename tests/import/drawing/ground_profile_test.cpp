@@ -51,4 +51,34 @@ TEST(GroundProfile, ThatGoesBackOrIsNoneIsRefused)
   EXPECT_NEAR(read_profile("p.csv", "0,1\n10,1\n", {.depth = 4.0}).regions[0].polygon.back()[1], -3.0, 1e-12);
 }
 
+TEST(GroundProfile, IsALineOfSurfacelines)
+{
+  const std::string table =
+      "LOCATIONID;X1;Y1;Z1;.....;Xn;Yn;Zn;(Profiel)\ndp_1;3;4;0;6;8;2;6;18;0;\ndp_2;0;0;1;10;0;1\n";
+  EXPECT_NEAR(area(table, {.name = "dp_1", .base = -2.0}), 5.0 * 3.0 + 10.0 * 3.0, 1e-9);  // 5 and 10 m long
+  EXPECT_NEAR(area(table, {.name = "dp_2", .base = -2.0}), 30.0, 1e-9);
+  EXPECT_THAT(refusal<InputError>([&] { profile(table); }), HasSubstr("There are: dp_1, dp_2."));
+}
+
+TEST(GroundProfile, TakesSoilsByTheLevelOfTheirTops)
+{
+  const DxfRegions ground = profile("l,z\n0,0\n10,4\n20,0\n", {.base = -6.0});
+  const std::string soils = "soilprofile_id;top_level;soil_name\nA;10;klei\nA;2;veen\nA;-2;zand\nA;-9;klei\nB;9;zand\n";
+  const DxfRegions found = with_soils(ground, "soils.csv", soils, "A");
+  ASSERT_EQ(found.regions.size(), 3u);
+  EXPECT_EQ(found.regions[1].name, "veen");
+  EXPECT_NEAR(signed_area(found.regions[0].polygon), 160.0, 1e-9);
+  EXPECT_NEAR(signed_area(found.regions[1].polygon), 160.0 - 10.0, 1e-9);  // less the triangle above 2 m
+  EXPECT_NEAR(signed_area(found.regions[2].polygon), 80.0, 1e-9);
+  EXPECT_THAT(found.notes.back(), HasSubstr("below the base"));
+  EXPECT_THAT(with_soils(ground, "soils.csv", "top;soil\n1;zand\n", "").notes.back(), HasSubstr("3 m above"));
+  const auto refused = [&](const std::string& text, const std::string& name) {
+    return refusal<InputError>([&] { with_soils(ground, "soils.csv", text, name); });
+  };
+  EXPECT_THAT(refused(soils, ""), HasSubstr("holds 2 profiles of soils"));
+  EXPECT_THAT(refused(soils, "C"), HasSubstr("has no profile `C`"));
+  EXPECT_THAT(refused("a;b\n1;2\n", ""), HasSubstr("is no table of soils"));
+  EXPECT_THAT(refused("top;soil\nx;zand\n", ""), HasSubstr("in line 2"));
+}
+
 }  // namespace ground_profile_test
