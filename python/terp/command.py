@@ -2,11 +2,12 @@
 
 import argparse
 import sys
+from collections.abc import Callable
 
 from terp.errors import RunError
 
 
-def exit_status(action):
+def exit_status(action: Callable[[], None]) -> int:
     """Runs the action. 0: done; 2: a run is missing or does not fit; 1: a file could not be written. Reports why."""
     try:
         action()
@@ -14,12 +15,12 @@ def exit_status(action):
         print(f"error: {error}", file=sys.stderr)
         return 2
     except OSError as error:
-        print(f"error: cannot write the figures: {error}", file=sys.stderr)
+        print(f"error: cannot write: {error}", file=sys.stderr)
         return 1
     return 0
 
 
-def runs_parser(program, description):
+def runs_parser(program: str, description: str) -> argparse.ArgumentParser:
     """A command line that takes one or two pairs of run folders."""
     parser = argparse.ArgumentParser(prog=program, description=description)
     parser.add_argument("runs", nargs="+", metavar="RUN",

@@ -1,11 +1,15 @@
 """Element tests: a soil by itself on the path of a laboratory test, or on any path of strains and stresses."""
 
+from __future__ import annotations
+
 import math
 import os
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy
+import numpy.typing
 
 from terp import _core
 from terp.errors import CaseError
@@ -15,19 +19,19 @@ from terp.toml import toml_text
 INCREMENTS = 1000  # to each turning point, as of `terp element`
 
 
-class ElementTest(Mapping):
+class ElementTest(Mapping[str, "numpy.typing.NDArray[numpy.float64]"]):
     """What the soil did: columns by name as numpy arrays over the increments, the start first.
 
     test["mean_pressure"], test["deviator"], ...: the columns of the table of `terp element` (docs/element.md).
     fault: why the path was not followed to its end; empty if it was."""
 
-    def __init__(self, material: str, columns: list, fault: str):
+    def __init__(self, material: str, columns: list[Any], fault: str):
         self.material, self.fault = material, fault
         self._columns = {name: numpy.array(values) for name, _, _, values in columns}
         self.units = {name: unit for name, unit, _, _ in columns}
         self.labels = {name: label for name, _, label, _ in columns}
 
-    def __getitem__(self, name: str) -> numpy.ndarray:
+    def __getitem__(self, name: str) -> numpy.typing.NDArray[numpy.float64]:
         return self._columns[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -39,13 +43,13 @@ class ElementTest(Mapping):
     def __repr__(self) -> str:
         return f"<ElementTest of {self.material}: {len(self['time']) - 1} increments, {len(self)} columns>"
 
-    def to_pandas(self):
+    def to_pandas(self) -> Any:
         """The columns as a pandas.DataFrame."""
         import pandas
 
         return pandas.DataFrame(self._columns)
 
-    def plot(self, axes=None, **line):
+    def plot(self, axes: Any = None, **line: Any) -> Any:
         """Draws q over p', q over the deviator strain, the volume or void ratio over log p', and the pore pressure
         into four axes of matplotlib, and returns them."""
         if axes is None:
@@ -67,10 +71,10 @@ class ElementTest(Mapping):
         return 1e-3 if self.units[name] == "Pa" else 1.0
 
     def _label(self, name: str) -> str:
-        return self.labels[name] + (" [kPa]" if self.units[name] == "Pa" else "")
+        return f"{self.labels[name]}{' [kPa]' if self.units[name] == 'Pa' else ''}"
 
 
-def _file_of(case):
+def _file_of(case: Any) -> Any:
     if isinstance(case, Case):
         return case._file
     if isinstance(case, (str, os.PathLike)) and "\n" not in str(case):
@@ -81,16 +85,21 @@ def _file_of(case):
     return _core.read_element_case_text(text, "text", [])
 
 
-def _csv_of(path: Mapping) -> str:
+def _csv_of(path: Mapping[str, Sequence[float | None]]) -> str:
     """A dictionary of columns as a table; None and nan leave a cell empty."""
     rows = zip(*path.values(), strict=True)
-    cell = lambda value: "" if value is None or math.isnan(value) else repr(float(value))  # noqa: E731
-    return "\n".join([",".join(path), *(",".join(cell(value) for value in row) for row in rows)]) + "\n"
+    return "\n".join([",".join(path), *(",".join(map(_cell_of, row)) for row in rows)]) + "\n"
 
 
-def element(case: Case | str | os.PathLike | dict, material: str | None = None, test: str = "triaxial", *,
-            strain: float | Sequence[float] | None = None, load: float | Sequence[float] | None = None,
-            path: str | os.PathLike | Mapping | None = None, pressure: float | None = None, k0: float = 1.0,
+def _cell_of(value: float | None) -> str:
+    return "" if value is None or math.isnan(value) else repr(float(value))
+
+
+def element(case: Case | str | os.PathLike[str] | Mapping[str, Any], material: str | None = None,
+            test: str = "triaxial", *, strain: float | Sequence[float] | None = None,
+            load: float | Sequence[float] | None = None,
+            path: str | os.PathLike[str] | Mapping[str, Sequence[float | None]] | None = None,
+            pressure: float | None = None, k0: float = 1.0,
             stress: Sequence[float] | None = None, at: tuple[float, float] | None = None, undrained: bool = False,
             increments: int | None = None, duration: float = 1000.0, void_ratio: float | None = None) -> ElementTest:
     """Drives a material of a case through a test: isotropic, oedometer, triaxial, biaxial or shear.
@@ -116,15 +125,15 @@ def element(case: Case | str | os.PathLike | dict, material: str | None = None, 
     if path is not None:
         if strain is not None or load is not None:
             raise CaseError("give either a path, or the strain or load of a test")
-        is_table = isinstance(path, Mapping)
-        columns, fault = soil.path("path" if is_table else os.fspath(path),
-                                  _csv_of(path) if is_table else "", start, undrained, increments or 0, duration, e0)
+        name, table = ("path", _csv_of(path)) if isinstance(path, Mapping) else (os.fspath(path), "")
+        columns, fault = soil.path(name, table, start, undrained, increments or 0, duration, e0)
     else:
         if test not in _core.element_tests():
             raise CaseError(f"there is no test `{test}`: give one of {', '.join(_core.element_tests())}")
-        if (strain is None) == (load is None):
+        given = strain if load is None else load
+        if given is None or (strain is not None and load is not None):
             raise CaseError("give either strain or load: the turning points of the test")
-        points = numpy.atleast_1d(strain if load is None else load).astype(float).tolist()
+        points = numpy.atleast_1d(numpy.asarray(given, dtype=float)).tolist()
         columns, fault = soil.test(test, start, undrained, points if load is None else [],
                                   points if strain is None else [], increments or INCREMENTS, duration, e0)
     if fault:

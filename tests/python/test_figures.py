@@ -73,7 +73,7 @@ class Command(unittest.TestCase):
         self.out.write_text("in the way")
         status, _, error = support.call(figures.main, *folders(1), "-o", self.out)
         self.assertEqual(status, 1)
-        self.assertIn("cannot write the figures", error)
+        self.assertIn("cannot write", error)
 
 
 class Sections(unittest.TestCase):

@@ -21,6 +21,10 @@ const char* const draw_it =
     "DXF.";
 const char* const save_as_dxf = "Save the drawing as ASCII DXF.";
 
+const char* const table_of_sounding =
+    "A table of S_u of a cone penetration test: python3 -m terp.soundings FILE -o su.csv (docs/strength.md). Draw the "
+    "section as DXF.";
+
 struct ForeignKind {
   const char* mark;     ///< at the start of the content, or anywhere in a zip file; "": none
   const char* endings;  ///< with a space after each; "": none
@@ -46,9 +50,7 @@ const ForeignKind foreign_kinds[] = {
         "Export its section there as DXF: terp import section.dxf."},
     {"Input file for a slope program", ".sti ", "is a file of the old D-Geo Stability",
         "Open it in D-Stability and save it there: terp import section.stix."},
-    {"#GEFID", ".gef ", "is a GEF file, a sounding or boring",
-        "Terp reads no soundings here; a field of a material takes them as a table (docs/probability.md). Draw the "
-        "section as DXF."},
+    {"#GEFID", ".gef ", "is a GEF file, a sounding or boring", table_of_sounding},
     {"$$START", ".gom ", "is a mesh of another program (GOM)",
         "Terp reads the meshes that gmsh reads (mesh.file of a case), and draws none of this one. Export the section "
         "as "
@@ -143,6 +145,8 @@ SectionFile kind_of_section(const std::string& path, std::string_view content)
     return SectionFile::profile;
   if (is_zip) refuse(path, "is a zip file, and no section of D-Stability", draw_it);
   if (content.substr(0, 200).find_first_of("{[") == 0) refuse(path, "is a JSON file, a map perhaps", draw_it);
+  if (content.starts_with("<") && content.find("CPT_O") != std::string_view::npos)
+    refuse(path, "is a sounding of the BRO", table_of_sounding);
   if (content.starts_with("<")) refuse(path, "is an XML file", draw_it);
   refuse(path, "is no section that Terp reads", draw_it);
 }

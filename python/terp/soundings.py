@@ -1,0 +1,207 @@
+"""Undrained strength from a cone penetration test, as a table that a case takes.
+
+    python3 -m terp.soundings FILE -o su.csv [--nkt 17] [--unit-weight 17] [--step 0.2] [--x 0]
+
+FILE is a GEF file (GEF-CPT-Report) or a BRO file (XML, CPT_O). The table has the columns x, y, value: y is the level,
+value S_u in Pa. In a case: `su_peak = { csv = "su.csv" }`. Only the rows of clay and peat mean something: name the
+table for these soils alone.
+
+S_u = (q_t - sigma_v) / N_kt, q_t = q_c + u_2 (1 - a): Lunne, Robertson and Powell, Cone Penetration Testing in
+Geotechnical Practice (1997). sigma_v is the depth times one unit weight.
+
+Exit status: 0 written, 2 the file is no such test, 1 the table could not be written.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import dataclasses
+import re
+import sys
+import xml.etree.ElementTree as xml
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from terp.command import exit_status
+from terp.errors import RunError
+
+Reals = npt.NDArray[np.float64]
+
+GEF_LENGTH, GEF_CONE, GEF_PRESSURE, GEF_DEPTH = 1, 2, 6, 11  # numbers of quantities in #COLUMNINFO
+GEF_AREA_RATIO = 3                                           # number of a #MEASUREMENTVAR
+BRO_COLUMNS = {"length": 0, "depth": 1, "cone": 3, "pressure": 22}
+BRO_VOID = -999999.0
+
+
+@dataclasses.dataclass(frozen=True)
+class Sounding:
+    """A cone penetration test. All arrays have the shape [n]; not a number where nothing was measured."""
+
+    name: str
+    level: float           # of the ground, of the national datum of the file [m]
+    depth: Reals           # below it [m]
+    cone: Reals            # q_c [Pa]
+    pressure: Reals        # u_2 [Pa]
+    area_ratio: float      # a of the cone
+
+    def corrected(self) -> Reals:
+        """q_t [Pa]; q_c where no pressure was measured."""
+        pressure = np.where(np.isfinite(self.pressure), self.pressure, 0.0)
+        corrected: Reals = self.cone + pressure * (1.0 - self.area_ratio)
+        return corrected
+
+    def strength(self, nkt: float = 17.0, unit_weight: float = 17e3, step: float = 0.2) -> tuple[Reals, Reals]:
+        """Levels [m] and S_u [Pa], means over steps of the depth [m]; shapes [m]. Steps without a value are left out.
+
+        unit_weight: of the ground with its water [N/m3].
+        """
+        for name, value in (("nkt", nkt), ("unit_weight", unit_weight), ("step", step)):
+            if not value > 0.0:
+                raise RunError(f"{name} is {value:g}; it must be more than 0")
+        strength = (self.corrected() - unit_weight * self.depth) / nkt
+        good = np.isfinite(strength) & (strength > 0.0)
+        steps = np.floor(self.depth / step)
+        levels, values = [], []
+        for number in np.unique(steps[good]):
+            levels.append(self.level - (number + 0.5) * step)
+            values.append(float(np.mean(strength[good & (steps == number)])))
+        return np.array(levels), np.array(values)
+
+
+def read_sounding(path: str | Path) -> Sounding:
+    """Reads a GEF or BRO file. Raises RunError: what is missing in it."""
+    try:
+        data = Path(path).read_bytes()
+    except OSError as error:
+        raise RunError(f"{path} cannot be read: {error.strerror}") from error
+    text = data.decode("utf-8", errors="replace")
+    if text.lstrip("\ufeff \r\n").startswith("#GEFID"):
+        return from_gef(text, str(path))
+    if text.lstrip("\ufeff \r\n").startswith("<"):
+        return from_bro(data, str(path))
+    raise RunError(f"{path} is no GEF file and no BRO file: the first begins with #GEFID, the second is XML")
+
+
+def from_gef(text: str, path: str) -> Sounding:
+    """The same from the text of a GEF file."""
+    head, mark, body = text.partition("#EOH")
+    if not mark:
+        raise RunError(f"{path} has no end of its head, #EOH")
+    lines: dict[str, list[list[str]]] = {}
+    for key, value in re.findall(r"^\s*#(\w+)\s*=(.*)$", head, re.M):
+        lines.setdefault(key, []).append([part.strip() for part in value.split(",")])
+    places = {int(info[3]): (int(info[0]) - 1, info[1]) for info in lines.get("COLUMNINFO", []) if len(info) > 3}
+    voids = {int(info[0]) - 1: float(info[1]) for info in lines.get("COLUMNVOID", []) if len(info) > 1}
+    record = lines.get("RECORDSEPARATOR", [["!"]])[0][0] or "!"
+    column = lines.get("COLUMNSEPARATOR", [[""]])[0][0]
+    rows = []
+    for line in body.split("\n", 1)[-1].replace(record, "\n").splitlines():
+        cells = [cell for cell in (line.split(column) if column else line.split()) if cell.strip()]
+        if cells:
+            rows.append([number_of(cell) for cell in cells])
+    width = max(map(len, rows), default=0)
+    table = np.array([row + [np.nan] * (width - len(row)) for row in rows], dtype=float).reshape(len(rows), width)
+    for place, void in voids.items():
+        if place < width:
+            table[table[:, place] == void, place] = np.nan
+
+    def quantity(number: int) -> Reals | None:
+        if number not in places or places[number][0] >= width:
+            return None
+        place, unit = places[number]
+        values: Reals = table[:, place] * {"MPa": 1e6, "kPa": 1e3}.get(unit, 1.0)
+        return values
+
+    depth, length = quantity(GEF_DEPTH), quantity(GEF_LENGTH)
+    ratio = next((number_of(info[1]) for info in lines.get("MEASUREMENTVAR", [])
+                  if len(info) > 1 and info[0] == str(GEF_AREA_RATIO)), np.nan)
+    level = lines.get("ZID", [["", ""]])[0]
+    return sounding(path, lines.get("TESTID", [[path]])[0][0], number_of(level[1]) if len(level) > 1 else np.nan,
+                    depth if depth is not None else length, quantity(GEF_CONE), quantity(GEF_PRESSURE), ratio)
+
+
+def from_bro(data: bytes, path: str) -> Sounding:
+    """The same from a BRO file."""
+    try:
+        root = xml.fromstring(data)
+    except xml.ParseError as error:
+        raise RunError(f"{path} is no sound XML file: {error}") from error
+
+    def text_of(name: str) -> str:
+        return next((e.text or "" for e in root.iter() if e.tag.rpartition("}")[2] == name), "")
+
+    rows = [[number_of(cell) for cell in row.split(",")] for row in text_of("values").strip().split(";") if row.strip()]
+    width = 1 + max(BRO_COLUMNS.values())
+    if not rows or any(len(row) < width for row in rows):
+        raise RunError(f"{path} has no measurements of a cone penetration test (CPT_O): `values` of 25 columns")
+    table = np.array([row[:width] for row in rows], dtype=float)
+    table[table == BRO_VOID] = np.nan
+    depth = table[:, BRO_COLUMNS["depth"]]
+    return sounding(path, text_of("broId") or path, number_of(text_of("offset")),
+                    np.where(np.isfinite(depth), depth, table[:, BRO_COLUMNS["length"]]),
+                    1e6 * table[:, BRO_COLUMNS["cone"]], 1e6 * table[:, BRO_COLUMNS["pressure"]],
+                    number_of(text_of("coneSurfaceQuotient")))
+
+
+def sounding(path: str, name: str, level: float, depth: Reals | None, cone: Reals | None, pressure: Reals | None,
+             area_ratio: float) -> Sounding:
+    """Raises RunError where depth, cone or level are missing."""
+    if depth is None or cone is None or not np.isfinite(depth).any() or not np.isfinite(cone).any():
+        raise RunError(f"{path} has no depth or no cone resistance")
+    if not np.isfinite(level):
+        raise RunError(f"{path} has no level of the ground")
+    order = np.argsort(depth, kind="stable")
+    none = np.full(len(depth), np.nan)
+    return Sounding(name, level, depth[order], cone[order], (none if pressure is None else pressure)[order],
+                    area_ratio if np.isfinite(area_ratio) else 1.0)
+
+
+def number_of(text: str) -> float:
+    """Not a number where the text is none."""
+    try:
+        return float(text)
+    except ValueError:
+        return float("nan")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """The command."""
+    parser = argparse.ArgumentParser(prog="python3 -m terp.soundings", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("file", metavar="FILE", help="GEF or BRO file of a cone penetration test")
+    parser.add_argument("-o", "--output", required=True, metavar="FILE", help="the table")
+    parser.add_argument("--nkt", type=float, default=17.0, help="N_kt (default: 17)")
+    parser.add_argument("--unit-weight", type=float, default=17.0, metavar="W",
+                        help="of the ground with its water [kN/m3] (default: 17)")
+    parser.add_argument("--step", type=float, default=0.2, help="means over this depth [m] (default: 0.2)")
+    parser.add_argument("--x", type=float, default=0.0, help="place in the section [m]: tables of several soundings")
+    options = parser.parse_args(arguments)
+    return exit_status(lambda: write(options))
+
+
+def write(options: argparse.Namespace) -> None:
+    """Writes the table, and prints what is in it."""
+    test = read_sounding(options.file)
+    levels, values = test.strength(options.nkt, 1e3 * options.unit_weight, options.step)
+    if not len(levels):
+        raise RunError(f"{options.file} has no place where q_t is more than the weight above")
+    with open(options.output, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(["x", "y", "value"])
+        for level, value in zip(levels, values):
+            table.writerow([f"{options.x:g}", f"{level:.3f}", f"{value:.0f}"])
+    has_pressure = bool(np.isfinite(test.pressure).any())
+    print(f"{options.output}: {len(levels)} values of {test.name}, levels {levels[-1]:.2f} to {levels[0]:.2f} m, "
+          f"S_u {values.min() / 1e3:.1f} to {values.max() / 1e3:.0f} kPa by N_kt = {options.nkt:g}")
+    if not has_pressure:
+        print("note: no u_2: q_t was taken as q_c")
+    elif test.area_ratio == 1.0:
+        print("note: no area ratio of the cone: q_t was taken as q_c")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
