@@ -59,8 +59,12 @@ void write_folder(const ImportCommand& command, const CaseFolder& folder)
       command.output, case_path);
 }
 
-int import_regions(const ImportCommand& command, const DxfRegions& regions, const std::vector<std::string>& notes)
+int import_regions(const ImportCommand& command, const DxfRegions& regions, std::vector<std::string> notes)
 {
+  for (const std::string& doubt : regions.doubts) {
+    notes.push_back(doubt);
+    say(stderr, "warning: {}\n", printable(doubt));
+  }
   if (command.output.empty()) {
     say("{}", printable(drawing_listing(regions, notes)));
     return solved;
@@ -74,14 +78,9 @@ int import_regions(const ImportCommand& command, const DxfRegions& regions, cons
 int import_drawing(const ImportCommand& command)
 {
   const DxfDrawing drawing = read_dxf(command.path, unit_of(command), words_of(command.layers));
-  const DxfRegions regions = regions_of(drawing, drawing_snap);
-  std::vector<std::string> notes = drawing.notes;
-  for (const auto* doubts : {&drawing.doubts, &regions.doubts})
-    for (const std::string& doubt : *doubts) {
-      notes.push_back(doubt);
-      say(stderr, "warning: {}\n", printable(doubt));
-    }
-  return import_regions(command, regions, notes);
+  DxfRegions regions = regions_of(drawing, drawing_snap);
+  regions.doubts.insert(regions.doubts.begin(), drawing.doubts.begin(), drawing.doubts.end());
+  return import_regions(command, regions, drawing.notes);
 }
 
 DxfRegions profile_of(const ImportCommand& command)

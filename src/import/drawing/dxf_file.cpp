@@ -26,10 +26,9 @@ namespace {
 constexpr std::size_t most_problems = 10;
 constexpr int comment = 999;
 constexpr Real missing = std::numeric_limits<Real>::quiet_NaN();
-constexpr Real narrowest = 1.0, widest = 5e3;  // [m] of a section without doubt
-constexpr Real flat = 0.005;                   // [m]: distance of chords from a bent line
-constexpr int most_depth = 16;                 // of blocks in blocks
-constexpr Real most_copies = 1e4;              // of a block by one INSERT
+constexpr Real flat = 0.005;       // [m]: distance of chords from a bent line
+constexpr int most_depth = 16;     // of blocks in blocks
+constexpr Real most_copies = 1e4;  // of a block by one INSERT
 constexpr std::size_t most_inserted = 1'000'000;
 constexpr DxfPlacement seen_from_behind{-1.0, 0.0, 0.0, 1.0, {0.0, 0.0}};
 constexpr Real most_metres = 1e7;  // a coordinate beyond the Earth's grids is a fault of the file

@@ -10,6 +10,8 @@
 
 namespace terp {
 
+inline constexpr Real narrowest = 1.0, widest = 5e3;  // [m] of a section without doubt about its unit
+
 struct DxfLine {
   std::string layer;
   std::vector<Vec<2>> places;  ///< x to the right, y up [m]

@@ -4,6 +4,7 @@
 
 #include "import/drawing/ground_profile.hpp"
 
+#include "import/drawing/dxf_file.hpp"
 #include "math/errors.hpp"
 #include "math/nan.hpp"
 #include "math/number_from.hpp"
@@ -22,6 +23,8 @@ namespace terp {
 namespace {
 
 using Cells = std::vector<std::string>;
+
+constexpr Real most_relief = 300.0;  // [m] of a profile without doubt
 
 std::string_view without_quotes(std::string_view text)
 {
@@ -57,24 +60,33 @@ Real number_of(std::string text, char separator)
   return number_from<Real>(text).value_or(nan);
 }
 
+/// What stands in brackets in the head of a column, or behind its last underscore, up to a blank: "m" of "z [m NAP]".
+std::string_view unit_name(std::string_view head)
+{
+  const std::size_t bracket = head.find_first_of("[("), line = head.rfind('_');
+  if (bracket == std::string_view::npos && line == std::string_view::npos) return "";
+  std::string_view name = head.substr((bracket != std::string_view::npos ? bracket : line) + 1);
+  return name.substr(0, name.find_first_of(" +])"));
+}
+
+/// [m]; 0: the head names none.
+Real unit_of(std::string_view head)
+{
+  const std::string_view name = unit_name(head);
+  for (const auto& [word, metres] : {std::pair{"feet", 0.3048}, std::pair{"km", 1e3}})
+    if (name == word) return metres;
+  return dxf_unit(name);
+}
+
 /// Letters of the head of a column, without its unit.
 std::string word_of(std::string_view head)
 {
+  std::string_view name = head.substr(0, head.find_first_of("[("));
+  if (name.size() == head.size() && unit_of(head) > 0.0) name = name.substr(0, name.rfind('_'));
   std::string word;
-  for (const char c : head.substr(0, head.find_first_of("[(")))
+  for (const char c : name)
     if (c != '_' && c != ' ') word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const char* unit : {"mm", "cm"})
-    if (head.find('_') != std::string_view::npos && word.ends_with(unit)) word.resize(word.size() - 2);
-  if (head.ends_with("_m") && word.size() > 1) word.pop_back();
   return word;
-}
-
-Real unit_of(std::string_view head)
-{
-  for (const auto& [name, metres] : {std::pair{"mm", 1e-3}, std::pair{"cm", 1e-2}})
-    for (const std::string& form : {fmt::format("_{}", name), fmt::format("[{}]", name), fmt::format("({})", name)})
-      if (head.find(form) != std::string_view::npos) return metres;
-  return 1.0;
 }
 
 const std::vector<std::string> distance_words{"l", "s", "d", "distance", "dist", "chainage", "station", "offset",
@@ -90,6 +102,7 @@ const std::vector<std::string> soil_words{"soilname", "soil", "grondsoort", "gro
 struct Columns {
   int distance = 0, level = 1, y = -1, name = -1;
   Real unit_x = 1.0, unit_z = 1.0;
+  std::string unknown_unit = {};  ///< the head that has it
 };
 
 /// The column whose head is one of the words, the first of them first; -1: none.
@@ -107,8 +120,16 @@ Columns columns_of(const Cells& heads)
   const int x = find({"x"}), y = find({"y"}), l = find(distance_words), z = find(level_words);
   Columns c{l >= 0 ? l : std::max(0, x), z >= 0 ? z : y >= 0 ? y : 1, -1, find(name_words)};
   if (l < 0 && x >= 0 && y >= 0 && z >= 0) c.y = y;
-  c.unit_x = unit_of(heads[c.distance]);
-  if (c.level < std::ssize(heads)) c.unit_z = unit_of(heads[c.level]);
+  const auto unit = [&](int column, Real& metres) {
+    if (column >= std::ssize(heads)) return;
+    const std::string_view head = heads[column];
+    metres = unit_of(head);
+    if (metres == 0.0 && head.find_first_of("[(") != std::string_view::npos && !unit_name(head).starts_with('m'))
+      c.unknown_unit = head;
+    if (metres == 0.0) metres = 1.0;
+  };
+  unit(c.distance, c.unit_x);
+  unit(c.level, c.unit_z);
   return c;
 }
 
@@ -160,6 +181,11 @@ class ProfileReader {
       refuse("has ground below the base",
           fmt::format("The base is at {:g} m, the lowest ground at {:g} m.", base, lowest));
     DxfRegions found;
+    if (const Real width = ground_.back()[0] - ground_.front()[0];
+        width < narrowest || width > widest || highest - lowest > most_relief)
+      found.doubts.push_back(fmt::format(
+          "The profile is {:.6g} m wide and {:.6g} m high: are its numbers in metres? --unit takes another unit.",
+          width, highest - lowest));
     Polygon outline = ground_;
     std::ranges::reverse(outline);  // the ground runs from right to left, then along the base
     outline.push_back({ground_.front()[0], base});
@@ -193,6 +219,9 @@ class ProfileReader {
       for (const std::string& cell : cells) n_numbers += !std::isnan(number_of(cell, separator_));
       if (n_numbers < 2) {
         columns_ = columns_of(cells);
+        if (!columns_.unknown_unit.empty() && options_.unit == 0.0)
+          refuse(fmt::format("has a unit that Terp does not know, `{}`", columns_.unknown_unit),
+              "Known are m, dm, cm, mm, ft, in: name one there, or give --unit.");
         is_wide_ = cells.size() >= 4 && word_of(cells[0]) == "locationid" && word_of(cells[1]) == "x1";
         return;
       }

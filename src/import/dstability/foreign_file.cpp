@@ -108,7 +108,7 @@ bool is_profile(std::string_view text)
     while (!line.empty()) {
       const std::size_t end = std::min(line.find_first_of(";,\t "), line.size());
       const std::string_view cell = line.substr(0, end);
-      n_numbers += !cell.empty() && cell.find_first_not_of("0123456789.+-eE") == std::string_view::npos;
+      n_numbers += !cell.empty() && cell.find_first_not_of("0123456789.+-eE\"") == std::string_view::npos;
       line.remove_prefix(std::min(end + 1, line.size()));
     }
     if (n_numbers >= 2) return true;

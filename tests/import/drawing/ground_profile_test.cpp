@@ -51,6 +51,15 @@ TEST(GroundProfile, ThatGoesBackOrIsNoneIsRefused)
   EXPECT_NEAR(read_profile("p.csv", "0,1\n10,1\n", {.depth = 4.0}).regions[0].polygon.back()[1], -3.0, 1e-12);
 }
 
+TEST(GroundProfile, HasTheUnitOfItsHeads)
+{
+  EXPECT_NEAR(area("l [km];z_ft\n0;0\n0,01;10\n", {.base = -1.0}), 10.0 * (1.0 + 0.5 * 3.048), 1e-9);
+  EXPECT_NEAR(area("dist_to_river,level_mNAP\n0,0\n10,0\n", {.base = -1.0}), 10.0, 1e-9);
+  EXPECT_NEAR(area("Distance (m);Level [m NAP]\n0;0\n10;0\n", {.base = -1.0}), 10.0, 1e-9);
+  EXPECT_THAT(refusal<InputError>([] { profile("l [furlong],z\n0,0\n10,0\n"); }), HasSubstr("does not know, `l [fur"));
+  EXPECT_THAT(profile("l,z\n0,0\n1000,900\n").doubts, ElementsAre(HasSubstr("1000 m wide and 900 m high")));
+}
+
 TEST(GroundProfile, IsALineOfSurfacelines)
 {
   const std::string table =
