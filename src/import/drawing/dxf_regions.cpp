@@ -8,6 +8,7 @@
 #include "math/errors.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,8 @@
 
 namespace terp {
 namespace {
+
+constexpr Real short_piece = 0.05;  // of the width of the section: a tick or the rest of a crossing
 
 std::string name_of(const TidyLines& drawing, const PlanarGraph& graph, const FaceRing& ring, const Polygon& outline)
 {
@@ -36,6 +39,26 @@ std::string name_of(const TidyLines& drawing, const PlanarGraph& graph, const Fa
     layers = std::move(here);
   }
   return layers && layers->size() == 1 ? *layers->begin() : "";
+}
+
+/// Pieces that bound no region; a doubt where they may be borders of soil.
+void report_loose(const PlanarGraph& graph, const TidyLines& drawing, DxfRegions& found)
+{
+  std::set<std::string> layers;
+  Real length = 0.0;
+  for (const GraphEdge& edge : graph.loose) {
+    length += distance(graph.places[edge.a], graph.places[edge.b]);
+    for (const int owner : edge.owners)
+      if (const std::string& layer = drawing.lines[owner].layer; !layer.empty()) layers.insert(layer);
+  }
+  const BoundingBox box = box_around(graph.places);
+  const bool is_doubt = length > short_piece * (box.high[0] - box.low[0]);
+  const Vec<2> end = graph.places[graph.loose.front().a];
+  (is_doubt ? found.doubts : found.notes)
+      .push_back(fmt::format("Pieces of lines bound no region and were left out, {:.2f} m on {}; the first ends at "
+                             "{:.3f}, {:.3f} m.{}",
+          length, fmt::join(layers, ", "), end[0], end[1],
+          is_doubt ? " A border of soil must end at other lines, or at one x with the others." : ""));
 }
 
 }  // namespace
@@ -70,14 +93,11 @@ DxfRegions regions_of(const DxfDrawing& whole, Real snap)
   int number = 0;
   for (DrawnRegion& region : found.regions)
     if (++number; region.name.empty()) region.name = fmt::format("region {}", number);
-  const auto n_open = std::ranges::count_if(drawing.lines, is_open);
+  const auto n_open = std::ranges::count_if(
+      drawing.lines, [&](const DxfLine& line) { return is_open(line) && !line.layer.empty(); });  // as drawn
   found.notes.push_back(fmt::format(
       "{} lines are open: the {} regions are what all lines enclose, joined within {:g} m.", n_open, number, snap));
-  if (const SnapCounts& s = graph.counts; s.loose_ends > 0)
-    found.notes.push_back(
-        fmt::format("{} pieces of lines bound no region and were left out; the first ends at {:.3f}, "
-                    "{:.3f} m.",
-            s.loose_ends, s.loose_at[0], s.loose_at[1]));
+  if (!graph.loose.empty()) report_loose(graph, drawing, found);
   return found;
 }
 

@@ -234,7 +234,7 @@ class Joiner {
       for (std::size_t here = at; edges_at[here].size() == 1;) {
         const std::size_t edge = edges_at[here].front();
         const GraphEdge& e = graph_.edges[edge];
-        if (++graph_.counts.loose_ends == 1) graph_.counts.loose_at = graph_.places[here];
+        graph_.loose.push_back(e.a == static_cast<Index>(here) ? e : GraphEdge{e.b, e.a, e.owners});
         is_gone[edge] = true;
         edges_at[here].clear();
         here = static_cast<std::size_t>(e.a) == here ? e.b : e.a;

@@ -29,17 +29,16 @@ struct GraphEdge {
 
 /// What joining the lines took.
 struct SnapCounts {
-  Index merged = 0;           ///< places that became another one
-  Index joined = 0;           ///< edges that were bent to a place beside them: T-junctions
-  Index crossings = 0;        ///< places added where edges cross
-  Index loose_ends = 0;       ///< edges that bound no face, left out
-  Real largest = 0.0;         ///< distance over which a place or an edge moved, at most [m]
-  Vec<2> loose_at{0.0, 0.0};  ///< a place of the first loose end [m]
+  Index merged = 0;     ///< places that became another one
+  Index joined = 0;     ///< edges that were bent to a place beside them: T-junctions
+  Index crossings = 0;  ///< places added where edges cross
+  Real largest = 0.0;   ///< distance over which a place or an edge moved, at most [m]
 };
 
 struct PlanarGraph {
   std::vector<Vec<2>> places;  ///< [m]; at least the snap distance apart
   std::vector<GraphEdge> edges;
+  std::vector<GraphEdge> loose = {};  ///< that bound no face, left out of the edges
   SnapCounts counts;
 };
 

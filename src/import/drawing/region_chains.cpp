@@ -462,7 +462,7 @@ void balance_areas(ChainMap& map, const std::vector<Real>& areas, Real farthest,
 
 PlanarGraph graph_of(const ChainMap& map)
 {
-  PlanarGraph graph{map.places, {}, {}};
+  PlanarGraph graph{.places = map.places, .edges = {}, .counts = {}};
   for (const Chain& chain : map.chains)
     for (std::size_t k = 0; k + 1 < chain.places.size(); ++k)
       graph.edges.push_back({chain.places[k], chain.places[k + 1], {chain.left, chain.right}});

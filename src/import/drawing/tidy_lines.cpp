@@ -183,9 +183,21 @@ class Tidier {
     }
     std::set<std::string> loose;
     std::vector<DxfLine> kept;
+    const auto reaches_as_far = [&](const DxfLine& line) {  // as an open line of the section: it is a boundary, too
+      for (std::size_t k = 0; k < group.size(); ++k) {
+        const DxfLine& other = tidy_.lines[k];
+        if (group[k] != section || other.closed || line.closed) continue;
+        const auto [a, b] = std::minmax(line.places.front()[0], line.places.back()[0]);
+        const auto [c, d] = std::minmax(other.places.front()[0], other.places.back()[0]);
+        if (std::abs(a - c) <= snap_ && std::abs(b - d) <= snap_) return true;
+      }
+      return false;
+    };
+    std::vector<bool> is_boundary(group.size());
+    for (std::size_t k = 0; k < group.size(); ++k) is_boundary[k] = reaches_as_far(tidy_.lines[k]);
     for (std::size_t k = 0; k < group.size(); ++k) {
-      const bool touches_nothing =
-          group[k] != section && weight[section] >= outline_weight && weight[group[k]] < outline_weight;
+      const bool touches_nothing = group[k] != section && weight[section] >= outline_weight &&
+                                   weight[group[k]] < outline_weight && !is_boundary[k];
       if (touches_nothing) loose.insert(tidy_.lines[k].layer);
       if (!touches_nothing && !frames.contains(group[k])) kept.push_back(std::move(tidy_.lines[k]));
     }
@@ -227,35 +239,53 @@ class Tidier {
     if (!names.empty()) note("Lines that end within an outline bound no soil: {}.", fmt::join(names, ", "));
   }
 
+  /// Whether a line lies along a vertical between two heights.
+  bool is_closed(Real x, Real low, Real high) const
+  {
+    return std::ranges::any_of(tidy_.lines, [&](const DxfLine& line) {
+      return gap_to(line, {x, 0.5 * (low + high)}) <= snap_;
+    });
+  }
+
+  /// Ends of open lines at one x, upwards: at the outermost x on a side of the section where they have several heights.
+  std::vector<Vec<2>> ends_at_one_x(std::vector<Vec<2>> ends, Real middle, Real outwards) const
+  {
+    std::erase_if(ends, [&](const Vec<2>& end) { return outwards * (end[0] - middle) <= 0.0; });
+    std::ranges::sort(ends, {}, [&](const Vec<2>& end) { return -outwards * end[0]; });
+    for (const Vec<2>& end : ends) {
+      std::vector<Vec<2>> here;
+      std::ranges::copy_if(
+          ends, std::back_inserter(here), [&](const Vec<2>& other) { return std::abs(other[0] - end[0]) <= snap_; });
+      std::ranges::sort(here, {}, [](const Vec<2>& x) { return x[1]; });
+      if (here.back()[1] - here.front()[1] > snap_) return here;
+    }
+    return {};
+  }
+
   /// Boundaries from end to end of the section, as other programs write them.
   void close_ends()
   {
-    std::vector<Vec<2>> all;
-    for (const DxfLine& line : tidy_.lines) all.insert(all.end(), line.places.begin(), line.places.end());
-    if (all.empty()) return;
+    std::vector<Vec<2>> all, ends;
+    for (const DxfLine& line : tidy_.lines) {
+      all.insert(all.end(), line.places.begin(), line.places.end());
+      if (!line.closed) ends.push_back(line.places.front()), ends.push_back(line.places.back());
+    }
+    if (ends.empty()) return;
     const BoundingBox box = box_around(all);
     std::vector<DxfLine> verticals;
-    for (const Real side : {box.low[0], box.high[0]}) {
-      std::vector<Vec<2>> ends;
-      bool loose = false;
-      for (const DxfLine& line : tidy_.lines)
-        for (const Vec<2>& end : {line.places.front(), line.places.back()})
-          if (!line.closed && std::abs(end[0] - side) <= snap_) {
-            ends.push_back(end);
-            loose = loose || is_loose(line, end);
-          }
-      std::ranges::sort(ends, {}, [](const Vec<2>& x) { return x[1]; });
-      if (loose && ends.size() > 1 && ends.back()[1] - ends.front()[1] > snap_)
-        verticals.push_back({"", ends, false, ""});
+    for (const Real outwards : {-1.0, 1.0}) {
+      const std::vector<Vec<2>> side = ends_at_one_x(ends, 0.5 * (box.low[0] + box.high[0]), outwards);
+      for (std::size_t k = 1; k < side.size(); ++k)
+        if (side[k][1] - side[k - 1][1] > snap_ && !is_closed(side[k][0], side[k - 1][1], side[k][1]))
+          verticals.push_back({"", {side[k - 1], side[k]}, false, ""});
     }
     if (verticals.empty()) return;
     const auto lowest =
         std::ranges::min_element(tidy_.lines, {}, [](const DxfLine& line) { return line.places[0][1]; });
-    note(
-        "Boundaries without ends were closed by verticals at x = {:.2f}{} m; the lowest line, on layer {}, is the "
-        "base.",
-        verticals.front().places[0][0],
-        verticals.size() > 1 ? fmt::format(" and {:.2f}", verticals.back().places[0][0]) : "", lowest->layer);
+    std::set<std::string> where;
+    for (const DxfLine& vertical : verticals) where.insert(fmt::format("{:.2f}", vertical.places[0][0]));
+    note("Boundaries without ends were closed by verticals at x = {} m; the lowest line, on layer {}, is the base.",
+        fmt::join(where, ", "), lowest->layer);
     std::ranges::move(verticals, std::back_inserter(tidy_.lines));
   }
 

@@ -25,8 +25,9 @@ TEST(DxfRegions, AreWhatLooseLinesEnclose)
   EXPECT_EQ(found.regions[0].name, "region 1");
   EXPECT_EQ(found.regions[1].name, "region 2");
   EXPECT_THAT(signed_area(found.regions[0].polygon) + signed_area(found.regions[1].polygon), DoubleNear(54.0, 0.05));
-  ASSERT_EQ(found.notes.size(), 2u);
-  EXPECT_THAT(found.notes[1], HasSubstr("pieces of lines bound no region and were left out; the first ends at 5.000,"));
+  EXPECT_EQ(found.notes.size(), 1u);
+  ASSERT_EQ(found.doubts.size(), 1u);
+  EXPECT_THAT(found.doubts[0], HasSubstr("left out, 4.00 m on axis; the first ends at 5.000, 5.000 m"));
 }
 
 TEST(DxfRegions, HaveTheNameOfThePolylineAroundThem)

@@ -102,10 +102,10 @@ TEST(Chains, SeeLinesThatCrossOrTouch)
 {
   const auto line = [](Index a, Index b) { return GraphEdge{a, b, {}}; };
   const std::vector<Vec<2>> places{{0, 0}, {2, 2}, {0, 2}, {2, 0}, {1, 1}};
-  EXPECT_TRUE(lines_are_apart({places, {line(0, 2), line(1, 3)}, {}}));
-  EXPECT_FALSE(lines_are_apart({places, {line(0, 1), line(2, 3)}, {}}));
-  EXPECT_FALSE(lines_are_apart({places, {line(0, 1), line(2, 4)}, {}}));
-  EXPECT_TRUE(lines_are_apart({places, {line(0, 4), line(2, 4)}, {}}));
+  EXPECT_TRUE(lines_are_apart({places, {line(0, 2), line(1, 3)}, {}, {}}));
+  EXPECT_FALSE(lines_are_apart({places, {line(0, 1), line(2, 3)}, {}, {}}));
+  EXPECT_FALSE(lines_are_apart({places, {line(0, 1), line(2, 4)}, {}, {}}));
+  EXPECT_TRUE(lines_are_apart({places, {line(0, 4), line(2, 4)}, {}, {}}));
 }
 
 }  // namespace region_chains_test

@@ -81,9 +81,8 @@ TEST(TidyLines, CloseBoundariesWithoutEndsByVerticals)
   Real sum = 0.0;
   for (const DrawnRegion& region : found.regions) sum += std::abs(signed_area(region.polygon));
   EXPECT_NEAR(sum, 220.5, 1e-6);
-  EXPECT_THAT(
-      found.notes, Contains("Boundaries without ends were closed by verticals at x = 0.00 and 40.00 m; the lowest "
-                            "line, on layer base of sand, is the base."));
+  EXPECT_THAT(found.notes, Contains("Boundaries without ends were closed by verticals at x = 0.00, 40.00 m; the lowest "
+                                    "line, on layer base of sand, is the base."));
 }
 
 TEST(TidyLines, OfAnExportedSectionAreItsOutlines)
