@@ -15,8 +15,8 @@ ZIP      = $(BUILD)/terp_$(VERSION)_windows_x86_64.zip
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test test-long package windows browser wheel test-web vtk verify verify-paper kill
-.PHONY: physics test-cluster fuzz sanitize lint accept clean
+.PHONY: help install build demo test test-long package windows browser site gallery release wheel test-web vtk verify
+.PHONY: verify-paper kill physics test-cluster fuzz sanitize lint accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -70,8 +70,21 @@ browser: install ## terp.html: the solver in one page of a browser, by Debian 13
 	   -DTERP_EMSCRIPTEN=$(EMSCRIPTEN) -DTERP_BROWSER_LIBRARIES=$(BROWSER)/libraries >/dev/null
 	@cmake --build $(BROWSER)/program --target terp
 	@cd web && { [ -e node_modules/.terp-lock ] || npm ci --silent; } && npm run --silent build:solver
+	@tools/licences.py $(BROWSER)/libraries $(EMSCRIPTEN) > $(BROWSER)/licences.txt
 	@node web/solver/assemble.mjs $(BROWSER)/program/terp.js $(BROWSER)/program/terp.wasm web/dist/index.html \
-	   web/dist/solver/solver.html $(VERSION) $(BROWSER)/terp.html
+	   web/dist/solver/solver.html $(BROWSER)/licences.txt $(VERSION) $(BROWSER)/terp.html
+
+site:            ## the documents as a site with search, build/site, with terp.html where `make browser` built it
+	@tools/install-dependencies --site
+	@tools/make_site $(BUILD)/site $(BROWSER)/terp.html
+
+gallery: build   ## the cases, pictures and times of docs/gallery.md (7 minutes of one core); or CASE="3 4"
+	@tools/install-dependencies --web
+	@cd web && { [ -e node_modules/.terp-lock ] || npm ci --silent; }
+	@tools/make_gallery $(TERP) $(CASE)
+
+release:         ## all that is published of a version, and its tag (packaging/release); ARGS=--dry-run
+	@packaging/release $(ARGS)
 
 wheel: build     ## a wheel of the Python package with its compiled part
 	@packaging/make_wheel $(BUILD)
@@ -82,10 +95,10 @@ verify: build    ## all cases with a known answer, or CASE="name name"; writes b
 physics: build   ## the table of sound physics: rest, slides, energy; ARGS="--seed 2 --rows level_clay" (tests/physics)
 	@/usr/bin/python3 tests/physics/table.py --terp $(TERP) $(ARGS)
 
-test-web: build  ## the report page: unit tests, and end-to-end tests in Chromium on runs of the program
+test-web: build  ## the pages: unit tests, and end-to-end tests in Chromium on runs of the program and on build/site
 	@tools/install-dependencies --web
 	@cd web && { [ -e node_modules/.terp-lock ] || npm ci --silent; } && npm run --silent build && npm test \
-	   && TERP=$(abspath $(TERP)) TERP_HTML=$(BROWSER)/terp.html npm run test:e2e
+	   && TERP=$(abspath $(TERP)) TERP_HTML=$(BROWSER)/terp.html SITE=$(abspath $(BUILD))/site npm run test:e2e
 
 vtk: install     ## read results with VTK 9.3 and the newest: Debian 13 and sid, 2.5 GB in build/vtk
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null

@@ -1,4 +1,4 @@
-// node assemble.mjs PROGRAM.js PROGRAM.wasm REPORT.html PAGE.html VERSION OUT.html
+// node assemble.mjs PROGRAM.js PROGRAM.wasm REPORT.html PAGE.html LICENCES.txt VERSION OUT.html
 //
 // Puts the program, the report page and the examples into the page of the solver, each compressed, as texts that no
 // browser runs. The policy of the page names the scripts that may run by their hashes.
@@ -8,7 +8,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 
-const [glue, wasm, report, page, version, out] = process.argv.slice(2);
+const [glue, wasm, report, page, texts, version, out] = process.argv.slice(2);
 const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
 const samples = "tests/import/dstability/samples";
 const EXAMPLES = {
@@ -24,7 +24,7 @@ let html = readFileSync(page, "utf8");
 
 const examples = Object.fromEntries(Object.entries(EXAMPLES).map(([name, files]) =>
   [name, Object.fromEntries(Object.entries(files).map(([path, at]) => [path, readFileSync(join(root, at)).toString("base64")]))]));
-const licences = `${readFileSync(join(root, "LICENSE"), "utf8")}\n${readFileSync(join(root, samples, "SOURCES.md"), "utf8")}`;
+const licences = `${readFileSync(texts, "utf8")}\n${readFileSync(join(root, samples, "SOURCES.md"), "utf8")}`;
 const parts = (size) => Object.entries({
   wasm: program, glue: readFileSync(glue), template, examples: JSON.stringify(examples),
   meta: JSON.stringify({ version, sum: digest(program, "hex"), size, licences }),

@@ -75,6 +75,11 @@ describe.skipIf(!existsSync(PAGE))("the page with the solver", () => {
     expect(await page.locator("main").textContent()).toMatch(/Niets verlaat deze computer/);
     expect(await page.evaluate("document.documentElement.scrollWidth")).toBe(390);
     expect(readFileSync(PAGE).length).toBeLessThan(4.5e6);
+    expect(await page.locator("footer").textContent()).toMatch(/Terp \d+\.\d+\.\d+, terp\.html .*SHA-256 .* [0-9a-f]{64}/);
+    const licences = await page.locator(".licences pre").textContent();
+    for (const name of ["fmtlib", "hdf5", "libzip", "muparser", "zlib", "Eigen", "Boost", "uplot", "emscripten"]) {
+      expect(licences).toMatch(new RegExp(`^${name} \\d\\S+`, "m"));
+    }
     expect([errors, requests]).toEqual([[], []]);
     await page.context().close();
   });
