@@ -39,14 +39,15 @@ std::size_t sides_of(const DxfLine& line) { return line.places.size() - (line.cl
 
 Real gap_to(const DxfLine& line, Vec<2> x)
 {
-  Real least = distance(line.places[0], x);
+  const auto square_to = [&](Vec<2> place) { return dot(between(place, x), between(place, x)); };
+  Real least = square_to(line.places[0]);
   for (std::size_t k = 0; k < sides_of(line); ++k) {
     const Vec<2> a = line.places[k], b = line.places[(k + 1) % line.places.size()], side = between(a, b);
     const Real square = dot(side, side);
     const Real t = square > 0.0 ? std::clamp(dot(between(a, x), side) / square, 0.0, 1.0) : 0.0;
-    least = std::min(least, distance(between(a, b, t), x));
+    least = std::min(least, square_to(between(a, b, t)));
   }
-  return least;
+  return std::sqrt(least);
 }
 
 BoundingBox wider(BoundingBox box, Real by)
@@ -87,9 +88,7 @@ class Tidier {
     if (!water.empty()) note("Open lines of water bound no soil: {}.", fmt::join(water, ", "));
     std::size_t n_sides = 0;
     for (const DxfLine& line : tidy_.lines) n_sides += line.places.size();
-    if (n_sides > most_sides) return std::move(tidy_);
-    leave_out_frames();
-    leave_out_walls();
+    if (n_sides <= most_sides) leave_out_frames(), leave_out_walls();
     close_ends();
     doubt_gaps();
     return std::move(tidy_);

@@ -28,12 +28,15 @@ std::string side_text(const Side& side)
 /// Where two sides cross in their interiors; sides that only touch do not.
 std::optional<Vec<2>> crossing(const Side& one, const Side& two)
 {
+  for (int d = 0; d < 2; ++d)
+    if (std::max(one.a[d], one.b[d]) < std::min(two.a[d], two.b[d]) ||
+        std::max(two.a[d], two.b[d]) < std::min(one.a[d], one.b[d]))
+      return std::nullopt;
   const Real a = cross(two.a, two.b, one.a), b = cross(two.a, two.b, one.b);
   const Real c = cross(one.a, one.b, two.a), d = cross(one.a, one.b, two.b);
+  if (!(a * b < 0.0 && c * d < 0.0)) return std::nullopt;
   const Real touch = no_area * (distance(one.a, one.b) * distance(two.a, two.b));
-  const bool crosses = std::min(std::abs(a), std::abs(b)) > touch && std::min(std::abs(c), std::abs(d)) > touch &&
-                       a * b < 0.0 && c * d < 0.0;
-  if (!crosses) return std::nullopt;
+  if (std::min(std::abs(a), std::abs(b)) <= touch || std::min(std::abs(c), std::abs(d)) <= touch) return std::nullopt;
   return between(one.a, one.b, a / (a - b));
 }
 
