@@ -32,9 +32,8 @@ std::string result_words(const Study& study, const ReliabilityResult& r)
 
 std::string design_value(const Study& study, const std::vector<Real>& values, std::size_t k)
 {
-  const std::string& key = study.settings.numbers[k].key;
-  const std::string unit = unit_at(key) == "-" ? "" : ' ' + std::string(unit_at(key));
-  return fmt::format("{} = {:.5g}{}", key, values[k], unit);
+  const auto& [key, is_name, unit, path, distribution] = study.settings.numbers[k];
+  return fmt::format("{} = {:.5g}{}", key, values[k], unit.empty() || unit == "-" ? "" : ' ' + unit);
 }
 
 std::string event_words(const Study& study)

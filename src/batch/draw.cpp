@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace terp {
 namespace {
@@ -44,15 +45,13 @@ std::vector<Real> numbers_of(const Study& study, const std::vector<Real>& indepe
 }
 
 /// Twelve digits: what libraries of other machines give differs beyond them.
-std::string digits(Real value) { return fmt::format("{:.12g}", value); }
-
 void add_numbers(const Study& study, const std::vector<Real>& values, Draw& draw)
 {
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const std::string text = digits(values[k]);
-    draw.changes.push_back(study.settings.numbers[k].key + "=" + text);
-    draw.inputs.push_back(std::stod(text));
-  }
+  std::vector<Real> rounded;
+  for (const Real value : values) rounded.push_back(std::stod(fmt::format("{:.12g}", value)));
+  std::ranges::move(study.settings.changes_at(rounded), std::back_inserter(draw.changes));
+  draw.held = study.settings.held_changes_at(rounded);
+  draw.inputs.insert(draw.inputs.end(), rounded.begin(), rounded.end());
 }
 
 /// Which combination of a sweep a realisation is: the last key turns fastest.
@@ -203,6 +202,13 @@ Draw draw_realisation(const Study& study, Index realisation)
 CaseFile case_of(const Study& study, const Draw& draw)
 {
   return read_case_text(study.case_text, study.case_path, draw.changes);
+}
+
+std::vector<std::string> held_changes(const Draw& draw)
+{
+  std::vector<std::string> changes = draw.changes;
+  changes.insert(changes.end(), draw.held.begin(), draw.held.end());
+  return changes;
 }
 
 std::string input_text(const Study& study, std::size_t number, Real value)

@@ -207,7 +207,7 @@ StudyEstimates estimate(const Study& study, const Realisations& rows)
   const TableCounter table(study, rows);
   e.n_made = table.n(), e.rule_met = table.rule_met();
   e.n_beyond = static_cast<Index>(rows.size()) - e.n_made;
-  const std::size_t moves = outcome_number("still_moves"), near = outcome_number("near");
+  const std::size_t moves = outcome_number("still_moves"), near = outcome_number("near"), held = outcome_number("held");
   Index n_skipped = 0, n_coarse = 0;
   double skipped_s = 0.0, coarse_s = 0.0;
   for (Index n = 0; n < e.n_made; ++n) {
@@ -220,6 +220,7 @@ StudyEstimates estimate(const Study& study, const Realisations& rows)
     if (is_coarse) ++n_coarse, coarse_s += r.processor_s;
     if (!r.fault.empty()) count_fault(r, e.faults);
     if (r.solved() && !is_coarse && r.outcomes[near] == 1.0) ++e.n_near;
+    if (r.solved() && !is_coarse && r.outcomes[held] == 1.0) ++e.n_held, e.n_held_slid += r.slid;
     if (r.solved() && !is_coarse && r.outcomes[moves] == 1.0)
       e.n_moving_without_slide += !r.slid, e.n_moving_without_flood += r.judges_flood && !r.flooded;
   }

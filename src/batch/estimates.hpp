@@ -105,7 +105,8 @@ struct StudyEstimates {
   Index n_beyond = 0;  ///< solved, but after a gap, or after the rule has stopped: not in the table
   /// Of those, solved with the case itself and without the event while soil still moves at the end.
   Index n_moving_without_slide = 0, n_moving_without_flood = 0;
-  Index n_near = 0;  ///< that count as F, though the ground was below the water briefly or by little
+  Index n_near = 0;                   ///< that count as F, though the ground was below the water briefly or by little
+  Index n_held = 0, n_held_slid = 0;  ///< that slide as drawn, and were held and released; of them, with I then
   bool judges_flood = false;
   EventCounts counts = {};  ///< of all that were run
   EventEstimate slide, flood, flood_after_slide;

@@ -41,7 +41,9 @@ std::vector<Change> changes_of(const StudySettings& s)
   if (s.fragility)
     for (const auto& [key, value] : s.fragility->set)
       changes.push_back({key, join_path("fragility.set", key), number()});
-  for (const RandomNumber& random : s.numbers) changes.push_back({random.key, join_path(random.path, "key"), number()});
+  for (const RandomNumber& random : s.numbers)
+    if (!random.is_name) changes.push_back({random.key, join_path(random.path, "key"), number()});
+  for (const auto& [key, value] : s.follow) changes.push_back({key, join_path("follow", key), number()});
   for (const RandomFieldKey& field : s.fields)
     changes.push_back({field.key, join_path(field.path, "key"), fmt::format("{{ random = {{ mean = {} }} }}", number()),
         field.mean.empty()});

@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 
 namespace terp {
 namespace {
@@ -17,35 +15,8 @@ namespace {
 constexpr const char* section = "fragility";
 constexpr std::size_t fewest_levels = 2, most_levels = 100;
 
-/// The text speaks of h, as a word of its own.
-bool is_formula(const std::string& text)
-{
-  const auto in_word = [&](std::size_t k) {
-    return k < text.size() && (std::isalnum(static_cast<unsigned char>(text[k])) != 0 || text[k] == '_');
-  };
-  for (std::size_t k = 0; k < text.size(); ++k)
-    if (text[k] == 'h' && !in_word(k + 1) && (k == 0 || !in_word(k - 1))) return true;
-  return false;
-}
-
-bool has_formula(const Node& node)
-{
-  return (node.kind == NodeKind::text && is_formula(node.text)) || std::ranges::any_of(node.items, has_formula);
-}
-
-/// The value with its formulas as numbers.
-Node at_level(Node node, Real level)
-{
-  if (node.kind == NodeKind::text && is_formula(node.text)) {
-    const Expression formula(node.text, {"h"}, {});
-    node.number = formula(std::vector<Real>{level});
-    if (!std::isfinite(node.number))
-      throw ExpressionError(fmt::format("\"{}\" is no number at h = {:g}", node.text, level));
-    node.kind = NodeKind::number;
-  }
-  for (Node& item : node.items) item = at_level(std::move(item), level);
-  return node;
-}
+/// The name of the level in formulas.
+const std::vector<std::string> name_of_level{"h"};
 
 void read_levels(const Node& table, FragilityLoad& load, Findings& findings)
 {
@@ -86,11 +57,11 @@ void read_changes(const Node& table, FragilityLoad& load, Findings& findings)
     if (item.kind == NodeKind::table && item.name.find('.') == std::string::npos)
       return fail(at, "write the key in quotes", fmt::format("As in \"{}.KEY\" = VALUE.", item.name));
     load.set.emplace_back(item.name, item);
-    if (!has_formula(item))
+    if (!has_formula(item, name_of_level))
       fail(at, fmt::format("`{}` does not follow the load", item.name),
           "Give a formula of h, the level, as a text; or set the key in [set], for all levels.");
     try {
-      for (const Real level : load.levels) at_level(item, level);
+      for (const Real level : load.levels) with_numbers(item, name_of_level, {level});
     } catch (const ExpressionError& error) {
       fail(at, "this is no formula of h", error.what());
     }
@@ -101,9 +72,7 @@ void read_changes(const Node& table, FragilityLoad& load, Findings& findings)
 
 std::vector<std::string> FragilityLoad::changes_at(Real level) const
 {
-  std::vector<std::string> changes;
-  for (const auto& [key, value] : set) changes.push_back(key + "=" + toml_value(at_level(value, level)));
-  return changes;
+  return changes_with_numbers(set, name_of_level, {level});
 }
 
 std::optional<FragilityLoad> read_fragility(const Node& root, Findings& findings)

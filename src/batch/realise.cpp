@@ -118,6 +118,9 @@ const OutcomeInfo outcomes[] = {
         [](const Summary& s) { return s.flood ? s.flood->first_time_below.value_or(none) : none; }},
     {{"near", "-", "near a flood", "1 where the ground was below the water briefly or by little: it counts as F"},
         [](const Summary& s) { return s.flood && s.flood->verdict == FloodVerdict::near ? 1.0 : 0.0; }},
+    {{"held", "-", "held at first",
+         "1 where the soil slides as drawn, and was held and released ([held] of the study)"},
+        nullptr, [](const Simulation&, const Summary&, const EventRule&) { return 0.0; }},
     {{"still_moves", "-", "still moves", "1 where soil moves so fast at the end that I or F may change"}, nullptr,
         still_moves},
     {{"max_eps_eq_p", "-", "largest eps_eq_p", "at the end"}, of_summary<&Summary::max_eps_eq_p>},
@@ -174,15 +177,11 @@ Screening screen(const Study& study, const Case& c, Index number, const std::ato
 }
 
 /// False: stopped before its end.
-bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, Realisation& result)
+bool run_to_end(const Study& study, const Case& c, const std::atomic<bool>& stop, Realisation& result)
 {
-  const CaseFile file = case_of(study, draw);
-  result.screening = screen(study, file.values, result.number, stop);
-  if (stop.load()) return false;
-  if (result.skipped()) return true;
   const SharedMesh mesh =
-      study.shares_mesh ? study.mesh_of(result.number) : std::make_shared<const Mesh<2>>(build_mesh(file.values));
-  Simulation simulation(file.values, mesh, 1, all_followers());
+      study.shares_mesh ? study.mesh_of(result.number) : std::make_shared<const Mesh<2>>(build_mesh(c));
+  Simulation simulation(c, mesh, 1, all_followers());
   result.judges_flood = simulation.model.flood_level.is_known();
   const EventRule& event = study.settings.event;
   if (simulation.run(stop) != Outcome::finished) return false;
@@ -193,6 +192,22 @@ bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, 
   }
   read_outcomes(simulation, event, result);
   return true;
+}
+
+/// Soil that slides as drawn is held and released, if the study says how. False: stopped before its end.
+bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, Realisation& result)
+{
+  const CaseFile file = case_of(study, draw);
+  result.screening = screen(study, file.values, result.number, stop);
+  if (stop.load()) return false;
+  if (result.skipped()) return true;
+  try {
+    return run_to_end(study, file.values, stop, result);
+  } catch (const SlidesAsDrawn&) {
+    if (draw.held.empty()) throw;
+  }
+  result.is_held = true;
+  return run_to_end(study, read_case_text(study.case_text, study.case_path, held_changes(draw)).values, stop, result);
 }
 
 }  // namespace
@@ -227,6 +242,7 @@ void read_outcomes(const Simulation& simulation, const EventRule& event, Realisa
   for (const OutcomeInfo& outcome : outcomes)
     r.outcomes.push_back(
         outcome.of_summary != nullptr ? outcome.of_summary(summary) : outcome.of_run(simulation, summary, event));
+  r.outcomes[outcome_number("held")] = r.is_held ? 1.0 : 0.0;
   r.slid = r.outcomes[outcome_number("slide_volume")] >= event.volume;
   r.judges_flood = summary.flood.has_value();
   r.flooded = r.judges_flood && (summary.flood->verdict == FloodVerdict::floods ||

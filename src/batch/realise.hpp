@@ -36,6 +36,7 @@ struct Realisation {
   std::vector<Real> inputs = {};  ///< as Study::input_names()
   std::string fault = {};         ///< why there is no result, on one line; empty: none
   Screening screening = Screening::none;
+  bool is_held = false;  ///< it slides as drawn, and was solved once more with [held]
   bool slid = false;     ///< I; with a fault: the soil slides as it is drawn, and no more is known
   bool flooded = false;  ///< F; false where nothing is said of water
   bool judges_flood = false;

@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view begin = "terp study\t";
 // 7: [method] had other defaults; 6: cases had keys that are gone; 5: no processor time; 4: no build, `still_moves` of
 // floods alone
-constexpr std::string_view store_format = "8";
+constexpr std::string_view store_format = "9";
 constexpr std::size_t n_words = 7;
 
 bool has_fused_products(const std::string& instructions) { return instructions.starts_with("avx"); }

@@ -30,17 +30,26 @@ namespace {
 
 constexpr Index most_realisations = 10'000'000;
 
-/// The case must take what each number may be, alone: its median, and its tails.
+/// The case must take what each number may be, alone: its median, and its tails. Others that keys follow with it are at
+/// their medians.
 void check_numbers(const Study& study, std::vector<Problem>& problems)
 {
-  for (const RandomNumber& number : study.settings.numbers) {
+  const StudySettings& s = study.settings;
+  const std::vector<Real> medians = s.quantiles(0.5);
+  for (std::size_t k = 0; k < s.numbers.size(); ++k) {
+    const RandomNumber& number = s.numbers[k];
     const auto refusal = [&](Real p) {
-      return refusal_of(
-          study, changes_with(study, {fmt::format("{}={:.12g}", number.key, number.distribution.quantile(p))}));
+      const Real value = number.distribution.quantile(p);
+      if (!number.is_name)
+        return refusal_of(study, changes_with(study, {fmt::format("{}={:.12g}", number.key, value)}));
+      std::vector<Real> values = s.named_values(medians);
+      const std::vector<std::string> names = s.names();
+      values[static_cast<std::size_t>(std::ranges::find(names, number.key) - names.begin())] = value;
+      return refusal_of(study, changes_with(study, changes_with_numbers(s.follow, names, values)));
     };
     if (const std::string why = refusal(0.5); !why.empty()) {
-      problems.push_back(
-          {join_path(number.path, "key"), fmt::format("the case does not take `{}`", number.key), why, ""});
+      problems.push_back({join_path(number.path, number.is_name ? "name" : "key"),
+          fmt::format("the case does not take `{}`", number.key), why, ""});
       continue;
     }
     const Real tail = std::clamp(0.1 / static_cast<Real>(study.n_realisations), 1e-9, 1e-3);
@@ -57,6 +66,17 @@ void check_numbers(const Study& study, std::vector<Problem>& problems)
         break;
       }
   }
+}
+
+/// As all numbers are at their medians.
+void check_held(const Study& study, std::vector<Problem>& problems)
+{
+  const StudySettings& s = study.settings;
+  if (s.held.empty()) return;
+  std::vector<std::string> changes = s.changes_at(s.quantiles(0.5));
+  for (std::string& change : s.held_changes_at(s.quantiles(0.5))) changes.push_back(std::move(change));
+  if (const std::string why = refusal_of(study, changes_with(study, changes)); !why.empty())
+    problems.push_back({"held", "the case does not take what [held] changes", why, ""});
 }
 
 /// Corners of the box about the bodies of a material: "material.NAME. ...". None if they are not drawn.
@@ -290,6 +310,8 @@ void set_shares_mesh(Study& study)
   const StudySettings& s = study.settings;
   const auto take = [&](const std::string& key) { study.shares_mesh = study.shares_mesh && !changes_mesh(key); };
   for (const RandomNumber& number : s.numbers) take(number.key);
+  for (const KeyValues* keys : {&s.follow, &s.held})
+    for (const auto& [key, value] : *keys) take(key);
   for (const SweepKey& sweep : s.sweep) take(sweep.key);
   if (s.fragility)
     for (const auto& [key, value] : s.fragility->set) take(key);
@@ -352,6 +374,7 @@ Study prepare_study(StudySettings settings)
   refuse_if_any(problems, s);
   prepare_coarse(study, problems);
   check_numbers(study, problems);
+  if (problems.empty()) check_held(study, problems);
   check_sweep(study, problems);
   check_levels(study, problems);
   refuse_if_any(problems, s);
@@ -394,7 +417,8 @@ void doubt_places_of_lines(const Study& study, std::vector<Problem>& doubts)
         "a line that is uncertain within the dike alone.",
         ""});
   };
-  for (const RandomNumber& number : study.settings.numbers) take(number.key, number.path);
+  for (const RandomNumber& number : study.settings.numbers)
+    if (!number.is_name) take(number.key, number.path);
   for (const SweepKey& sweep : study.settings.sweep) take(sweep.key, sweep.path);
 }
 

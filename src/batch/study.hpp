@@ -67,7 +67,8 @@ inline std::string digits_of_study(const Study& study)
 Study prepare_study(StudySettings settings);
 
 struct Draw {
-  std::vector<std::string> changes;  ///< KEY=VALUE, as of --set, `set` included
+  std::vector<std::string> changes;    ///< KEY=VALUE, as of --set, `set` included
+  std::vector<std::string> held = {};  ///< what [held] changes beside them
   std::vector<Real> inputs = {};  ///< as input_names(); of a sweep that is not of numbers alone, the place in `values`
 };
 
@@ -85,6 +86,9 @@ Draw draw_again(const Study& study, Index realisation, const std::vector<Real>& 
 
 /// The case of a draw. Throws CaseError where it refuses what was drawn.
 CaseFile case_of(const Study& study, const Draw& draw);
+
+/// Changes of a realisation that slides as drawn, with those of [held].
+std::vector<std::string> held_changes(const Draw& draw);
 
 /// A field of a sample over its trend, with the values of soundings.
 class FieldOverTrend {

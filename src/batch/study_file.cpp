@@ -6,6 +6,7 @@
 
 #include "math/closest.hpp"
 #include "io/case/case_file.hpp"
+#include "io/case/expression.hpp"
 #include "io/case/keys.hpp"
 #include "io/case/printable.hpp"
 #include "io/case/random_kind.hpp"
@@ -18,6 +19,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -80,17 +82,80 @@ void refuse_unknown_key(const std::string& key, const std::string& path, Finding
       did_you_mean(key, known) + "`terp explain` describes the keys.", ""});
 }
 
+/// A name that formulas can have: no function of theirs.
+void refuse_name(const std::string& name, const std::string& path, Findings& findings)
+{
+  const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0; };
+  const auto is_of_word = [&](unsigned char c) { return is_letter(c) || std::isdigit(c) != 0 || c == '_'; };
+  const bool is_word = !name.empty() && is_letter(static_cast<unsigned char>(name[0])) &&
+                       std::ranges::all_of(name, is_of_word) && name != "h";
+  const Paths taken = names_in_formulas();
+  if (is_word && std::ranges::find(taken, name) == taken.end()) return;
+  findings.problems.push_back({join_path(path, "name"), fmt::format("`{}` is no name for a number in formulas", name),
+      "Letters, digits and _, a letter first, no function of formulas, and not h, the level of a load.", ""});
+}
+
 void read_numbers(const Node& root, StudySettings& s, Findings& findings)
 {
   for (const auto& [table, path] : tables_of(root, "random", findings)) {
     RandomNumber number{.key = text_of(*table, "key"), .path = path};
     Paths others = distribution_keys();
     others.emplace_back("distribution");
-    read_section(*table, path, {{"key", "", any_number, true, &number.key}}, others, findings);
-    refuse_unknown_key(number.key, path, findings);
-    if (table->kind == NodeKind::table && !unit_at(number.key).empty())
-      number.distribution = read_distribution(*table, path, unit_at(number.key), findings);
+    std::string name;
+    number.is_name = find_item(*table, "name") != nullptr && find_item(*table, "key") == nullptr;
+    read_section(*table, path,
+        {{"key", "", any_number, !number.is_name, &number.key}, {"name", "", any_number, false, &name},
+            {"unit", "", any_number, false, &number.unit}},
+        others, findings);
+    if (number.is_name) {
+      number.key = name;
+      refuse_name(name, path, findings);
+    } else {
+      refuse_unknown_key(number.key, path, findings);
+      number.unit = unit_at(number.key);
+    }
+    if (table->kind == NodeKind::table && (number.is_name || !number.unit.empty()))
+      number.distribution = read_distribution(*table, path, number.unit, findings);
     s.numbers.push_back(std::move(number));
+  }
+}
+
+/// [follow] and [held]: keys of the case, whose values may have formulas of the names.
+void read_key_values(const Node& root, const char* section, const StudySettings& s, KeyValues& keys, Findings& findings)
+{
+  const Node* table = find_item(root, section);
+  if (table == nullptr) return;
+  const auto fail = [&](const std::string& at, std::string what, std::string detail) {
+    findings.problems.push_back({at, std::move(what), std::move(detail), ""});
+  };
+  if (table->kind != NodeKind::table)
+    return fail(section, fmt::format("`{}` must be a table of keys and values", section),
+        fmt::format("As in\n[{}]\n\"material.clay.su_peak\" = 8e3", section));
+  for (const Node& item : table->items) {
+    const std::string at = join_path(section, item.name);
+    keys.emplace_back(item.name, item);
+    try {
+      for (const Real p : {0.001, 0.5, 0.999}) with_numbers(item, s.names(), s.named_values(s.quantiles(p)));
+    } catch (const ExpressionError& error) {
+      fail(at, "this is no formula of the numbers that have a name", error.what());
+    }
+  }
+}
+
+void read_follow(const Node& root, StudySettings& s, Findings& findings)
+{
+  if (!findings.problems.empty()) return;
+  read_key_values(root, "follow", s, s.follow, findings);
+  read_key_values(root, "held", s, s.held, findings);
+  for (const auto& [key, value] : s.follow)
+    if (!has_formula(value, s.names()))
+      findings.problems.push_back({join_path("follow", key), fmt::format("`{}` follows no number", key),
+          "Give a formula of a [[random]] with a `name`, as a text; or set the key in [set].", ""});
+  for (const RandomNumber& number : s.numbers) {
+    const auto follows = [&](const auto& item) { return has_formula(item.second, {number.key}); };
+    if (number.is_name && std::ranges::none_of(s.follow, follows) && std::ranges::none_of(s.held, follows))
+      findings.problems.push_back({join_path(number.path, "name"), fmt::format("no key follows `{}`", number.key),
+          fmt::format("As in\n[follow]\n\"material.clay.su_peak\" = \"1000 * {}\"", number.key), ""});
   }
 }
 
@@ -171,7 +236,8 @@ void read_top(const Node& root, StudySettings& s, Findings& findings)
       {{"title", "", any_number, false, &s.title}, {"case", "", any_number, true, &s.case_path},
           {"seed", "-", {0.0, 2147483647.0}, false, &s.seed},
           {"confidence", "-", between(0.5, 0.9999), false, &s.confidence}},
-      {"set", "random", "field", "correlation", "sweep", "fragility", "estimator", "stop", "events"}, findings);
+      {"set", "random", "follow", "held", "field", "correlation", "sweep", "fragility", "estimator", "stop", "events"},
+      findings);
   const auto section = [&](const char* name, const std::vector<StudyKey>& keys, const Paths& others = {}) {
     if (const Node* table = find_item(root, name)) read_section(*table, name, keys, others, findings);
   };
@@ -206,6 +272,7 @@ void check_keys(const StudySettings& s, Findings& findings)
     if (list != nullptr) list->push_back(key);
   };
   for (const RandomNumber& number : s.numbers) take(number.key, number.path, &numbers);
+  for (const auto& [key, value] : s.follow) take(key, join_path("follow", key), nullptr);
   for (const RandomFieldKey& field : s.fields) take(field.key, field.path, &fields);
   for (const SweepKey& sweep : s.sweep) take(sweep.key, sweep.path, nullptr);
   if (s.fragility)
@@ -330,6 +397,7 @@ StudySettings read_study_text(const std::string& text, const std::string& path)
   if (const Node* estimator = find_item(root, "estimator"))
     read_changes(*estimator, "estimator", "coarse", s.multilevel.coarse, findings);
   read_numbers(root, s, findings);
+  read_follow(root, s, findings);
   read_fields(root, s, findings);
   read_correlations(root, s, findings);
   read_sweep(root, s, findings);
@@ -349,6 +417,44 @@ StudySettings read_study(const std::string& path)
     throw CaseError(
         printable(fmt::format("error: {}: there is no such file\n  Give the TOML file of a study.\n", path)));
   return read_study_text(read_file(path), path);
+}
+
+std::vector<std::string> StudySettings::names() const
+{
+  std::vector<std::string> list;
+  for (const RandomNumber& number : numbers)
+    if (number.is_name) list.push_back(number.key);
+  return list;
+}
+
+std::vector<Real> StudySettings::named_values(const std::vector<Real>& values) const
+{
+  std::vector<Real> list;
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    if (numbers[k].is_name) list.push_back(values[k]);
+  return list;
+}
+
+std::vector<std::string> StudySettings::changes_at(const std::vector<Real>& values) const
+{
+  std::vector<std::string> changes;
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    if (!numbers[k].is_name) changes.push_back(fmt::format("{}={:.12g}", numbers[k].key, values[k]));
+  for (std::string& change : changes_with_numbers(follow, names(), named_values(values)))
+    changes.push_back(std::move(change));
+  return changes;
+}
+
+std::vector<std::string> StudySettings::held_changes_at(const std::vector<Real>& values) const
+{
+  return changes_with_numbers(held, names(), named_values(values));
+}
+
+std::vector<Real> StudySettings::quantiles(Real p) const
+{
+  std::vector<Real> list;
+  for (const RandomNumber& number : numbers) list.push_back(number.distribution.quantile(p));
+  return list;
 }
 
 bool SweepKey::is_of_numbers() const

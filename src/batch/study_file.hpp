@@ -7,6 +7,7 @@
 #include "io/case/values.hpp"
 #include "batch/distribution.hpp"
 #include "batch/estimator_kinds.hpp"
+#include "batch/follow.hpp"
 
 #include <array>
 #include <optional>
@@ -18,7 +19,9 @@ namespace terp {
 
 /// A key of the case that is drawn, one number for all of the soil.
 struct RandomNumber {
-  std::string key = {};   ///< of the case: "material.peat.su_peak.shansep.pop"
+  std::string key = {};   ///< of the case: "material.peat.su_peak.shansep.pop"; or the name that formulas have
+  bool is_name = false;   ///< keys of [follow] have formulas of it
+  std::string unit = {};  ///< of the values
   std::string path = {};  ///< in the study file: "random[0]"
   Distribution distribution = {};
 };
@@ -41,10 +44,10 @@ struct StudyCorrelation {
 
 /// The load of a fragility curve: P is found at each of its levels, with the same random numbers.
 struct FragilityLoad {
-  std::string name = "load", unit = {};                ///< of the axis
-  std::vector<Real> levels = {};                       ///< ascending
-  std::vector<std::pair<std::string, Node>> set = {};  ///< keys of the case; texts in them are formulas of h
-  std::optional<Distribution> distribution = {};       ///< of the load, over which the curve is integrated
+  std::string name = "load", unit = {};           ///< of the axis
+  std::vector<Real> levels = {};                  ///< ascending
+  KeyValues set = {};                             ///< keys of the case; texts in them are formulas of h
+  std::optional<Distribution> distribution = {};  ///< of the load, over which the curve is integrated
 
   std::string label() const { return unit.empty() ? name : name + " [" + unit + "]"; }
   /// KEY=VALUE at a level, as of --set. Throws ExpressionError.
@@ -86,6 +89,8 @@ struct StudySettings {
   Real confidence = 0.95;
   std::vector<std::string> set;  ///< KEY=VALUE, changes of the case in all realisations
   std::vector<RandomNumber> numbers;
+  KeyValues follow;  ///< formulas of numbers that have a name
+  KeyValues held;    ///< of realisations that slide as drawn, which are solved once more with them
   std::vector<RandomFieldKey> fields;
   std::vector<StudyCorrelation> correlations;
   Estimator estimator = Estimator::monte_carlo;
@@ -98,6 +103,14 @@ struct StudySettings {
   StopRule stop;
   EventRule event;
   std::vector<Problem> warnings;
+
+  std::vector<std::string> names() const;                                 ///< of numbers that keys follow
+  std::vector<Real> named_values(const std::vector<Real>& values) const;  ///< of them, out of those of all numbers
+  /// KEY=VALUE of numbers that are drawn, all of them, and of the keys that follow. Throws ExpressionError.
+  std::vector<std::string> changes_at(const std::vector<Real>& values) const;
+  std::vector<std::string> held_changes_at(const std::vector<Real>& values) const;
+  /// All numbers at the value that they do not exceed with this probability.
+  std::vector<Real> quantiles(Real p) const;
 };
 
 /// Reads a study file. Throws CaseError with what is wrong where, at most ten faults.

@@ -5,6 +5,7 @@
 #include "batch/study_folder.hpp"
 
 #include "io/case/printable.hpp"
+#include "batch/failure_path.hpp"
 #include "batch/fragility_text.hpp"
 #include "batch/height_curve.hpp"
 #include "batch/study_inputs.hpp"
@@ -58,8 +59,8 @@ std::string lock_folder_of(const std::string& folder, const std::string& lock)
   return path_in(folder, fmt::format("locks/{}", lock));
 }
 
-constexpr std::array<std::string_view, 8> result_files = {study_results, study_numbers, study_report, fragility_table,
-    height_curve_table, fragility_of_dikes, fragility_of_slides, fragility_of_floods};
+constexpr std::array<std::string_view, 9> result_files = {study_results, study_numbers, study_report, fragility_table,
+    height_curve_table, failure_path_table, fragility_of_dikes, fragility_of_slides, fragility_of_floods};
 
 }  // namespace
 
@@ -168,6 +169,7 @@ void write_results(const Study& study, const StudyPlace& place, const Realisatio
     if (is_water) place.write(fragility_of_slides, dstability_curve(study, curve, false));
     if (is_water && curve.judges_flood) place.write(fragility_of_floods, dstability_curve(study, curve, true));
   }
+  if (has_failure_path(study)) place.write(failure_path_table, failure_path_csv(study, rows));
   if (const auto curve = flood_after_slide_over_level(study, rows); !curve.empty())
     place.write(height_curve_table, height_curve_csv(curve));
   place.write(study_report, make_page(page_template(), study_payload(study, rows, written)));

@@ -15,6 +15,7 @@ inline constexpr const char* study_numbers = "results.json";
 inline constexpr const char* study_report = "report.html";
 inline constexpr const char* fragility_table = "fragility.csv";
 inline constexpr const char* height_curve_table = "flood_after_slide.csv";
+inline constexpr const char* failure_path_table = "failure_path.csv";
 inline constexpr const char* fragility_of_dikes = "fragility_continu_inzicht.csv";
 inline constexpr const char* fragility_of_slides = "fragility_slide.json";
 inline constexpr const char* fragility_of_floods = "fragility_flood.json";

@@ -53,7 +53,7 @@ Nodes find_files(Node& study)
       for (Node& table : tables->items)
         if (Node* value = find_item(table, name)) add_files(key_of(table), *value, found);
   };
-  add_set(find_item(study, "set"));
+  for (const char* section : {"set", "follow", "held"}) add_set(find_item(study, section));
   if (Node* load = find_item(study, "fragility")) add_set(find_item(*load, "set"));
   if (Node* estimator = find_item(study, "estimator")) add_set(find_item(*estimator, "coarse"));
   add_tables("field", "mean");

@@ -3,6 +3,7 @@
 // chosen by a method. Remarks are the sentences of the text.
 
 #include "batch/adaptive.hpp"
+#include "batch/failure_path.hpp"
 #include "batch/fragility.hpp"
 #include "batch/height_curve.hpp"
 #include "batch/study_text.hpp"
@@ -21,6 +22,20 @@ Json event_json(const EventEstimate& e)
 {
   return {{"probability", or_null(e.probability())}, {"low", e.bounds.low}, {"high", e.bounds.high},
       {"happened", e.happened}, {"solved", e.solved}, {"failed", e.failed}};
+}
+
+/// Both languages, as the page has them.
+Json path_json(const Study& study, const Realisations& rows, std::size_t level)
+{
+  Json path = Json::array();
+  for (const PathEvent& event : failure_path(study, rows, level)) {
+    Json json = event_json(event.estimate);
+    json["event"] = event.key, json["given"] = event.given_key;
+    json["name"] = {{"en", event.name.en}, {"nl", event.name.nl}};
+    json["given_name"] = {{"en", event.given.en}, {"nl", event.given.nl}};
+    path.push_back(std::move(json));
+  }
+  return path;
 }
 
 /// beta of a P: infinite where P is 0 or 1, which becomes null.
@@ -46,8 +61,8 @@ Json design_json(const Study& study, const ReliabilityResult& r)
   if (r.design_point.empty()) return design;
   const std::vector<Real> values = draw_at(study, r.design_point).inputs;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const std::string& key = study.settings.numbers[k].key;
-    design.push_back({{"key", key}, {"value", values[k]}, {"unit", unit_at(key)}});
+    const RandomNumber& number = study.settings.numbers[k];
+    design.push_back({{"key", number.key}, {"value", values[k]}, {"unit", number.unit}});
   }
   return design;
 }
@@ -121,12 +136,14 @@ void add_events(const Study& study, const Realisations& rows, const StudyEstimat
   for (const HeightPlace& at : flood_after_slide_over_level(study, rows))
     json["flood_after_slide_over_level"].push_back(
         {at.level, or_null(at.event.probability()), at.event.bounds.low, at.event.bounds.high});
+  json["failure_path"] = study.settings.fragility ? Json::array() : path_json(study, rows, 0);
   if (study.coarse && one_p) json["multilevel"] = levels_json(study, e);
   if (!study.settings.fragility) return;
   const FragilityCurve curve = estimate_fragility(study, rows);
   json["load"] = study.settings.fragility->label();
   json["judges_flood"] = curve.judges_flood;
   json["levels"] = levels_json(curve);
+  for (std::size_t k = 0; k < curve.levels.size(); ++k) json["levels"][k]["failure_path"] = path_json(study, rows, k);
   json["slide_over_levels"] = integral_json(curve.slide);
   json["flood_over_levels"] = integral_json(curve.flood);
 }

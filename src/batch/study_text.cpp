@@ -6,6 +6,7 @@
 
 #include "os/csv.hpp"
 #include "batch/adaptive.hpp"
+#include "batch/failure_path.hpp"
 #include "batch/fragility_text.hpp"
 #include "batch/height_curve.hpp"
 
@@ -111,6 +112,12 @@ std::vector<std::string> remarks_on_realisations(const Study& study, const Study
                     "or not to the "
                     "end. On the safe side {} as F (docs/flood.md).",
             e.n_near, e.n_near == 1 ? "is" : "are", e.n_near == 1 ? "it counts" : "they count"));
+  if (e.n_held > 0)
+    remarks.push_back(fmt::format(
+        "{} realisation{} cannot stand as drawn, and {} solved once more with [held]: what is then released "
+        "counts. {} of them slide{} then; the others come to rest after less than a slide.",
+        e.n_held, e.n_held == 1 ? "" : "s", e.n_held == 1 ? "was" : "were", e.n_held_slid,
+        e.n_held_slid == 1 ? "s" : ""));
   if (const std::int64_t n = e.counts.flooded - e.counts.flooded_after_slide; n > 0)
     remarks.push_back(
         fmt::format("{} realisation{} flood{} without a slide: ground sinks below the water, and less than {:g} m^2 of "
@@ -191,7 +198,7 @@ std::vector<std::string> remarks_on_study(const Study& study, const Realisations
     remarks.push_back(
         "Soil that cannot stand in the section as it is drawn slides before the run begins: it is a slide in P(I), "
         "whatever its volume. What is left then is not known, so it counts as unknown in P(F) and P(F|I), and "
-        "histograms leave it out. A case with initial.stress = \"k0\" solves it, too.");
+        "histograms leave it out. A study with [held] solves it, too; so does a case with initial.stress = \"k0\".");
   if (counted.failed > 0)
     remarks.push_back(
         "Failed realisations count in both bounds: as if nothing happened in the lower one, as if it did in "
@@ -238,7 +245,7 @@ std::string study_text(const Study& study, const Realisations& rows)
   } else if (info_of(s.estimator).adaptive) {
     if (e.adaptive.result) out += adaptive_text(study, rows, *e.adaptive.result);
   } else if (s.fragility) {
-    out += fragility_text(study, estimate_fragility(study, rows)) +
+    out += fragility_text(study, estimate_fragility(study, rows)) + failure_path_text(study, rows) +
            height_curve_text(flood_after_slide_over_level(study, rows)) + sensitivity_lines(study, e);
   } else {
     out += fmt::format("  probabilities with {:g} % bounds{}\n", 100.0 * s.confidence,
@@ -249,6 +256,7 @@ std::string study_text(const Study& study, const Realisations& rows)
       out += line_of_event(study, "P(F|I)", e.flood_after_slide, "of the slides");
     }
     if (const std::string worth = worth_of_residual_strength(e); !worth.empty()) out += "  " + worth + '\n';
+    out += failure_path_text(study, rows);
     out += height_curve_text(flood_after_slide_over_level(study, rows));
     out += sensitivity_lines(study, e);
   }

@@ -88,8 +88,9 @@ std::vector<TriedCase> cases_to_try(const Study& study)
   for (const RandomNumber& number : s.numbers)
     for (const Real p : {0.5, 0.05, 0.95}) {
       const std::string value = fmt::format("{:.6g}", number.distribution.quantile(p));
-      tried.push_back({join_path(number.path, "key"), fmt::format("`{}` = {} ({:g} %)", number.key, value, 100.0 * p),
-          {number.key + '=' + value}});
+      if (!number.is_name)
+        tried.push_back({join_path(number.path, "key"), fmt::format("`{}` = {} ({:g} %)", number.key, value, 100.0 * p),
+            {number.key + '=' + value}});
     }
   for (const SweepKey& sweep : s.sweep)
     for (std::size_t k = 0; k < sweep.values.size(); ++k)

@@ -42,7 +42,8 @@ void declare_import(CLI::App& app, ImportCommand& command)
       "their stored results, "
       "soils, and what\nis left out; regions of a drawing. With -o a case folder\n(docs/dstability.md, docs/dxf.md).",
       "  terp import section.stix --slices slices.csv\n  terp import section.stix --scenario 1 --stage 2 -o "
-      "section\n  terp import section.stix --trigger strength -o section\n  terp import section.dxf -o section\n  "
+      "section\n  terp import section.stix --trigger strength -o section\n  terp import section.stix --study -o "
+      "section\n  terp import section.dxf -o section\n  "
       "terp import profile.csv --depth 8 -o section\n");
   add_option(import, "FILE", command.path, "D-Stability file (.stix), drawing (.dxf) or ground\nprofile (.csv)");
   CLI::Option* json = import->add_flag("--json", command.json, "the list for a program")->option_text(" ");
@@ -54,6 +55,9 @@ void declare_import(CLI::App& app, ImportCommand& command)
   add_stage_options(import, command, "of the list, from 1");
   import->add_flag("--held", command.is_held,
       "strengths are doubled while the river rises: for a\nsection that cannot stand (docs/dstability.md)");
+  import->add_flag("--study", command.study,
+      "a study file beside the case: how probable a slide\nand a flood are, by the file's distributions, else by\n"
+      "kinds of soil (docs/dstability.md)");
   add_option(import, "--unit U", command.unit, "of a drawing: m, dm, cm, mm, ft, in\n(default: that of its header)");
   add_option(import, "--layers A,B", command.layers,
       "of a drawing: those alone; of a table of several\nprofiles: the one of that name");

@@ -81,6 +81,7 @@ struct ImportCommand {
   bool no_film = false;                 ///< no film at the top of aquifers
   std::optional<double> face_cohesion;  ///< of cohesionless faces [kPa]; none: the usual one
   bool is_held = false;                 ///< the section cannot stand: hold it while the river rises
+  bool study = false;                   ///< a study file beside the case
   std::optional<double> river;          ///< level of the river [m]; none: that of the file
   std::string trigger;                  ///< "strength", "strength=1.2", "water", "water=12.5"; empty: none
   bool print_defaults = false;

@@ -33,7 +33,8 @@ std::vector<ImportOption> import_options(const ImportCommand& c)
       {"--base", level(c.base), Of::all, In::case_folder}, {"--unit", c.unit, Of::drawn, In::both},
       {"--layers", c.layers, Of::drawn, In::both}, {"--depth", number(c.depth), Of::profile, In::both},
       {"--soils", c.soils, Of::profile, In::both}, {"--river", level(c.river), Of::stix, In::case_folder},
-      {"--held", flag(c.is_held), Of::stix, In::case_folder}, {"--no-film", flag(c.no_film), Of::stix, In::case_folder},
+      {"--held", flag(c.is_held), Of::stix, In::case_folder}, {"--study", flag(c.study), Of::stix, In::case_folder},
+      {"--no-film", flag(c.no_film), Of::stix, In::case_folder},
       {"--face-cohesion", level(c.face_cohesion), Of::stix, In::case_folder},
       {"--soil-defaults", c.soil_defaults, Of::all, In::case_folder},
       {"--trigger", c.trigger, Of::stix, In::case_folder}};
@@ -74,6 +75,19 @@ void refuse_unused_options(const ImportCommand& command, SectionFile kind)
       refuse_option(option, "has no effect without -o", "Give a folder for the case, -o FOLDER, or leave it out.");
     if (option.result == In::list && result == In::case_folder)
       refuse_option(option, "is not written with -o", "Make the list and the case one after the other.");
+  }
+}
+
+void refuse_options_beside_study(const ImportCommand& command)
+{
+  if (!command.study) return;
+  for (const ImportOption& option : import_options(command)) {
+    const std::string name = option.name;
+    if (name == "--strength" && !option.value.empty() && option.value != "mean")
+      refuse_option(option, "does not go with --study", "A study starts from the means: leave --strength out.");
+    if (name == "--trigger" && !option.value.empty())
+      refuse_option(option, "does not go with --study",
+          "A study asks how probable a slide is, a trigger makes one. Leave one of the two out.");
   }
 }
 

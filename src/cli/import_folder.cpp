@@ -57,6 +57,7 @@ void write_folder(const ImportCommand& command, const CaseFolder& folder)
   for (const Sentence& note : folder.notes) say(stderr, "warning: {}\n", printable(note.en));
   say("case in {}; what was assumed, moved and left out: {}/report.md\nNext: terp check {}\n", case_path,
       command.output, case_path);
+  if (command.study) say("      terp study check {}/study.toml\n", command.output);
 }
 
 int import_regions(const ImportCommand& command, const DxfRegions& regions, std::vector<std::string> notes)
@@ -105,6 +106,7 @@ try {
     refuse_import("`terp import` needs a file", "Give a .stix, a .dxf or a .csv: terp import section.stix");
   const SectionFile kind = kind_of_section(command.path);
   refuse_unused_options(command, kind);
+  refuse_options_beside_study(command);
   if (kind == SectionFile::drawing) return import_drawing(command);
   if (kind == SectionFile::profile) return import_regions(command, profile_of(command), {});
   if (command.output.empty()) return import_stix(command);

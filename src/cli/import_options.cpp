@@ -101,9 +101,10 @@ FolderOptions folder_options(const StixProject& project, const ImportCommand& co
       .face_cohesion = 1e3 * command.face_cohesion.value_or(2.0),
       .is_held = command.is_held,
       .trigger = trigger_of(command.trigger),
+      .has_study = command.study,
       .river = command.river};
   if (command.strength == "design") options.basis = StixBasis::design;
-  if (command.strength == "mean") options.basis = StixBasis::mean;
+  if (command.strength == "mean" || command.study) options.basis = StixBasis::mean;
   return options;
 }
 

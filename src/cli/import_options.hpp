@@ -20,6 +20,8 @@ std::optional<Vec<2>> between_of(const ImportCommand& command);
 
 /// Throws CaseError if an option is of the other kind of file, or of the other of list and case folder.
 void refuse_unused_options(const ImportCommand& command, SectionFile kind);
+/// Strengths that are not the means, and a trigger.
+void refuse_options_beside_study(const ImportCommand& command);
 /// With their values: "--cell 0.5".
 std::vector<std::string> given_options(const ImportCommand& command);
 /// Which of the options given do not act on a section whose case is run as it is, and why. Empty: none was given.

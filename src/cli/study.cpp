@@ -184,12 +184,14 @@ int keep(const Study& study, const std::string& folder, Index number, const Stud
   const auto there = rows.find(number);
   if (there == rows.end() && info_of(study.settings.estimator).adaptive)
     throw CaseError(fmt::format("error: --keep {}: the method has not come to this realisation\n", number));
-  run.changes = draw_again(study, number, there != rows.end() ? there->second.inputs : std::vector<Real>{}).changes;
+  const Draw draw = draw_again(study, number, there != rows.end() ? there->second.inputs : std::vector<Real>{});
+  Realisation again;
+  again.is_held = there != rows.end() && there->second.solved() && there->second.outcomes[outcome_number("held")] > 0.0;
+  run.changes = again.is_held ? held_changes(draw) : draw.changes;
   run.output = path_in(folder, fmt::format("{}/{}", kept_runs, number));
   run.threads = command.threads;
   run.force = run.report = true;
   run.quiet = command.quiet;
-  Realisation again;
   run.at_end = [&](const Simulation& simulation) { read_outcomes(simulation, study.settings.event, again); };
   const std::string kept = path_in(run.output, kept_mark);
   std::filesystem::remove(kept);

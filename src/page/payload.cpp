@@ -10,11 +10,11 @@
 #include "io/files/compress.hpp"
 #include "io/files/soil_colours.hpp"
 #include "page/backdrop.hpp"
+#include "page/beside.hpp"
 #include "page/failure_json.hpp"
 #include "page/layers.hpp"
 #include "page/shown.hpp"
 #include "io/results/compare.hpp"
-#include "io/results/depends.hpp"
 #include "io/results/import_changes.hpp"
 #include "model/meshes/setup_mesh.hpp"
 #include "os/read_file.hpp"
@@ -336,24 +336,6 @@ Json slip_planes_json(const Source& source)
   return planes;
 }
 
-/// What the outcome turns on, where `terp converge --what-decides` solved this run among others: beside its folder.
-Json depends_json(const RunResults& run)
-{
-  std::filesystem::path folder = std::filesystem::absolute(run.folder).lexically_normal();
-  if (!folder.has_filename()) folder = folder.parent_path();  // "runs/a/"
-  const auto path = folder.parent_path() / depends_file;
-  if (!std::filesystem::exists(path)) return nullptr;
-  const Json all = Json::parse(read_file(path.string()), nullptr, false);
-  const auto is_this = [&](const Json& one) {
-    return one.is_object() && one.contains("folder") && one["folder"] == folder.filename().string();
-  };
-  for (const char* const key : {"runs", "turns_on", "does_not_turn_on"})
-    if (!all.is_object() || !all.contains(key) || !all[key].is_array()) return nullptr;
-  if (std::ranges::none_of(all["runs"], is_this)) return nullptr;
-  return {{"turns_on", all["turns_on"]}, {"does_not_turn_on", all["does_not_turn_on"]},
-      {"not_varied", all.value("not_varied", Json::array())}};
-}
-
 Json histories_json(Chunks& chunks, const RunResults& run)
 {
   Json histories = Json::array();
@@ -414,6 +396,7 @@ Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
     for (const char* const key : {"assumed", "doubts"}) json[key] = texts_json(source.run.case_toml, key);
   json["changed"] = sentences_json(changes_of(source.run));
   json["depends"] = depends_json(source.run);
+  json["stability"] = stability_beside(source.run);
   json["histories"] = histories_json(chunks, source.run);
   json["series"] = table_json(chunks, source.run.ledger);
   const Real column = source.mesh ? typical_cell_size(*source.mesh) : 0.0;

@@ -195,6 +195,64 @@ TEST(Engine, SoilTooWeakToStandAsDrawnIsCountedAsASlide)
   EXPECT_EQ(study_csv(place.study, read_store(place.study, place.of("weak")).rows), study_csv(place.study, rows));
 }
 
+/// Ground that is below the water for a moment is near a flood: F, on the safe side, and told.
+TEST(Engine, NearAFloodIsAFlood)
+{
+  const std::string dips = changed(
+      column_case, "[time]\nend = 0.8", "[flood]\nwater_level = 1.99\n[initial]\nstress = \"none\"\n[time]\nend = 0.8");
+  const StudyWithStores place(changed(column_study, "number = 12", "number = 6"), dips);
+  const Realisations rows = place.run("near");
+  int n_near = 0;
+  for (const auto& [number, r] : rows) {
+    ASSERT_TRUE(r.solved()) << r.fault;
+    if (outcome(r, "near") != 1.0) continue;
+    ++n_near;
+    EXPECT_TRUE(r.flooded) << number;
+  }
+  ASSERT_GT(n_near, 0) << "0.8 s are too short for a flood";
+  const StudyEstimates e = estimate(place.study, rows);
+  EXPECT_EQ(e.n_near, n_near);
+  EXPECT_GE(e.flood.happened, n_near);
+  EXPECT_EQ(e.flood.failed, 0);
+  EXPECT_THAT(study_text(place.study, rows), HasSubstr("as F (docs/flood.md)"));
+}
+
+/// The same draws: what slides as drawn is held for a moment, and released. So F is known of all.
+TEST(Engine, WhatSlidesAsDrawnIsHeldAndReleased)
+{
+  const std::string weak = changed(column_case, "[time]\nend = 0.8\ncourant = 0.5", "[time]\ncourant = 0.5") +
+                           "[initial]\nstress = \"equilibrium\"\n[flood]\nwater_level = 1.9\n[[stage]]\nname = "
+                           "\"daily\"\nduration = 0.8\n";
+  const std::string of_weak = changed(column_study, "number = 12", "number = 6");
+  const StudyWithStores as_drawn(of_weak, weak), released(of_weak + R"([held]
+stage = [
+  { name = "rise", duration = 0.2, set = { at_strength = 0.25 } },
+  { name = "release", ramp = 0.4, duration = 4.0, set = { at_strength = 1.0 }, reset_displacement = true },
+]
+)",
+                                                     weak);
+  const Realisations before = as_drawn.run("drawn"), after = released.run("released");
+  int n_as_drawn = 0;
+  for (const auto& [number, r] : before) {
+    const Realisation& now = after.at(number);
+    ASSERT_TRUE(now.solved()) << now.fault;
+    EXPECT_EQ(outcome(now, "held"), r.slides_as_drawn() ? 1.0 : 0.0) << number;
+    n_as_drawn += r.slides_as_drawn();
+    if (r.slides_as_drawn()) {
+      EXPECT_TRUE(now.slid && now.judges_flood) << number << ": way " << outcome(now, "event_displacement");
+    } else {
+      EXPECT_THAT(differing_outcomes(now.outcomes, r.outcomes), IsEmpty()) << number << " stands without being held";
+    }
+  }
+  ASSERT_GT(n_as_drawn, 0);
+  const StudyEstimates e = estimate(released.study, after);
+  EXPECT_EQ(e.n_held, n_as_drawn);
+  EXPECT_EQ(e.flood_after_slide.failed, 0);
+  EXPECT_EQ(e.flood_after_slide.solved, n_as_drawn);
+  EXPECT_EQ(estimate(as_drawn.study, before).flood_after_slide.failed, n_as_drawn);
+  EXPECT_THAT(study_text(released.study, after), HasSubstr("solved once more with [held]"));
+}
+
 TEST(Engine, ACopyOfTheStudyReadsItsStore)
 {
   const StudyWithStores place(field_study);

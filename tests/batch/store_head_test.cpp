@@ -24,7 +24,7 @@ TEST(StoreHead, ComesBackAsItWasWritten)
   for (const auto& [format, last_line] :
       {std::pair<std::string, std::string>{"7", "\n  " + std::string(defaults_before)}, {"10", "-o DIR."}})
     EXPECT_THAT(refusal([&] { read_head("terp study\t" + format + "\t0.1.0\ta\tb", "x.rows"); }),
-        AllOf(HasSubstr("x.rows: this store has format " + format + ", and this terp reads format 8\n  Solve it anew"),
+        AllOf(HasSubstr("x.rows: this store has format " + format + ", and this terp reads format 9\n  Solve it anew"),
             EndsWith(last_line)));
 }
 

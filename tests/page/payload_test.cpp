@@ -183,6 +183,27 @@ TEST_F(PayloadTest, HasWhatTheOutcomeTurnsOnWhereTheFileBesideTheFolderIsOfThisR
   }
 }
 
+TEST_F(PayloadTest, HasTheFactorOfSafetyOfTheSameCaseBesideIt)
+{
+  const auto stability = [&] {
+    return json::parse(make_payload({scratch.path() + "/gp"}, {}).json)["runs"][0]["stability"];
+  };
+  EXPECT_TRUE(stability().is_null());
+  const std::string path = scratch.path() + "/stability/stability.json";
+  make_folder(scratch.path() + "/stability");
+  json found{{"factor_of_safety", 1.25}, {"uncertainty", 0.02}, {"mesh", {{"cells_over_depth", 7.5}}},
+      {"case", read_file(scratch.path() + "/gp/case.toml")}, {"trials", json::array()}};
+  write_file_atomically(path, found.dump());
+  EXPECT_EQ(stability()["factor_of_safety"], 1.25);
+  EXPECT_EQ(stability()["mesh"]["cells_over_depth"], 7.5);
+  EXPECT_FALSE(stability().contains("trials"));
+  found["case"] = "title = \"another\"";
+  write_file_atomically(path, found.dump());
+  EXPECT_TRUE(stability().is_null()) << "of another case";
+  write_file_atomically(path, "{");
+  EXPECT_TRUE(stability().is_null());
+}
+
 TEST_F(PayloadTest, ACaseThatCannotBeReadCostsTheMeshAndSaysSo)
 {
   test::forget_checksums(scratch.path() + "/gp");

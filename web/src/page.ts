@@ -26,7 +26,9 @@ import { comparisonSection } from "./sections/comparison";
 import { chartsSection } from "./sections/charts";
 import { profileCards } from "./sections/profile";
 import { strengthCard } from "./sections/strength";
-import { hasWater, verdictSection } from "./sections/verdict";
+import { hasWater } from "./logic/verdict";
+import { verdictSection } from "./sections/verdict";
+import { howSureSection } from "./sections/how_sure";
 import { momentsSection } from "./sections/moments";
 import { aboutSection } from "./sections/about";
 import { Pinned } from "./sections/pinned";
@@ -96,6 +98,7 @@ export function buildPage(report: Report, page: HTMLElement): void {
       element("div", { class: isWide(viewer) ? "first wide" : "first" }, see,
         element("div", { class: "beside" }, pinned.root, ...summarySection(report, store))),
       storiesSection(report, store) ?? "",
+      howSureSection(report, store) ?? "",
       remainsSection(current) ?? "",
       momentsSection(current, viewer) ?? "",
       comparisonSection(report, store) ?? "",

@@ -8,6 +8,7 @@
 #include "import/dstability/earlier_ground.hpp"
 #include "import/dstability/film.hpp"
 #include "import/dstability/folder_report.hpp"
+#include "import/dstability/folder_water.hpp"
 #include "import/dstability/import_doubts.hpp"
 #include "import/dstability/load_text.hpp"
 #include "import/dstability/preload.hpp"
@@ -19,8 +20,8 @@
 #include "import/dstability/section_pieces.hpp"
 #include "import/dstability/soil_text.hpp"
 #include "import/dstability/stage_text.hpp"
+#include "import/dstability/study_text.hpp"
 #include "import/dstability/reported_texts.hpp"
-#include "import/dstability/water_text.hpp"
 #include "io/case/printable.hpp"
 #include "model/bodies/body_outline.hpp"
 #include "model/water/water_case.hpp"
@@ -64,6 +65,8 @@ class FolderMaker {
     cleaning_ = cleaning_for(layout_.cell);
     clean_ = clean_regions(drawn_, pits_, cleaning_);
     is_staged_ = options.stage > 0;
+    is_of_file_ = has_distributions(project, options.scenario, options.stage);
+    if (options.has_study) pops_.emplace(section_, options.scenario, options.stage, is_of_file_);
   }
 
   CaseFolder make()
@@ -153,45 +156,16 @@ class FolderMaker {
 
   const StixLayer& layer_of(int drawn) const { return stage_.layers[layers_[drawn]]; }
 
-  void make_water()
-  {
-    WaterText start = is_staged_ ? water_text(first_, layout_, "water_start", false) : WaterText{};
-    WaterText now = water_text(section_, layout_, "water", !start.lines.empty());
-    if (now.lines.empty() && start.lines.empty()) {
-      assumed_.push_back(filled<reported_texts::all_dry>());
-      return;
-    }
-    const bool is_dry = now.lines.empty();
-    for (auto& [water, stage] : {std::pair{&start, &first_.stage()}, {&now, &stage_}})
-      if (is_staged_ && water->lines.empty()) {
-        *water = water_below(layout_);
-        assumed_.push_back(filled<reported_texts::water_beneath>(in_quotes(stage->label)));
-      }
-    situation_ = is_staged_ ? key_of_name(stage_.label, "stage") + "_water" : "";
-    if (situation_ == raised_water) situation_ += "_2";
-    phreatic_ = now.phreatic;
-    const auto unit = CaseLine{
-        "unit_weight", in_quotes(kilo_text((is_dry ? first_.stage() : stage_).water.unit_weight, "kN/m3")), ""};
-    if (is_staged_) {
-      add_water(start, "[water]", fmt::format("Stage {}", in_quotes(scenario().stages.front().label)), {unit});
-      add_water(now, "[[water.situation]]", fmt::format("Stage {}", in_quotes(stage_.label)),
-          {{"name", in_quotes(situation_), ""}});
-    } else {
-      add_water(now, "[water]", fmt::format("Stage {}", in_quotes(stage_.label)), {unit});
-    }
-  }
+  void make_water() { take(water_of_stages(section_, first_, layout_, is_staged_, raised_water)); }
 
-  void add_water(
-      const WaterText& water, const std::string& header, const std::string& comment, std::vector<CaseLine> lines)
+  void take(FolderWater water)
   {
-    lines.insert(lines.end(), water.lines.begin(), water.lines.end());
-    text_.after.push_back({header, comment, lines});
-    if (!water.grid_file.empty()) files_.push_back({water.grid_file, water.grid});
-    water_notes_.push_back(water.on_grid
-                               ? fmt::format("{}: on a grid of {} m, as the file's water cannot be said with lines.",
-                                     comment, number_text(layout_.cell))
-                               : fmt::format("{}: lines; they give the pressures of the file within {:.2f} kPa.",
-                                     comment, water.deviation / 1e3));
+    std::ranges::move(water.tables, std::back_inserter(text_.after));
+    std::ranges::move(water.files, std::back_inserter(files_));
+    std::ranges::move(water.notes, std::back_inserter(water_notes_));
+    std::ranges::move(water.assumed, std::back_inserter(assumed_));
+    if (!water.situation.empty()) situation_ = water.situation;
+    if (!water.phreatic.empty()) phreatic_ = water.phreatic;
   }
 
   Real level_at_end(bool left) const
@@ -292,11 +266,13 @@ class FolderMaker {
     SoilUse use{&soil, piece.zone == 2, name, where, stage_.label,
         strength_follows() ? std::string(name_of_start) : situation_, {},
         largest_stress(section_, pieces_, piece, 2.0 * layout_.cell), piece.is_face ? options_.face_cohesion : 0.0};
+    if (pops_ && is_shansep(soil, piece.zone)) use.pop = pops_->at(places_in(piece.region, 2.0 * layout_.cell));
+    if (use.pop && piece.pop) use.pop->rest = *piece.pop - use.pop->mean;
     if (piece.pop)
       use.preload = {fmt::format("pop = \"{}\"", preload),
           fmt::format("POP of the file's states, over sigma'_v of {}", is_staged_ ? "the first stage" : "this stage")};
     else if (is_shansep(soil, piece.zone))
-      use.preload = yield_grid_of(piece, name);
+      use.preload = yield_grid_of(piece, name, use.pop ? use.pop->mean : 0.0);
     uses_.emplace(key, use);
     return name;
   }
@@ -304,19 +280,18 @@ class FolderMaker {
   /// Of the first stage: the analysed one sets its own. Soil that is held at first has the strength that it is to have.
   bool strength_follows() const { return is_staged_ && !options_.is_held; }
 
-  PreloadText yield_grid_of(const SectionPiece& piece, const std::string& name)
+  /// pop: a part of it that a study draws [Pa].
+  PreloadText yield_grid_of(const SectionPiece& piece, const std::string& name, Real pop)
   {
     std::vector<LayerPiece> alike;
     for (const std::vector<SectionPiece>* pieces : {&pieces_, &base_})
       for (const SectionPiece& other : *pieces)
         if (other.soil == piece.soil && other.zone == piece.zone && !other.pop && other.history == piece.history)
           alike.push_back(layer_piece(other));
-    YieldGrid grid = yield_grid(section_, alike, layout_.cell);
+    YieldGrid grid = yield_grid(section_, alike, layout_.cell, pop);
     files_.push_back({fmt::format("yield_stress_{}.csv", name), std::move(grid.csv)});
     assumed_.push_back(sentence_on(grid, name));
-    return {fmt::format("yield_stress = {{ csv = {} }}", in_quotes(files_.back().first)),
-        fmt::format(
-            "yield stress of {} on a grid, from the states of the file", is_staged_ ? "all stages" : "this stage")};
+    return grid_preload(files_.back().first, is_staged_, pop);
   }
 
   /// x of the river's end of the part that is taken over; where the river may be at both, of the left one.
@@ -357,8 +332,9 @@ class FolderMaker {
 
   void make_time()
   {
+    const std::vector<std::string> sets_when_held = stage_sets_;
     if (strength_follows()) set_water_of_strength(situation_, stage_sets_);
-    const StagePlan plan{.first = is_staged_ ? scenario().stages.front().label : "",
+    StagePlan plan{.first = is_staged_ ? scenario().stages.front().label : "",
         .analysed = stage_.label,
         .water = situation_,
         .sets = stage_sets_,
@@ -374,6 +350,25 @@ class FolderMaker {
       assumed_.insert(assumed_.begin(), before->sentence);
       if (before->is_other) notes_.push_back(before->sentence);
     }
+    plan.sets = sets_when_held;
+    if (options_.has_study) make_study(plan);
+  }
+
+  void make_study(const StagePlan& stages)
+  {
+    StudyPlan study{.title = text_.title,
+        .stages = stages,
+        .kinds = &options_.kinds,
+        .model_factor = model_factor_of(scenario(), options_.stage),
+        .is_of_file = is_of_file_,
+        .has_films = !films_.empty(),
+        .slide = std::max(1.0, std::round(layout_.height * layout_.height / 20.0))};
+    for (const auto& [key, use] : uses_) study.uses.push_back(&use);
+    if (strength_follows()) set_water_of_strength(situation_, study.held_sets);
+    StudyText made = study_text(study);
+    files_.push_back({"study.toml", std::move(made.file)});
+    study_report_ = std::move(made.report);
+    if (!is_of_file_) notes_.push_back(made.source);
   }
 
   void find_doubts()
@@ -423,8 +418,10 @@ class FolderMaker {
         options_.trigger.value);
     const StixProject project = with_stage(project_, options_.scenario, options_.stage, raised.stage);
     const StixSection section(project, options_.scenario, options_.stage + 1, options_.basis);
-    add_water(water_text(section, layout_, "water_raised", true), "[[water.situation]]",
-        "The river at the level of the trigger", {{"name", in_quotes(raised_water), ""}});
+    FolderWater water;
+    water.add(water_text(section, layout_, "water_raised", true), "[[water.situation]]",
+        "The river at the level of the trigger", {{"name", in_quotes(raised_water), ""}}, layout_.cell);
+    take(std::move(water));
     river_level_ = raised.level;
     trigger_ = {"raised_river", raised.comment, raised_water, {}};
     set_water_of_strength(raised_water, trigger_.sets);
@@ -443,13 +440,15 @@ class FolderMaker {
     geometry.insert(geometry.end(), geometry_.begin(), geometry_.end());
     std::vector<std::string> left = in_english(left_out_);
     for (const StixRemark& remark : project_.remarks) left.push_back(fmt::format("{}: {}", remark.where, remark.what));
-    return text_of(FolderReport{.title = text_.title,
+    FolderReport report{.title = text_.title,
         .head = text_.head,
         .weights = weights_,
         .sections = {{"In doubt", in_english(doubts_)}, {"Geometry: what moved", geometry}, {"Water", water_notes_},
             {"Trigger: what makes the section fail", trigger_notes_},
             {"Stored slices beside what the file gives", slices_in_words(project_, options_.scenario, options_.stage)},
-            {"Assumed", in_english(assumed_)}, {"Left out, or not understood", left}}});
+            {"Assumed", in_english(assumed_)}, {"Left out, or not understood", left}}};
+    if (options_.has_study) report.sections.push_back({"Study: what is random", study_report_});
+    return text_of(report);
   }
 
   const StixProject& project_;
@@ -467,6 +466,9 @@ class FolderMaker {
   StixRiver river_;
   TriggerStage trigger_;
   std::optional<Real> river_level_;  ///< of the trigger [m]
+  bool is_of_file_ = true;           ///< distributions of a study
+  std::optional<RandomPops> pops_;   ///< of a study
+  std::vector<std::string> study_report_;
   std::vector<Vec<2>> phreatic_;
   std::optional<Real> toe_;  ///< level of the inner toe [m]; none: the ground is level
   std::vector<Film> films_;

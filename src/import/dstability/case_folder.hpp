@@ -24,6 +24,7 @@ struct FolderOptions {
   Real face_cohesion = 2e3;     ///< of soil with less, above the inner toe, in its outer metre [Pa]; 0: none
   bool is_held = false;         ///< the soil is held while the river rises: for a section that cannot stand
   FolderTrigger trigger = {};
+  bool has_study = false;          ///< a study file beside the case
   std::optional<Real> river = {};  ///< level of the river [m]; none: that of the file
 };
 

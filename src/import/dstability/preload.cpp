@@ -16,10 +16,11 @@
 namespace terp {
 namespace {
 
-constexpr Real same_pop = 100.0;   // [Pa] by which the POP of a layer may vary and still be one number
-constexpr Real least_yield = 1e3;  // [Pa]
-constexpr Real moved = 0.03;       // [m] within which cleaning may have moved a boundary: the file is not asked there
-constexpr Real steepest = 30e3;    // [Pa/m] that a yield stress grows by with depth
+constexpr Real same_pop = 100.0;    // [Pa] by which the POP of a layer may vary and still be one number
+constexpr Real least_yield = 1e3;   // [Pa]
+constexpr Real least_rest = 100.0;  // [Pa] of a yield stress without its POP
+constexpr Real moved = 0.03;        // [m] within which cleaning may have moved a boundary: the file is not asked there
+constexpr Real steepest = 30e3;     // [Pa/m] that a yield stress grows by with depth
 
 struct Interval {
   Real low, high;
@@ -182,7 +183,7 @@ std::string pop_history(const StixSection& now, const LayerPiece& piece, Real ce
   return text.empty() ? fmt::format("layer {}", piece.layer) : text;
 }
 
-YieldGrid yield_grid(const StixSection& now, const std::vector<LayerPiece>& pieces, Real cell)
+YieldGrid yield_grid(const StixSection& now, const std::vector<LayerPiece>& pieces, Real cell, Real less)
 {
   BoundingBox box = box_around(pieces.front().region->polygon);
   for (const LayerPiece& piece : pieces)
@@ -200,7 +201,8 @@ YieldGrid yield_grid(const StixSection& now, const std::vector<LayerPiece>& piec
     for (int j = 0; j <= grid.nz; ++j) {
       const Real z = box.low[1] + j * grid.dz;
       grid.values.push_back(line.empty() ? least_yield : line.at(z));
-      made.csv += fmt::format("{},{},{:.1f}\n", number_text(x), number_text(z), grid.values.back());
+      const Real written = std::max(grid.values.back() - less, less > 0.0 ? least_rest : 0.0);
+      made.csv += fmt::format("{},{},{:.1f}\n", number_text(x), number_text(z), written);
     }
   }
   for (const LayerPiece& piece : pieces) made.deviation = std::max(made.deviation, deviation_in(piece, grid, now));

@@ -38,8 +38,8 @@ struct YieldGrid {
 };
 
 /// Yield stresses of pieces of layers with one history. Beyond the pieces they go on as at their edge, so that no other
-/// layer has a share in them. At least 1 kPa.
-YieldGrid yield_grid(const StixSection& now, const std::vector<LayerPiece>& pieces, Real cell);
+/// layer has a share in them. At least 1 kPa. less: a POP that the case adds to them [Pa].
+YieldGrid yield_grid(const StixSection& now, const std::vector<LayerPiece>& pieces, Real cell, Real less = 0.0);
 /// How near it is to the file; soil: its name in the case.
 Sentence sentence_on(const YieldGrid& grid, const std::string& soil);
 

@@ -206,7 +206,7 @@ struct StixCalculation {
   std::string method = {};  ///< AnalysisType: "Bishop", "SpencerGenetic", ...
   StixCalculationKind kind = StixCalculationKind::deterministic;
   std::string kind_word = {};
-  Real model_factor = not_given;
+  Real model_factor = not_given, model_factor_deviation = not_given;
   std::size_t stage = 0;  ///< number in its scenario; earlier ones are the history
   std::optional<StixResult> result = {};
 };

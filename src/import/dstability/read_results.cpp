@@ -57,6 +57,7 @@ void read_settings(JsonCursor& file, StixParts& parts)
   settings.kind = found == kinds.end() ? StixCalculationKind::unknown : found->second;
   if (found == kinds.end()) file.remark(filled<reported_texts::unknown_calculation>(settings.kind_word));
   settings.model_factor = file.number("ModelFactorMean");
+  settings.model_factor_deviation = file.number("ModelFactorStandardDeviation");
   parts.settings.add(file.id("Id"), file, std::move(settings));
   // Where D-Stability looked for slip planes has no meaning here: its keys are not asked for.
 }

@@ -310,4 +310,17 @@ inline constexpr SentenceForm river_there_already{
     "The river stands at {:.2f} m in the file already: --river changes nothing.",
     "De rivier staat in het bestand al op {:.2f} m: --river verandert niets."};
 
+// ---- a study ----
+
+inline constexpr SentenceForm study_of_file{"The distributions of the study are those of the file.",
+    "De verdelingen van de probabilistische som zijn die van het bestand."};
+inline constexpr SentenceForm study_not_of_file{
+    "The distributions of the study are NOT of the file, which has none. Means are its plain values, coefficients of "
+    "variation those of the kinds of soil in Terp's own table: P says what such a spread would mean, not how probable "
+    "a flood is here. Give your own with --soil-defaults.",
+    "De verdelingen van de probabilistische som zijn NIET van het bestand, dat er geen heeft. Gemiddelden zijn de "
+    "gewone "
+    "waarden, variatiecoëfficiënten die van de grondsoorten in Terps eigen tabel: P zegt wat zo'n spreiding zou "
+    "betekenen, niet hoe waarschijnlijk een overstroming hier is. Geef uw eigen tabel met --soil-defaults."};
+
 }  // namespace terp::reported_texts

@@ -15,27 +15,35 @@ namespace terp {
 namespace {
 
 const std::vector<std::string> columns_of_defaults = {"kind", "words", "patterns", "weight", "stiffness_ratio",
-    "shear_modulus", "poisson_undrained", "poisson_drained", "k0", "friction", "cohesion", "S", "m", "pop", "least_su"};
+    "shear_modulus", "poisson_undrained", "poisson_drained", "k0", "friction", "cohesion", "S", "m", "pop", "least_su",
+    "cov_S", "cov_pop", "cov_friction", "cov_cohesion"};
 
 // Weights, S, m, POP and phi: means of the Schematiseringshandleiding macrostabiliteit, tables 7.1 to 7.4, rounded.
 // G over s_u, G and nu: those of cases/dike, softer for peat. K0 = 1 - sin phi' of normally consolidated soil, rounded.
+// Coefficients of variation of the mean of a section: own choice, within what docs/probability.md calls usual.
 const std::string default_table =
     R"(# What a D-Stability file or a drawing does not say of a soil. Change it: terp import --soil-defaults FILE.
 # patterns: regular expressions, in lower case; one that is the whole name or code of a soil makes it this kind.
 # words: any of them in a name that no pattern fits does. The first row first; the last row takes all others.
 # weight [kN/m3], stiffness_ratio G/su [-], shear_modulus of drained soil [MPa], friction [deg], cohesion [kPa],
 # S and m of SHANSEP [-], pop [kPa], least_su [kPa]. From a D-Stability file: stiffness_ratio to k0, and least_su.
+# cov_...: coefficients of variation [-] of `--study` where the file has no distributions; 0: not drawn.
 kind,words,patterns,weight,stiffness_ratio,shear_modulus,poisson_undrained,poisson_drained,)"
-    R"(k0,friction,cohesion,S,m,pop,least_su
-peat,peat veen,[hp]_(?!aa)[a-z][a-z][a-z]?_vk? v[[0-9].*,10.8,50,0.5,0.45,0.3,0.5,30,1,0.38,0.9,18,2
+    R"(k0,friction,cohesion,S,m,pop,least_su,cov_S,cov_pop,cov_friction,cov_cohesion
+peat,peat veen,[hp]_(?!aa)[a-z][a-z][a-z]?_vk? v[[0-9].*,10.8,50,0.5,0.45,0.3,0.5,30,1,0.38,0.9,18,2,0.15,0.35,0.1,0.3
 organic clay,organic humeus humous gyttja detritus,)"
-    R"([hp]_(?!aa)[a-z][a-z][a-z]?_ko,13.5,75,1,0.45,0.3,0.55,28,1,0.29,0.9,18,2
-embankment,embankment dike dijk levee ophoog berm core kern,[hp]_aa_.*,17.5,100,3,0.45,0.3,0.5,32,1,0.31,0.9,30,2
-clay,clay klei,[hp]_[a-z][a-z][a-z]?_(k|k_shallow|k_deep|sd) k[[0-9].*,15.5,100,2,0.45,0.3,0.55,28,1,0.25,0.9,22,2
-silt,silt leem loam loess zavel,[hp]_[a-z][a-z][a-z]?_(k&s|k&z|z&k|l) l[[].*,18,100,3,0.45,0.3,0.5,30,1,0.30,0.9,22,2
-gravel,gravel grind,[hp]_[a-z][a-z][a-z]?_g g[[].*,20,300,20,0.45,0.3,0.45,35,0,0,0.9,0,2
-sand,sand zand aquifer,[hp]_[a-z][a-z][a-z]?_(z|zf|zm|zg|z&g) zp?[[].*,19.5,300,12,0.45,0.3,0.5,32,0,0,0.9,0,2
-other,*,,18,100,3,0.45,0.3,0.5,30,1,0,0.9,0,2
+    R"([hp]_(?!aa)[a-z][a-z][a-z]?_ko,13.5,75,1,0.45,0.3,0.55,28,1,0.29,0.9,18,2,0.15,0.35,0.1,0.3
+embankment,embankment dike dijk levee ophoog berm core kern,)"
+    R"([hp]_aa_.*,17.5,100,3,0.45,0.3,0.5,32,1,0.31,0.9,30,2,0.15,0.35,0.08,0.3
+clay,clay klei,)"
+    R"([hp]_[a-z][a-z][a-z]?_(k|k_shallow|k_deep|sd) k[[0-9].*,)"
+    R"(15.5,100,2,0.45,0.3,0.55,28,1,0.25,0.9,22,2,0.15,0.35,0.1,0.3
+silt,silt leem loam loess zavel,)"
+    R"([hp]_[a-z][a-z][a-z]?_(k&s|k&z|z&k|l) l[[].*,18,100,3,0.45,0.3,0.5,30,1,0.30,0.9,22,2,0.15,0.35,0.08,0.3
+gravel,gravel grind,[hp]_[a-z][a-z][a-z]?_g g[[].*,20,300,20,0.45,0.3,0.45,35,0,0,0.9,0,2,0.15,0.35,0.05,0.3
+sand,sand zand aquifer,)"
+    R"([hp]_[a-z][a-z][a-z]?_(z|zf|zm|zg|z&g) zp?[[].*,19.5,300,12,0.45,0.3,0.5,32,0,0,0.9,0,2,0.15,0.35,0.05,0.3
+other,*,,18,100,3,0.45,0.3,0.5,30,1,0,0.9,0,2,0.15,0.35,0.1,0.3
 )";
 
 std::string lower(std::string_view text)
@@ -78,7 +86,9 @@ const Column numbers[] = {{"weight", &SoilKind::weight, 9.0, 30.0},
     {"poisson_drained", &SoilKind::poisson_drained, 0.0, 0.4999}, {"k0", &SoilKind::k0, 0.1, 5.0},
     {"friction", &SoilKind::friction, 0.0, 60.0}, {"cohesion", &SoilKind::cohesion, 0.0, 1e4},
     {"S", &SoilKind::ratio, 0.0, 2.0}, {"m", &SoilKind::exponent, 0.01, 1.0}, {"pop", &SoilKind::pop, 0.0, 1e4},
-    {"least_su", &SoilKind::least_strength, 0.01, 1e4}};
+    {"least_su", &SoilKind::least_strength, 0.01, 1e4}, {"cov_S", &SoilKind::cov_ratio, 0.0, 1.0},
+    {"cov_pop", &SoilKind::cov_pop, 0.0, 1.0}, {"cov_friction", &SoilKind::cov_friction, 0.0, 1.0},
+    {"cov_cohesion", &SoilKind::cov_cohesion, 0.0, 1.0}};
 
 }  // namespace
 

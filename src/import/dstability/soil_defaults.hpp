@@ -27,6 +27,8 @@ struct SoilKind {
   Real exponent;        ///< m of SHANSEP [-]
   Real pop;             ///< [kPa]
   Real least_strength;  ///< least s_u, where the effective stress tends to zero [kPa]
+  /// Coefficients of variation of a study whose file has no distributions [-]; 0: not drawn.
+  Real cov_ratio, cov_pop, cov_friction, cov_cohesion;
 };
 
 /// The table as text: a CSV file that `--soil-defaults` takes, with what each column is.

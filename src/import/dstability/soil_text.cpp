@@ -264,6 +264,14 @@ void add_undrained(const SoilUse& use, StixStrengthModel model, StixBasis basis,
 
 }  // namespace
 
+PreloadText grid_preload(const std::string& file, bool of_all_stages, Real pop)
+{
+  return {fmt::format("yield_stress = {{ csv = {} }}{}", in_quotes(file),
+              pop > 0.0 ? fmt::format(", pop = \"{:g} kPa\"", pop / 1e3) : ""),
+      fmt::format("yield stress of {} on a grid, from the states of the file{}",
+          of_all_stages ? "all stages" : "this stage", pop > 0.0 ? "; the POP that the study draws beside it" : "")};
+}
+
 std::string kilo_text(Real value, const char* unit) { return fmt::format("{:.9g} {}", value / 1e3, unit); }
 
 bool same_above_and_below(const StixSoil& soil)

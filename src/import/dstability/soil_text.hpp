@@ -19,16 +19,26 @@ struct PreloadText {
   std::string comment;  ///< where it is from
 };
 
+/// Of a grid in a file; pop: what a study draws beside it [Pa].
+PreloadText grid_preload(const std::string& file, bool of_all_stages, Real pop);
+
+/// POP of a soil that a study draws: mean and deviation, and what its `pop` of the case has beside it [Pa].
+struct RandomPop {
+  Real mean = 0.0, deviation = 0.0, rest = 0.0;
+  bool operator==(const RandomPop&) const = default;
+};
+
 /// One material: a soil above or below the phreatic line, or both if they are alike.
 struct SoilUse {
   const StixSoil* soil = nullptr;
-  bool above = false;          ///< of the two models and weights
-  std::string name, where;     ///< key in the case; "below the phreatic line" or empty
-  std::string stage;           ///< label of the analysed stage
-  std::string strength_water;  ///< the [[water.situation]] of its strength; empty: that of the start
-  PreloadText preload = {};    ///< of SHANSEP
-  Real largest_stress = 0.0;   ///< vertical effective stress in it, at most [Pa]
-  Real face_cohesion = 0.0;    ///< in the outer metre of the section [Pa]; 0: that of the soil
+  bool above = false;                 ///< of the two models and weights
+  std::string name, where;            ///< key in the case; "below the phreatic line" or empty
+  std::string stage;                  ///< label of the analysed stage
+  std::string strength_water;         ///< the [[water.situation]] of its strength; empty: that of the start
+  PreloadText preload = {};           ///< of SHANSEP
+  Real largest_stress = 0.0;          ///< vertical effective stress in it, at most [Pa]
+  Real face_cohesion = 0.0;           ///< in the outer metre of the section [Pa]; 0: that of the soil
+  std::optional<RandomPop> pop = {};  ///< of SHANSEP, in a study
 };
 
 struct SoilText {

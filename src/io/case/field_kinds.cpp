@@ -200,9 +200,10 @@ std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& ou
   if (!soil.S || !soil.m)
     return refuse_field(context, context.entry.path, fmt::format("`shansep` has no `{}`", soil.S ? "m" : "S"),
         "S_u = S sigma'_v (sigma'_p / sigma'_v)^m. Dutch defaults: clay S = 0.22, m = 0.9; peat S = 0.27, m = 0.9.");
-  if (static_cast<bool>(soil.pop) + static_cast<bool>(soil.ocr) + static_cast<bool>(soil.yield_stress) != 1)
+  if (static_cast<bool>(soil.pop || soil.yield_stress) + static_cast<bool>(soil.ocr) != 1)
     return refuse_field(context, context.entry.path, "`shansep` needs one of `pop`, `ocr` and `yield_stress`",
-        "They say what sigma'_p is: sigma'_v,daily + pop, ocr sigma'_v,daily, or the stress itself. Give exactly one.");
+        "They say what sigma'_p is: sigma'_v,daily + pop, ocr sigma'_v,daily, or the stress itself. Give exactly one; "
+        "a\n`pop` beside `yield_stress` is added to that.");
   context.needs.stress_water = name_of_water(*water);
   if (!soil.yield_stress) context.needs.daily_water = name_of_water(*daily);
   note(outer, fmt::format("SHANSEP, sigma'_v in {}{}", water_text(*water),

@@ -40,6 +40,18 @@ std::vector<KeyInfo> flood_keys()
           .usual = {0.1, 5.0},
           .meaning = "depth below the first ground from below which soil must come to be a slide or damage; what moves "
                      "above it ravels"},
+      {.path = "flood.smallest_profile.width",
+          .field = [](Case& c, std::size_t) { return &c.flood.profile_width; },
+          .unit = "m",
+          .range = positive,
+          .usual = {0.1, 20.0},
+          .meaning = "width at the water level of a profile that is looked for inside the ground that remains; it "
+                     "changes no verdict"},
+      {.path = "flood.smallest_profile.slope",
+          .field = [](Case& c, std::size_t) { return &c.flood.profile_slope; },
+          .range = positive,
+          .usual = {0.5, 10.0},
+          .meaning = "n of its slopes of 1:n, to both sides down from the water level"},
       {.path = "flood.river",
           .field = [](Case& c, std::size_t) { return word_field(c.flood.river); },
           .words = river_words,

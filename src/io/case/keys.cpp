@@ -54,6 +54,7 @@ const std::vector<SectionInfo>& all_sections()
       {"flood",
           "the water that the ground shall hold back: whether it stands, is damaged or floods (docs/flood.md). Water "
           "that would flow over is not simulated"},
+      {"flood.smallest_profile", "a profile that is looked for inside the ground that remains"},
       {"boundary", "the sides of the mesh; a side that is not named is free"},
       {"footing[]",
           "a rigid block that is pushed into the soil, its reaction measured (footings.csv); as many as needed, at "

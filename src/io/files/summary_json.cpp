@@ -79,6 +79,11 @@ void each(FloodTrigger& trigger, F&& f)
   f("before", trigger.before);
 }
 template <class F>
+void each(ProfileInGround& profile, F&& f)
+{
+  f("width", profile.width), f("slope", profile.slope), f("x", profile.x);
+}
+template <class F>
 void each(FloodSummary& flood, F&& f)
 {
   f("verdict", flood.verdict), f("water_level", flood.water_level);
@@ -94,6 +99,7 @@ void each(FloodSummary& flood, F&& f)
   f("stage_moving", flood.stage_moving);
   f("margin", flood.margin), f("ravelled_volume", flood.ravelled_volume);
   f("ravelled_depth", flood.ravelled_depth);
+  f("profile", flood.profile);
   f("criterion", flood.criterion), f("trigger", flood.trigger);
 }
 

@@ -201,8 +201,11 @@ struct FloodCase {
   Real smallest_width = 0.0;  ///< width of the ground at the water level that must remain [m]
   Real intact_below = 0.01;   ///< eps_eq_p below which soil counts as intact [-]
   Real least_depth = 0.0;     ///< below the first ground; what moved from above it is neither slide nor damage [m]
+  /// A profile that must fit inside the ground: its width at the level [m], and n of its slopes of 1:n; NaN: none.
+  Real profile_width = std::numeric_limits<Real>::quiet_NaN(), profile_slope = std::numeric_limits<Real>::quiet_NaN();
   RiverSide river = RiverSide::deduced;
 
+  bool asks_profile() const { return profile_width == profile_width && profile_slope == profile_slope; }
   bool asks() const { return given || water_level == water_level; }
 };
 

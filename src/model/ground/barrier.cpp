@@ -329,4 +329,37 @@ Barrier find_barrier(const StandingGround& ground, ColumnRange range)
   return barrier;
 }
 
+/// A place x whose ground lies d/slope below the level forbids the left ends from x - width - d to x + d; the ground
+/// between two places forbids what lies between their ends, too.
+std::optional<Real> place_of_profile(const StandingGround& ground, ColumnRange range, Real width, Real slope)
+{
+  const Columns& columns = ground.columns;
+  const auto middle = [&](Index k) { return columns.left + (k + 0.5) * columns.width; };
+  const auto lacking = [&](Index k) { return slope * (ground.level - ground.heights[k]); };  // infinite: no ground
+  std::vector<Stretch> forbidden;
+  const auto forbid = [&](Real x, Real d) { forbidden.push_back({x - width - d, x + d}); };
+  for (Index k = range.first; k < range.last; ++k) {
+    const Real here = lacking(k);
+    if (here > 0.0) forbid(middle(k), here);
+    if (k + 1 == range.last) break;
+    const Real next = lacking(k + 1);
+    if (here > 0.0 && next > 0.0) {
+      const Stretch other{middle(k + 1) - width - next, middle(k + 1) + next};
+      forbidden.back() = {std::min(forbidden.back().from, other.from), std::max(forbidden.back().to, other.to)};
+    } else if (here > 0.0 || next > 0.0) {
+      const Real x = std::isinf(here) || std::isinf(next)
+                         ? middle(k) + 0.5 * columns.width
+                         : middle(k) + columns.width * here / (here - next);  // where the ground is at the level
+      const Real at = here > 0.0 ? middle(k) : middle(k + 1), d = std::max(here, next);
+      forbidden.push_back({std::min(x - width, at - width - d), std::max(x, at + d)});
+    }
+  }
+  std::ranges::sort(forbidden, {}, &Stretch::from);
+  Real left = middle(range.first) - 0.5 * columns.width;
+  const Real last = middle(range.last - 1) + 0.5 * columns.width - width;
+  for (const Stretch& stretch : forbidden)
+    if (stretch.from < left) left = std::max(left, stretch.to);
+  return left <= last ? std::optional(left) : std::nullopt;
+}
+
 }  // namespace terp

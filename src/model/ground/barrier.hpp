@@ -51,4 +51,8 @@ struct Barrier {
 
 Barrier find_barrier(const StandingGround& ground, ColumnRange range);
 
+/// Left end of the top of a profile that fits inside the ground [m]: level at `ground.level` over the width, from where
+/// it falls by 1:slope to both sides. The first one from the left; none: no such profile fits.
+std::optional<Real> place_of_profile(const StandingGround& ground, ColumnRange range, Real width, Real slope);
+
 }  // namespace terp

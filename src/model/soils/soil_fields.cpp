@@ -61,6 +61,8 @@ FieldValue by_map(ValueMap map)
 
 FieldValue yield_stress_of(const Shansep& soil)
 {
+  if (soil.yield_stress && soil.pop)
+    return [soil](const PlaceInSoil& at) { return soil.yield_stress(at) + soil.pop(at); };
   if (soil.yield_stress) return soil.yield_stress;
   return [soil](const PlaceInSoil& at) {
     const Real daily = effective_stress(at, soil.daily);

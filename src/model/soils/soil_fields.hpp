@@ -29,7 +29,7 @@ inline FieldValue by_stress(std::vector<Vec<2>> line, std::string water)
 FieldValue by_map(ValueMap map);
 
 /// S_u = S sigma'_v (sigma'_p / sigma'_v)^m, at least `minimum`. sigma'_p = sigma'_v,daily + pop, or ocr times
-/// sigma'_v,daily, or yield_stress: exactly one of the three is given.
+/// sigma'_v,daily, or yield_stress, to which a pop is added: one of the three is given, or yield_stress and pop.
 struct Shansep {
   FieldValue S, m;                                   ///< [-]
   FieldValue pop = {}, ocr = {}, yield_stress = {};  ///< [Pa], [-], [Pa]

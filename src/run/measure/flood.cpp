@@ -360,6 +360,10 @@ class Flood : public Follower {
       const MovedByDepth moved = look_deep(model, state);
       f.ravelled_volume = moved.ravelled, f.ravelled_depth = moved.ravelled_depth;
     }
+    if (const FloodCase& flood = model.description.flood; flood.asks_profile())
+      f.profile = {flood.profile_width, flood.profile_slope,
+          place_of_profile(
+              standing_ground(model, state.points, level.value), range_, flood.profile_width, flood.profile_slope)};
     const Real margin = f.freeboard - model.description.flood.smallest_freeboard;
     if (f.verdict == FloodVerdict::damaged && margin < settles_) f.margin = margin;
     f.trigger = trigger_of(

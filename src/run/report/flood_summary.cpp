@@ -45,6 +45,14 @@ std::string stage_phrase(const FloodSummary& flood)
 
 }  // namespace
 
+std::string profile_words(const ProfileInGround& profile)
+{
+  return fmt::format("a profile of {:g} m at the water level with slopes of 1:{:g} {}", profile.width, profile.slope,
+      profile.x
+          ? fmt::format("fits inside the ground, from x = {:.1f} to {:.1f} m", *profile.x, *profile.x + profile.width)
+          : std::string("does not fit inside the ground"));
+}
+
 std::string trigger_words(const FloodTrigger& trigger)
 {
   std::string words;
@@ -95,9 +103,10 @@ std::string flood_clause(const FloodSummary& flood)
   const std::string motion = flood.verdict != FloodVerdict::moving ? ""
                              : flood.moves_at_end()                ? "; " + motion_words(flood)
                                                     : fmt::format("; {} {}", moving_when(flood), motion_words(flood));
-  return fmt::format("{}{}: {} the highest ground stands at {:.2f} m, {:.2f} m {} the water at {:.2f} m{}{}{}", verdict,
-      since, flood.verdict ? "at the end" : "so far", flood.residual_height, std::abs(flood.freeboard),
-      flood.freeboard < 0.0 ? "below" : "above", flood.water_level, width, motion, stage_phrase(flood));
+  const std::string profile = flood.profile ? "; " + profile_words(*flood.profile) : "";
+  return fmt::format("{}{}: {} the highest ground stands at {:.2f} m, {:.2f} m {} the water at {:.2f} m{}{}{}{}",
+      verdict, since, flood.verdict ? "at the end" : "so far", flood.residual_height, std::abs(flood.freeboard),
+      flood.freeboard < 0.0 ? "below" : "above", flood.water_level, width, profile, motion, stage_phrase(flood));
 }
 
 }  // namespace terp

@@ -39,6 +39,13 @@ struct FloodTrigger {
 /// "after strengths were divided by 1.12".
 std::string trigger_words(const FloodTrigger& trigger);
 
+/// A profile that is looked for inside the ground: level at the water over its width, with slopes of 1:n to both sides.
+struct ProfileInGround {
+  Real width = 0.0;            ///< [m]
+  Real slope = 0.0;            ///< n [-]
+  std::optional<Real> x = {};  ///< left end of its top where it fits [m]; none: it fits nowhere
+};
+
 struct FloodSummary {
   static constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 
@@ -71,9 +78,13 @@ struct FloodSummary {
   std::optional<Real> ravelled_volume;  ///< that moved from above flood.least_depth; none: it is 0 [m^2]
   std::optional<Real> ravelled_depth;   ///< of it the deepest first place below the ground [m]
   std::optional<Real> margin;  ///< of damaged ground over what floods, so small that the verdict is not sure [m]
-  std::string criterion = {};  ///< by which it floods, in words
-  std::optional<FloodTrigger> trigger;  ///< none: the verdict is that of the section as it is
+  std::optional<ProfileInGround> profile;  ///< flood.smallest_profile; none: not asked
+  std::string criterion = {};              ///< by which it floods, in words
+  std::optional<FloodTrigger> trigger;     ///< none: the verdict is that of the section as it is
 };
+
+/// "a profile of 3 m at the water level with slopes of 1:2 fits inside the ground, from x = 14.0 to 17.0 m".
+std::string profile_words(const ProfileInGround& profile);
 
 /// "at the end", or of which stage: where soil still moves.
 std::string moving_when(const FloodSummary& flood);

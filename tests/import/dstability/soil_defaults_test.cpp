@@ -40,7 +40,7 @@ TEST(SoilDefaults, FindTheKindInTheCodesOfTheTrade)
 TEST(SoilDefaults, AreReadFromATableOfTheUser)
 {
   std::string text = soil_defaults_table();
-  text.insert(text.find("peat,peat veen"), "mud,mud slib,,12,20,0.3,0.48,0.3,0.7,20,0,0.3,0.9,1,1\n");
+  text.insert(text.find("peat,peat veen"), "mud,mud slib,,12,20,0.3,0.48,0.3,0.7,20,0,0.3,0.9,1,1,0.1,0.3,0.1,0.3\n");
   EXPECT_EQ(kind_of_soil(read_soil_defaults("mine.csv", text), "Slib").stiffness_ratio, 20.0);
 }
 
@@ -49,7 +49,7 @@ TEST(SoilDefaults, RefuseWhatNoSoilHas)
   std::string text = soil_defaults_table();
   text.replace(text.find("10.8,50"), 7, "108,50 ");
   const std::string said = refusal<CsvError>([&] { read_soil_defaults("mine.csv", text); });
-  EXPECT_THAT(said, HasSubstr("mine.csv:7: weight is 108; allowed is 9 to 30"));
+  EXPECT_THAT(said, HasSubstr("mine.csv:8: weight is 108; allowed is 9 to 30"));
   EXPECT_THAT(said, HasSubstr("terp import --soil-defaults-table prints the table that holds without it"));
   EXPECT_THAT(refusal<CsvError>([&] { read_soil_defaults("mine.csv", text.substr(0, text.find("peat,peat"))); }),
       HasSubstr("no rows below the names of the columns"));

@@ -47,8 +47,9 @@ TEST(Reader, FillsTheFloodAndWhatIsGround)
 {
   const Case c = read_every_key();
   const FloodCase& f = c.flood;
-  EXPECT_EQ((Numbers{f.water_level, f.smallest_freeboard, f.smallest_width, f.intact_below, f.least_depth}),
-      (Numbers{1.75, 0.15, 2.25, 0.02, 0.85}));
+  EXPECT_EQ((Numbers{f.water_level, f.smallest_freeboard, f.smallest_width, f.intact_below, f.least_depth,
+                f.profile_width, f.profile_slope}),
+      (Numbers{1.75, 0.15, 2.25, 0.02, 0.85, 3.5, 2.5}));
   EXPECT_EQ(c.flood.river, RiverSide::right);
   EXPECT_FALSE(c.materials[0].ground);
   EXPECT_TRUE(c.materials[1].ground);

@@ -56,6 +56,7 @@ Summary sample_summary()
       .ravelled_volume = 0.6875,
       .ravelled_depth = 0.9375,
       .margin = 0.0625,
+      .profile = ProfileInGround{.width = 3.5, .slope = 2.5, .x = 7.25},
       .criterion = "why",
       .trigger = FloodTrigger{.stage = "weaker", .at_strength = 1.25, .river = 3.75, .before = FloodVerdict::stands}};
   return summary;

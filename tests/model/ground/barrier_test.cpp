@@ -66,6 +66,45 @@ TEST(Barrier, IsTheHighestGroundAndAsWideAsItIsAtTheLevel)
   EXPECT_EQ(dike().at(4.5).width, 0.0);
 }
 
+/// Ground of 1 m, on it a dike with slopes of 1:2 and a crest of 4 m at y = 4 m, from x = 8 m on.
+Drawing sloped_dike()
+{
+  Drawing drawing;
+  drawing.box({0.0, 0.0}, {20.0, 1.0});
+  for (int k = 0; k < 30; ++k)  // 0.1 m each
+    drawing.box({2.0 + 0.2 * k, 1.0 + 0.1 * k}, {18.0 - 0.2 * k, 1.1 + 0.1 * k});
+  return drawing;
+}
+
+TEST(Barrier, HasRoomForAProfileOrNot)
+{
+  Drawing drawing = sloped_dike();
+  const StandingGround ground = drawing.look(3.0);  // 8 m wide there, from x = 6 to 14 m
+  const ColumnRange all = columns_of_barrier(ground, std::nullopt);
+  const auto place = [&](Real width, Real slope) { return place_of_profile(ground, all, width, slope); };
+  ASSERT_TRUE(place(7.0, 2.0));
+  EXPECT_NEAR(*place(7.0, 2.0), 6.2, 0.3);
+  EXPECT_FALSE(place(8.5, 2.0)) << "wider than the dike";
+  EXPECT_TRUE(place(4.0, 3.0)) << "4 m of slopes of 1:3 end 6 m beyond, where the dike has left 2 m of 2 m";
+  EXPECT_FALSE(place(5.0, 3.0));
+  EXPECT_FALSE(place(7.0, 3.5));
+}
+
+TEST(Barrier, OfAHoleInTheDikeTheProfileGoesBesideIt)
+{
+  Drawing drawing;
+  drawing.box({0.0, 0.0}, {20.0, 1.0}).box({2.0, 1.0}, {6.0, 4.0}).box({8.0, 1.0}, {15.0, 4.0});
+  const StandingGround ground = drawing.look(2.0);
+  const auto place = [&](Real width) {
+    return place_of_profile(ground, columns_of_barrier(ground, std::nullopt), width, 1.0);
+  };
+  ASSERT_TRUE(place(1.5));
+  EXPECT_NEAR(*place(1.5), 3.0, 0.6) << "1 m down by 1:1";
+  ASSERT_TRUE(place(4.0));
+  EXPECT_NEAR(*place(4.0), 9.0, 0.6) << "4 m do not fit in the first one";
+  EXPECT_FALSE(place(6.5));
+}
+
 TEST(Barrier, IsNotHigherThanTheGroundWhereCellsLieAskew)  // by the shares of cells: 4.25 m
 {
   const std::array<Vec<2>, 4> corner{{{0.0, -10.0}, {20.0, 10.0}, {0.0, 30.0}, {-20.0, 10.0}}};

@@ -66,6 +66,8 @@ TEST_F(SoilFields, ShansepTakesSigmaPOfDailyWaterAndSigmaVOfTheAnalysedOne)
   soil.ocr = {};
   soil.yield_stress = number(70e3);
   EXPECT_NEAR(at(by_shansep(soil), 1.0), 0.23 * high * std::pow(70e3 / high, 0.9), 1e-9);
+  soil.pop = number(5e3);
+  EXPECT_NEAR(at(by_shansep(soil), 1.0), 0.23 * high * std::pow(75e3 / high, 0.9), 1e-9) << "added to it";
   soil.minimum = number(40e3);
   EXPECT_EQ(at(by_shansep(soil), 1.0), 40e3);
 }

@@ -109,6 +109,14 @@ export interface Method {
   influence: number[];
 }
 
+/** An event of the failure path, given the one before it. */
+export interface PathEvent extends EventMeta {
+  event: string;
+  given: string; // empty: of all realisations
+  name: Record<"en" | "nl", string>;
+  given_name: Record<"en" | "nl", string>;
+}
+
 export type Place = [n: number, p: number | null, low: number | null, high: number | null];
 
 export interface StudyMeta {
@@ -128,7 +136,9 @@ export interface StudyMeta {
   flood_after_slide: EventMeta | null;
   method?: Method | null;
   judges_flood?: boolean; // of a load
-  levels?: { level: number; slide: EventMeta; flood: EventMeta; flood_after_slide: EventMeta }[];
+  levels?: { level: number; slide: EventMeta; flood: EventMeta; flood_after_slide: EventMeta;
+    failure_path?: PathEvent[] }[];
+  failure_path?: PathEvent[]; // empty: realisations do not count alike, or each level has its own
   slide_over_levels?: Integral | null;
   flood_over_levels?: Integral | null;
   of_load?: { name: string; unit: string; levels: number[]; distribution: [number, number][]; is_water_level: boolean };

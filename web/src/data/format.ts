@@ -108,6 +108,7 @@ export interface Flood {
   fastest_soil?: string;
   still_moves?: boolean; // so fast that the verdict may change
   stage_moving?: string; // at the end of which it did; empty: of none
+  profile?: { width: number; slope: number; x: number | null } | null; // x: null: it fits nowhere
   margin?: number | null; // m, over what floods, where it is so small that the verdict is not sure
   trigger?: Trigger | null; // null: the verdict is that of the section as it is
 }
@@ -204,7 +205,22 @@ export interface RunMeta {
   changed?: Record<string, string[]>; // the same of what changed in it since the import
   // inputs that were changed one at a time, and those that could not be
   depends?: { turns_on: string[]; does_not_turn_on: string[]; not_varied?: string[] } | null;
+  stability?: Stability | null; // of the same case, found beside the run
   summary: Record<string, unknown>;
+}
+
+/** The factor of safety of a case, and what its cells do to it. */
+export interface Stability {
+  factor_of_safety: number | null;
+  uncertainty: number | null;
+  stable_at: number | null;
+  failed_at: number | null;
+  mesh: {
+    cell: number;
+    cells_over_depth: number;
+    largest_error: number | null; // share by which the mesh made the factor too large, at most
+    extrapolated: { factor: number; low: number; high: number; is_extrapolated?: boolean } | null;
+  } | null;
 }
 
 export interface Comparison {

@@ -38,7 +38,7 @@ export function studyPage(data: StudyMeta, tables: Tables, store: Store): Conten
             histogram(store, say("study_volume"), say("study_volume_axis"), outcomesOf(data, outcomes, "slide_volume")),
           ]), data.flood_after_slide_over_level?.length ? paragraph(say("study_over_level_help"), "muted") : null,
           data.growth ? paragraph(say("study_growth_help"), "muted") : null),
-          kindsPart(data, outcomes), sensitivityPart(data)]),
+          pathPart(data), kindsPart(data, outcomes), sensitivityPart(data)]),
       realisationsPart(data, tables.get(data.inputs)!, outcomes),
     ],
   };
@@ -152,6 +152,28 @@ export function histogram(store: Store, title: string, xLabel: string, groups: G
   const options: ChartOptions = { title, xLabel, unit: "-", yLabel: say("study_realisations"), fromZero: true };
   return chart(store, options, groups.map(({ name }, k) => styled(k, { label: name || say("study_realisations"),
     x: classes.edges, y: classes.counts[k]!, steps: true })));
+}
+
+/** What follows from what, up to the water that flows over; of a load at each of its levels. */
+export function pathPart(data: StudyMeta): HTMLElement | null {
+  const language = currentLanguage();
+  const load = data.of_load;
+  const paths = data.levels ? data.levels.map(({ level, failure_path: path }) => ({ level, path: path ?? [] }))
+    : [{ level: NaN, path: data.failure_path ?? [] }];
+  const rows = paths.flatMap(({ level, path }) => path.map((event): Row => {
+    const name = element("td", { class: "words" }, event.name[language]);
+    return { head: load ? numberText(level) : event.name[language],
+      cells: [...(load ? [name] : []), element("td", { class: "words" }, event.given_name[language]),
+        probability(event.probability), event.solved + event.failed === 0 ? "–" : range(event.low, event.high),
+        say("study_of", { n: event.happened, all: event.solved }) +
+          (event.failed > 0 ? `, ${say("study_unknown", { n: event.failed })}` : "")] };
+  }));
+  if (rows.length === 0) return null;
+  const heads = [say("path_given"), say("study_estimate"), say("study_bounds", { confidence: confidenceOf(data) }),
+    say("study_realisations")];
+  return section(say("failure_path"),
+    table(load ? [withUnitOf(load.name, load.unit), say("path_event"), ...heads] : [say("path_event"), ...heads], rows),
+    paragraph(say("failure_path_help"), "muted"));
 }
 
 /** Each kind with how often it happened, and a realisation to be opened. */

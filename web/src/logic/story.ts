@@ -165,12 +165,17 @@ function tellSlides(run: Run): string[] {
   });
 }
 
-/** How deep the slip surface goes and where it ends, away from its entry. */
-function reachText({ entry, slip_surface: surface }: Slide): string {
-  if (!entry || !surface || surface.points.length < 2) return "";
+/** Where the slip surface ends, away from its entry, and how deep it goes; null: nobody knows. */
+export function exitOf({ entry, slip_surface: surface }: Slide): { x: number; low: number } | null {
+  if (!entry || !surface || surface.points.length < 2) return null;
   const [first, last] = [surface.points[0]!, surface.points[surface.points.length - 1]!];
   const end = Math.abs(first[0] - entry.x) > Math.abs(last[0] - entry.x) ? first : last;
-  return say("story_reach", { low: metres(Math.min(...surface.points.map(([, y]) => y))), x: metres(end[0]) });
+  return { x: end[0], low: Math.min(...surface.points.map(([, y]) => y)) };
+}
+
+function reachText(slide: Slide): string {
+  const exit = exitOf(slide);
+  return exit ? say("story_reach", { low: metres(exit.low), x: metres(exit.x) }) : "";
 }
 
 function spaced(text: string): string {

@@ -177,6 +177,13 @@ export const DOCUMENT_TEXTS = {
   study_height_axis: ["height at the end [m]", "hoogte aan het eind [m]"],
   study_volume: ["Volume that slid", "Afgeschoven volume"],
   study_volume_axis: ["volume that slid [m²]", "afgeschoven volume [m²]"],
+  failure_path: ["Failure path", "Faalpad"],
+  path_event: ["event", "gebeurtenis"],
+  path_given: ["given", "gegeven"],
+  failure_path_help: ["Each event is given the one before it. Follow-up slides are further retreats of the crest. " +
+    "Soil that cannot stand as drawn counts as a slide of which no more is known.",
+  "Elke gebeurtenis is gegeven de vorige. Vervolgafschuivingen zijn verdere terugvallen van de kruin. Grond die " +
+    "zoals getekend niet kan staan, telt als een afschuiving waarvan verder niets bekend is."],
   study_happened: ["What happened", "Wat er gebeurde"],
   study_kind: ["kind", "soort"],
   study_share: ["share", "aandeel"],

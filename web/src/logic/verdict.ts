@@ -8,6 +8,11 @@ import { currentLanguage, say } from "./texts";
 
 export type Kind = "running" | "none" | "stands" | "damaged" | "still_moving" | "near" | "floods";
 
+/** A run that water is asked of: with a verdict, or with a phreatic line. */
+export function hasWater(run: Run): boolean {
+  return run.meta.water !== null || Boolean(run.meta.events?.flood);
+}
+
 /** A run that has not ended has a verdict only where it floods so far. */
 export function kindOf({ meta: { events, finished } }: Run): Kind {
   const verdict = events?.flood?.verdict;

@@ -9,7 +9,7 @@ import { nextOf, slidesOf } from "../logic/slides";
 import { ordinal, say } from "../logic/texts";
 import { canvasTheme, runColour } from "../view/theme";
 import { element } from "../shell/element";
-import { hasWater } from "./verdict";
+import { hasWater } from "../logic/verdict";
 
 const MOST_SLIDES = 4; // drawn; of more the last ones
 const DASH = [7, 4];

@@ -9,7 +9,7 @@ import { metres, niceTicks, numberText, timeDecimals, timeText, unitSuffix } fro
 import { say } from "../logic/texts";
 import { canvasTheme, FONT, runColour } from "../view/theme";
 import { element } from "../shell/element";
-import { hasWater } from "./verdict";
+import { hasWater } from "../logic/verdict";
 
 const [HEIGHT, ON_PAPER] = [250, 185]; // CSS pixels of the drawing
 const MARGIN = { left: 46, right: 14, top: 10, bottom: 34 };

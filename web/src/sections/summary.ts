@@ -7,7 +7,7 @@ import { runLabels, schemeLabel, withSoilName } from "../logic/labels";
 import { slidesBySlope } from "../logic/slides";
 import { columnPlace, fixed, metres, percent, withUnit } from "../logic/numbers";
 import { listWarnings, tellStory, triggerWords } from "../logic/story";
-import { kindOf } from "../logic/verdict";
+import { hasWater, kindOf } from "../logic/verdict";
 import { currentLanguage, say, type TextKey } from "../logic/texts";
 import { runColour } from "../view/theme";
 import { element } from "../shell/element";
@@ -163,8 +163,9 @@ function changed(run: Run): HTMLElement | null {
     element("ul", {}, ...texts.map((text) => element("li", {}, withSoilName(text, run.meta.materials)))));
 }
 
-/** What is not in the file of an imported section: folded, as it is long. */
+/** What is not in the file of an imported section: folded, as it is long. With water it stands under how sure. */
 function assumed(run: Run): HTMLElement | null {
+  if (hasWater(run)) return null;
   const texts = run.meta.assumed?.[currentLanguage()] ?? [];
   if (texts.length === 0) return null;
   return element("details", { class: "assumed" },

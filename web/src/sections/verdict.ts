@@ -6,17 +6,13 @@ import type { Run } from "../data/run";
 import { runLabels } from "../logic/labels";
 import { columnPlace, fixed, metres, withUnit } from "../logic/numbers";
 import { slidesBySlope } from "../logic/slides";
-import { byColumns, crestFrom, lastTime, movedBefore, seconds, sideOf, triggerWords, zoneText } from "../logic/story";
+import { byColumns, crestFrom, exitOf, lastTime, movedBefore, seconds, sideOf, triggerWords,
+  zoneText } from "../logic/story";
 import type { Store } from "../logic/store";
-import { doubts, kindOf, stageWords, type Kind } from "../logic/verdict";
+import { doubts, hasWater, kindOf, stageWords, type Kind } from "../logic/verdict";
 import { say, type TextKey } from "../logic/texts";
 import { element } from "../shell/element";
 import { coloured } from "./summary";
-
-/** A run that water is asked of: with a verdict, or with a phreatic line. */
-export function hasWater(run: Run): boolean {
-  return run.meta.water !== null || Boolean(run.meta.events?.flood);
-}
 
 export function verdictSection(report: Report, store: Store): HTMLElement | null {
   const runs = report.runs.filter(hasWater);
@@ -89,12 +85,15 @@ function tilesOf(run: Run): Tile[] {
   const { own, other } = slidesBySlope(meta);
   const [first] = own;
   const until = say(meta.finished ? "until_end" : "until_now", { time: seconds(lastTime(run)) });
+  const exit = first ? exitOf(first) : null;
   const slideTiles: Tile[] = first ? [
     { label: "tile_slide", value: seconds(first.begins), notes: [sideOf(meta, first), stageAt(run, first.begins)],
       time: first.begins },
     { label: "tile_entry", value: first.entry ? `x = ${metres(first.entry.x)}` : say("unknown"),
       notes: [first.entry ? zoneText(meta, first) : first.slip_surface?.points.length ? "" : say("no_slip")],
       time: first.begins },
+    ...(exit ? [{ label: "tile_exit" as const, value: `x = ${metres(exit.x)}`,
+      notes: [say("exit_depth", { low: metres(exit.low) })], time: first.begins }] : []),
     { label: "tile_retrogression",
       value: own.length > 1 ? say("further_slides", { n: own.length - 1 }) : say("no_further"),
       notes: [crestBack(meta, own), own.length > 1 ? "" : until,
@@ -111,6 +110,10 @@ function tilesOf(run: Run): Tile[] {
       notes: [say("water_at", { level: metres(flood.water_level) })], time: flood.first_time_below },
     { label: "tile_width", value: metres(flood.width_at_level),
       notes: [say("intact_of", { width: fixed(flood.intact_width, 2, "\u00a0m") })] });
+  const profile = flood?.profile;
+  if (profile) remains.push({ label: "tile_profile", value: say(profile.x === null ? "fits_not" : "fits"),
+    notes: [say("profile_of", { width: fixed(profile.width, 1, "\u00a0m"), slope: fixed(profile.slope, 1, "") }),
+      profile.x === null ? "" : `x = ${metres(profile.x)}`] });
   return [...slideTiles, ...remains];
 }
 

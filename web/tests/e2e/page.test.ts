@@ -433,9 +433,9 @@ describe("the page", () => {
     const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
     expect(pdf.toString("latin1").match(/\/Type \/Page\b/g)).toHaveLength(2);
     expect(await page.locator(".assumed summary").innerText()).toContain("(25)");
-    expect(await page.locator(".assumed li").first().isVisible()).toBe(false); // folded
+    expect(await page.locator(".assumed tbody tr").first().isVisible()).toBe(false); // folded
     await page.locator(".assumed summary").click();
-    expect(await page.locator(".assumed li").nth(24).innerText()).toBe(lines[24]);
+    expect(await page.locator(".assumed tbody td:first-child").nth(24).innerText()).toBe(lines[24]);
     await page.emulateMedia({ media: "print" });
     expect(await page.locator(".about-run pre").isVisible()).toBe(false);
     expect(await page.locator(".about-run .pairs").innerText()).toContain("runs/example/case.toml, checksum 0123456789abcdef");

@@ -7,6 +7,7 @@ import { slidesBySlope } from "../../src/logic/slides";
 import { columnPlace } from "../../src/logic/numbers";
 import { chooseLanguage } from "../../src/logic/texts";
 import { doubts, kindOf, stageWords } from "../../src/logic/verdict";
+import { assumedOf, surenessOf } from "../../src/sections/how_sure";
 
 afterEach(() => chooseLanguage("en"));
 
@@ -110,4 +111,49 @@ it("edges of columns have no more decimals than the columns", () => {
   expect(text(21.123, 0.123)).toBe("21.12 m");
   expect(text(21, null)).toBe("21.00 m");
   expect(columnPlace(null, 1)).toBe("–");
+});
+
+describe("how sure the verdict is", () => {
+  const stability = (mesh: object | null) => ({ factor_of_safety: 1.052, uncertainty: 0.013, stable_at: 1.04,
+    failed_at: 1.07, mesh });
+  const rows = (more: object, verdict = "stands") => surenessOf(runWith(verdict, true, more)).map(
+    ({ name, value, tone }) => [name, value.replace(/[\u00a0\u202f]/g, " "), tone]);
+
+  it("asks for the factor and for what decides where nobody looked for them", () => {
+    expect(rows({})).toEqual([["Verdict", "Stands", "good"], ["Factor of safety", "not looked for", "unknown"],
+      ["The verdict turns on", "not looked for", "unknown"]]);
+    expect(rows({}, "near")[0]![2]).toBe("warn");
+  });
+
+  it("has the factor, the cells over the depth and the range of the mesh", () => {
+    const mesh = { cell: 0.5, cells_over_depth: 7.5, largest_error: 0.17, extrapolated: null };
+    expect(rows({ stability: stability(mesh) }).slice(1, 4)).toEqual([
+      ["Factor of safety", "1.05 ± 0.01", "warn"],
+      ["Cells over the depth of the slide", "7.5 of 0.50 m", "warn"],
+      ["What the mesh does to the factor", "too large, by up to 17 %", "warn"]]);
+    const measured = { ...mesh, cells_over_depth: 12, extrapolated: { factor: 1, low: 0.97, high: 1.04 } };
+    expect(rows({ stability: stability(measured) }).slice(2, 4)).toEqual([
+      ["Cells over the depth of the slide", "12.0 of 0.50 m", "good"],
+      ["What the mesh does to the factor", "0.97 to 1.04", "good"]]);
+    expect(rows({ stability: stability(null) }).length).toBe(3);
+  });
+
+  it("says what decides, in Dutch too", () => {
+    const depends = { turns_on: ["k0"], does_not_turn_on: ["S"] };
+    expect(rows({ depends })[2]).toEqual(["The verdict turns on", "k0", "warn"]);
+    chooseLanguage("nl");
+    expect(rows({ depends: { turns_on: [], does_not_turn_on: ["S"] } })[2])
+      .toEqual(["Het oordeel hangt af van", "niets van wat is gevarieerd", "good"]);
+  });
+
+  it("names the way to change each thing that the import assumed", () => {
+    const en = ["clay: stiffness, Poisson's ratio and K0 are defaults of clay.",
+      "Under the border, a film of 2 m has the strength of that border. --no-film leaves it out.", "Something else."];
+    const meta = { assumed: { en, nl: ["klei: stijfheid", "glijlaag", "iets anders"] }, materials: [] } as never;
+    expect(assumedOf(meta).map(({ how }) => how)).toEqual(["terp import --soil-defaults FILE", "terp import --no-film",
+      "case.toml, or the file itself"]);
+    chooseLanguage("nl");
+    expect(assumedOf(meta).map(({ text, how }) => [text, how])[0])
+      .toEqual(["klei: stijfheid", "terp import --soil-defaults BESTAND"]);
+  });
 });
