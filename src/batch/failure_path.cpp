@@ -104,7 +104,7 @@ std::string failure_path_text(const Study& study, const Realisations& rows)
     if (study.settings.fragility)
       out += fmt::format("   {} {}\n", study.settings.fragility->label(), level_text(study, level));
     for (const PathEvent& event : failure_path(study, rows, level))
-      out += fmt::format("    {:<30}given {:<22}{:<26}{} of {}{}\n", event.name.en, event.given.en,
+      out += fmt::format("    {:<30}given {:<24}{:<26}{} of {}{}\n", event.name.en, event.given.en,
           estimate_text(event.estimate), event.estimate.happened, event.estimate.solved,
           event.estimate.failed > 0 ? fmt::format(", {} unknown", event.estimate.failed) : "");
   }

@@ -114,10 +114,9 @@ std::vector<std::string> remarks_on_realisations(const Study& study, const Study
             e.n_near, e.n_near == 1 ? "is" : "are", e.n_near == 1 ? "it counts" : "they count"));
   if (e.n_held > 0)
     remarks.push_back(fmt::format(
-        "{} realisation{} cannot stand as drawn, and {} solved once more with [held]: what is then released "
-        "counts. {} of them slide{} then; the others come to rest after less than a slide.",
-        e.n_held, e.n_held == 1 ? "" : "s", e.n_held == 1 ? "was" : "were", e.n_held_slid,
-        e.n_held_slid == 1 ? "s" : ""));
+        "{} realisation{} cannot stand as drawn, and {} solved once more with [held]: what happens when the "
+        "soil is released counts. So many of them slide then: {}.",
+        e.n_held, e.n_held == 1 ? "" : "s", e.n_held == 1 ? "was" : "were", e.n_held_slid));
   if (const std::int64_t n = e.counts.flooded - e.counts.flooded_after_slide; n > 0)
     remarks.push_back(
         fmt::format("{} realisation{} flood{} without a slide: ground sinks below the water, and less than {:g} m^2 of "
