@@ -1,10 +1,10 @@
 """Undrained strength from a cone penetration test, as a table that a case takes.
 
-    python3 -m terp.soundings FILE -o su.csv [--nkt 17] [--unit-weight 17] [--step 0.2] [--x 0]
+    python3 -m terp.soundings FILE -o su.csv [--nkt 17] [--unit-weight 17] [--step 0.2]
 
-FILE is a GEF file (GEF-CPT-Report) or a BRO file (XML, CPT_O). The table has the columns x, y, value: y is the level,
-value S_u in Pa. In a case: `su_peak = { csv = "su.csv" }`. Only the rows of clay and peat mean something: name the
-table for these soils alone.
+FILE is a GEF file (GEF-CPT-Report) or a BRO file (XML, CPT_O). The table has the columns x, y, value, for all x: y is
+the level, value S_u in Pa. In a case: `su_peak = { csv = "su.csv" }`. Only the rows of clay and peat mean something:
+name the table for these soils alone.
 
 S_u = (q_t - sigma_v) / N_kt, q_t = q_c + u_2 (1 - a): Lunne, Robertson and Powell, Cone Penetration Testing in
 Geotechnical Practice (1997). sigma_v is the depth times one unit weight.
@@ -33,6 +33,9 @@ Reals = npt.NDArray[np.float64]
 
 GEF_LENGTH, GEF_CONE, GEF_PRESSURE, GEF_DEPTH = 1, 2, 6, 11  # numbers of quantities in #COLUMNINFO
 GEF_AREA_RATIO = 3                                           # number of a #MEASUREMENTVAR
+LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}                  # [m]
+PRESSURES = {"MPa": 1e6, "MN/m2": 1e6, "N/mm2": 1e6, "kPa": 1e3, "kN/m2": 1e3, "Pa": 1.0, "bar": 1e5,
+             "kg/cm2": 98066.5, "kgf/cm2": 98066.5}            # [Pa]
 BRO_COLUMNS = {"length": 0, "depth": 1, "cone": 3, "pressure": 22}
 BRO_VOID = -999999.0
 
@@ -59,9 +62,10 @@ class Sounding:
 
         unit_weight: of the ground with its water [N/m3].
         """
-        for name, value in (("nkt", nkt), ("unit_weight", unit_weight), ("step", step)):
-            if not value > 0.0:
-                raise RunError(f"{name} is {value:g}; it must be more than 0")
+        for name, value, low, high in (("nkt", nkt, 1.0, 100.0), ("unit_weight", unit_weight, 5e3, 30e3),
+                                       ("step", step, 1e-3, 10.0)):
+            if not low <= value <= high:
+                raise RunError(f"{name} is {value:g}; it must be {low:g} to {high:g}")
         strength = (self.corrected() - unit_weight * self.depth) / nkt
         good = np.isfinite(strength) & (strength > 0.0)
         steps = np.floor(self.depth / step)
@@ -91,13 +95,16 @@ def from_gef(text: str, path: str) -> Sounding:
     head, mark, body = text.partition("#EOH")
     if not mark:
         raise RunError(f"{path} has no end of its head, #EOH")
+    if "GEF-BORE" in head:
+        raise RunError(f"{path} is a boring, and no cone penetration test")
+    values = re.findall(r"^\s*#(\w+)\s*=(.*)$", head, re.M)
     lines: dict[str, list[list[str]]] = {}
-    for key, value in re.findall(r"^\s*#(\w+)\s*=(.*)$", head, re.M):
+    for key, value in values:
         lines.setdefault(key, []).append([part.strip() for part in value.split(",")])
+    separators = {key: value.strip() for key, value in values if key.endswith("SEPARATOR")}
     places = {int(info[3]): (int(info[0]) - 1, info[1]) for info in lines.get("COLUMNINFO", []) if len(info) > 3}
     voids = {int(info[0]) - 1: float(info[1]) for info in lines.get("COLUMNVOID", []) if len(info) > 1}
-    record = lines.get("RECORDSEPARATOR", [["!"]])[0][0] or "!"
-    column = lines.get("COLUMNSEPARATOR", [[""]])[0][0]
+    record, column = separators.get("RECORDSEPARATOR") or "!", separators.get("COLUMNSEPARATOR", "")
     rows = []
     for line in body.split("\n", 1)[-1].replace(record, "\n").splitlines():
         cells = [cell for cell in (line.split(column) if column else line.split()) if cell.strip()]
@@ -109,19 +116,23 @@ def from_gef(text: str, path: str) -> Sounding:
         if place < width:
             table[table[:, place] == void, place] = np.nan
 
-    def quantity(number: int) -> Reals | None:
+    def quantity(number: int, units: dict[str, float]) -> Reals | None:
         if number not in places or places[number][0] >= width:
             return None
         place, unit = places[number]
-        values: Reals = table[:, place] * {"MPa": 1e6, "kPa": 1e3}.get(unit, 1.0)
+        size = {name.lower(): factor for name, factor in units.items()}.get(unit.replace("^", "").lower())
+        if size is None:
+            raise RunError(f"{path} has a unit that Terp does not know, `{unit}`; known are {', '.join(units)}")
+        values: Reals = table[:, place] * size
         return values
 
-    depth, length = quantity(GEF_DEPTH), quantity(GEF_LENGTH)
+    depth, length = quantity(GEF_DEPTH, LENGTHS), quantity(GEF_LENGTH, LENGTHS)
     ratio = next((number_of(info[1]) for info in lines.get("MEASUREMENTVAR", [])
                   if len(info) > 1 and info[0] == str(GEF_AREA_RATIO)), np.nan)
     level = lines.get("ZID", [["", ""]])[0]
     return sounding(path, lines.get("TESTID", [[path]])[0][0], number_of(level[1]) if len(level) > 1 else np.nan,
-                    depth if depth is not None else length, quantity(GEF_CONE), quantity(GEF_PRESSURE), ratio)
+                    depth if depth is not None else length, quantity(GEF_CONE, PRESSURES),
+                    quantity(GEF_PRESSURE, PRESSURES), ratio)
 
 
 def from_bro(data: bytes, path: str) -> Sounding:
@@ -142,7 +153,7 @@ def from_bro(data: bytes, path: str) -> Sounding:
     table[table == BRO_VOID] = np.nan
     depth = table[:, BRO_COLUMNS["depth"]]
     return sounding(path, text_of("broId") or path, number_of(text_of("offset")),
-                    np.where(np.isfinite(depth), depth, table[:, BRO_COLUMNS["length"]]),
+                    depth if np.isfinite(depth).any() else table[:, BRO_COLUMNS["length"]],
                     1e6 * table[:, BRO_COLUMNS["cone"]], 1e6 * table[:, BRO_COLUMNS["pressure"]],
                     number_of(text_of("coneSurfaceQuotient")))
 
@@ -154,6 +165,12 @@ def sounding(path: str, name: str, level: float, depth: Reals | None, cone: Real
         raise RunError(f"{path} has no depth or no cone resistance")
     if not np.isfinite(level):
         raise RunError(f"{path} has no level of the ground")
+    if np.isfinite(area_ratio) and not 0.0 < area_ratio <= 1.0:
+        raise RunError(f"{path} has an area ratio of the cone of {area_ratio:g}; it must be more than 0 and at most 1")
+    if np.nanmax(depth) <= 0.0:
+        depth = -depth  # some files count downwards
+    if np.nanmin(depth) < 0.0:
+        raise RunError(f"{path} has depths above and below the ground")
     order = np.argsort(depth, kind="stable")
     none = np.full(len(depth), np.nan)
     return Sounding(name, level, depth[order], cone[order], (none if pressure is None else pressure)[order],
@@ -178,7 +195,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--unit-weight", type=float, default=17.0, metavar="W",
                         help="of the ground with its water [kN/m3] (default: 17)")
     parser.add_argument("--step", type=float, default=0.2, help="means over this depth [m] (default: 0.2)")
-    parser.add_argument("--x", type=float, default=0.0, help="place in the section [m]: tables of several soundings")
     options = parser.parse_args(arguments)
     return exit_status(lambda: write(options))
 
@@ -193,7 +209,10 @@ def write(options: argparse.Namespace) -> None:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(["x", "y", "value"])
         for level, value in zip(levels, values):
-            table.writerow([f"{options.x:g}", f"{level:.3f}", f"{value:.0f}"])
+            table.writerow(["0", f"{level:.3f}", f"{value:.0f}"])
+    lost = int(np.count_nonzero(~(np.isfinite(test.corrected()) & np.isfinite(test.depth))))
+    if lost:
+        print(f"note: {lost} of {len(test.depth)} rows have no depth or no cone resistance")
     has_pressure = bool(np.isfinite(test.pressure).any())
     print(f"{options.output}: {len(levels)} values of {test.name}, levels {levels[-1]:.2f} to {levels[0]:.2f} m, "
           f"S_u {values.min() / 1e3:.1f} to {values.max() / 1e3:.0f} kPa by N_kt = {options.nkt:g}")

@@ -86,6 +86,8 @@ int import_drawing(const ImportCommand& command)
 
 DxfRegions profile_of(const ImportCommand& command)
 {
+  if (command.base && command.depth > 0.0)
+    refuse_import("--base and --depth both say where the base lies", "Leave one of them out.");
   const DxfRegions ground = read_profile(
       command.path, read_file(command.path), {command.layers, unit_of(command), command.depth, command.base});
   if (command.soils.empty()) return ground;

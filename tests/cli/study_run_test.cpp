@@ -90,8 +90,8 @@ TEST_F(StudyRun, EachProcessMakesItsPartAndTheLastOneTheTable)
     }
     EXPECT_EQ(of("ranks/results.csv"), of("one/results.csv"));
     EXPECT_THAT(names_in(folder + "/ranks"),
-        ElementsAre("case.toml", "locks", "part_1_of_4.rows", "part_2_of_4.rows", "part_3_of_4.rows",
-            "part_4_of_4.rows", "report.html", "results.csv", "results.json", "study.toml"));
+        ElementsAre("case.toml", "failure_path.csv", "locks", "part_1_of_4.rows", "part_2_of_4.rows",
+            "part_3_of_4.rows", "part_4_of_4.rows", "report.html", "results.csv", "results.json", "study.toml"));
   }
 }
 

@@ -38,8 +38,8 @@ TEST_F(StudyCommand, ChecksRunsAndReports)
   const Finished run = succeeded(test::terp({"study", "run", study, "-j", "2"}, folder));
   EXPECT_THAT(run.out, HasSubstr("  probabilities with 95 % bounds\n"));
   EXPECT_THAT(run.out, HasSubstr("a slide: 1 m^2 or more moved by more than 0.3 m\n"));
-  EXPECT_THAT(names_in(folder + "/runs/demo"), ElementsAre("case.toml", "locks", "part_1_of_1.rows", "report.html",
-                                                   "results.csv", "results.json", "study.toml"));
+  EXPECT_THAT(names_in(folder + "/runs/demo"), ElementsAre("case.toml", "failure_path.csv", "locks", "part_1_of_1.rows",
+                                                   "report.html", "results.csv", "results.json", "study.toml"));
   EXPECT_THAT(succeeded(test::terp({"study", "report", "runs/demo"}, folder)).out,
       HasSubstr("12 realisations, 12 solved, 0 failed"));
   EXPECT_THAT(test::terp({"study", "status", study}, folder).out, HasSubstr("P(I)"));
@@ -123,8 +123,8 @@ TEST_F(StudyCommand, BeginsAnewOnlyWhereNobodyElseWrites)
       "error: --force in part 2 of 3: a part does not begin anew, as it would remove what others solved\n"
       "  Remove the folder once, before the parts begin: rm -r runs/demo\n");
   succeeded(test::terp({"study", "run", "runs/demo", "-q", "--force"}, folder));
-  EXPECT_THAT(names_in(folder + "/runs/demo"), ElementsAre("case.toml", "locks", "part_1_of_1.rows", "report.html",
-                                                   "results.csv", "results.json", "study.toml"));
+  EXPECT_THAT(names_in(folder + "/runs/demo"), ElementsAre("case.toml", "failure_path.csv", "locks", "part_1_of_1.rows",
+                                                   "report.html", "results.csv", "results.json", "study.toml"));
   EXPECT_THAT(error_with(1, test::terp({"study", "run", study, "-q", "--force", "-o", "."}, folder)),
       HasSubstr("the folder holds the study file"));
   EXPECT_EQ(text_of(study), column_study);

@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -58,6 +59,20 @@ class Soundings(unittest.TestCase):
         self.assertAlmostEqual(levels[0], -0.5 - 0.6)
         self.assertAlmostEqual(values[0], (0.3e6 + 0.04e6 * 0.2 - 10e3) / 10.0, places=6)
         self.assertAlmostEqual(values[1], (0.4e6 - 18e3) / 10.0, places=6)
+
+    def test_units_separators_and_signs_are_those_of_the_file(self):
+        plain = from_gef(GEF, "s.gef").strength(step=0.5)[1]
+        cut = GEF.replace("#COLUMN= 4", "#COLUMNSEPARATOR= ,\n#COLUMN= 4").split("#EOH=\n")
+        with_commas = cut[0] + "#EOH=\n" + cut[1].replace(" !", "!").replace(" ", ",")
+        self.assertEqual(list(from_gef(with_commas, "s.gef").strength(step=0.5)[1]), list(plain))
+        in_bar = GEF.replace("2, MPa, cone", "2, bar, cone").replace(" 0.30 0.50", " 3.0 0.50")
+        self.assertAlmostEqual(from_gef(in_bar, "s.gef").cone[0], 300e3)
+        downwards = re.sub(r"^(\S+) (\S+) (\S+) (\S+) !$", r"\1 \2 -\3 \4 !", GEF, flags=re.M)
+        self.assertEqual(list(from_gef(downwards, "s.gef").depth), [0.5, 0.54, 1.0, 2.0])
+        for wrong in (GEF.replace("m, corrected", "yard, corrected"), GEF.replace("0.75", "75"),
+                      GEF.replace("#COLUMN= 4", "#PROCEDURECODE= GEF-BORE-Report, 1, 0, 0")):
+            with self.assertRaises(RunError):
+                from_gef(wrong, "s.gef")
 
     def test_what_is_no_test_is_refused(self):
         for text in ("#GEFID= 1\n", GEF.replace("#ZID= 31000, 1.50, 0.01\n", ""), GEF.replace(", 2\n", ", 99\n")):

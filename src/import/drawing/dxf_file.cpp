@@ -4,6 +4,7 @@
 
 #include "math/errors.hpp"
 #include "math/utf8.hpp"
+#include "model/bodies/polygon.hpp"
 #include "math/number_from.hpp"
 #include "import/drawing/dxf_letters.hpp"
 #include "import/drawing/dxf_shapes.hpp"
@@ -295,6 +296,7 @@ class DxfReader {
             "Codes 10 and 20 give x and y of a place, 11 and 21 of the end of a LINE. Save the drawing once more.");
     bool closed = entity.is({"LWPOLYLINE", "POLYLINE"}) && (entity.flags & 1);
     n_bent_ += is_bent(entity) ? 1 : 0;
+    n_of_fit_places_ += entity.kind == "SPLINE" && entity.places.empty() ? 1 : 0;
     const DxfPlacement placement = has_own_plane && entity.mirrored ? joined(outer, seen_from_behind) : outer;
     entity.places = chords_of(entity, closed, flat / (metres_of_unit() * placement.largest()));
     if (entity.places.size() < 2) {
@@ -311,7 +313,10 @@ class DxfReader {
   void take_block(const Entity& insert, const DxfPlacement& outer, int depth)
   {
     const auto block = blocks_.find(insert.block);
-    if (block == blocks_.end() || insert.places.empty() || std::isnan(insert.places[0][1])) return;
+    if (block == blocks_.end() || insert.places.empty() || std::isnan(insert.places[0][1])) {
+      lost_blocks_.insert(fmt::format("{} on {}", insert.block, insert.layer));
+      return;
+    }
     if (depth == most_depth || static_cast<Real>(insert.columns) * insert.rows > most_copies || insert.turned)
       return problem(insert, "is not read", "Its block is nested too deep, repeated too often or turned. Explode it.");
     for (int i = 0; i < insert.columns; ++i)
@@ -344,6 +349,14 @@ class DxfReader {
       drawing_.notes.push_back(fmt::format("Layers left out: {}.", fmt::join(left_layers_, ", ")));
     if (n_bent_ > 0)
       drawing_.notes.push_back(fmt::format("{} bent lines were made of chords within {:g} m.", n_bent_, flat));
+    if (!lost_blocks_.empty())
+      drawing_.doubts.push_back(
+          fmt::format("Blocks that are not in the drawing were left out: {}. Bind external references.",
+              fmt::join(lost_blocks_, ", ")));
+    if (n_of_fit_places_ > 0)
+      drawing_.doubts.push_back(fmt::format(
+          "{} splines have fit points alone: straight lines were drawn between them. Convert them to polylines.",
+          n_of_fit_places_));
     if (n_on_paper_ > 0)
       drawing_.notes.push_back(fmt::format("{} entities of layouts (paper space) were left out.", n_on_paper_));
     if (n_hidden_ > 0)
@@ -393,12 +406,15 @@ class DxfReader {
   /// Many drawings are in metres, with a header that says millimetres, as that of an empty drawing does.
   void doubt_width()
   {
-    Real low = most_metres, high = -most_metres;
-    for (const DxfLine& line : drawing_.lines)
-      for (const Vec<2>& x : line.places) low = std::min(low, x[0]), high = std::max(high, x[0]);
-    if (high - low >= narrowest && high - low <= widest) return;
-    drawing_.doubts.push_back(fmt::format(
-        "The section is {:.3g} m wide: is that the unit of the drawing? --unit takes another one.", high - low));
+    std::vector<Vec<2>> places;
+    for (const DxfLine& line : drawing_.lines) places.insert(places.end(), line.places.begin(), line.places.end());
+    const BoundingBox box = box_around(places);
+    const Real width = box.high[0] - box.low[0], height = box.high[1] - box.low[1];
+    if (width >= narrowest && width <= widest && height <= highest) return;
+    drawing_.doubts.push_back(
+        fmt::format("The section is {:.3g} m wide and {:.3g} m high: is that the unit of the drawing? --unit takes "
+                    "another one.",
+            width, height));
   }
 
   Real unit_of_header()
@@ -422,11 +438,12 @@ class DxfReader {
   std::string_view rest_;
   Real unit_;
   const std::vector<std::string>& layers_;  ///< empty: all that the drawing shows
-  std::size_t line_ = 0, n_problems_ = 0, n_on_paper_ = 0, n_hidden_ = 0, n_bent_ = 0, n_inserted_ = 0;
+  std::size_t line_ = 0, n_problems_ = 0, n_on_paper_ = 0, n_hidden_ = 0, n_bent_ = 0, n_inserted_ = 0,
+              n_of_fit_places_ = 0;
   std::map<std::string, Block, std::less<>> blocks_;
   std::map<std::string, std::string> layer_states_;                    ///< of those that are not shown
   std::map<std::pair<std::string, std::string>, std::size_t> others_;  ///< by layer and kind: what bounds nothing
-  std::set<std::string> left_layers_, all_layers_;
+  std::set<std::string> left_layers_, all_layers_, lost_blocks_;
   std::string code_page_;  ///< of releases before 2007
   Pair pair_{};
   bool has_entities_ = false, has_lost_letters_ = false;

@@ -10,7 +10,7 @@
 
 namespace terp {
 
-inline constexpr Real narrowest = 1.0, widest = 5e3;  // [m] of a section without doubt about its unit
+inline constexpr Real narrowest = 1.0, widest = 5e3, highest = 300.0;  // [m] of a section whose unit is in no doubt
 
 struct DxfLine {
   std::string layer;

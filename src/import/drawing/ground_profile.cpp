@@ -10,6 +10,7 @@
 #include "math/number_from.hpp"
 #include "math/plane.hpp"
 #include "math/utf8.hpp"
+#include "model/bodies/polygon.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,8 +24,6 @@ namespace terp {
 namespace {
 
 using Cells = std::vector<std::string>;
-
-constexpr Real most_relief = 300.0;  // [m] of a profile without doubt
 
 std::string_view without_quotes(std::string_view text)
 {
@@ -52,10 +51,20 @@ Cells cells_of(std::string_view line, char separator)
   }
 }
 
+/// Without empty ones at the end.
+std::size_t n_filled(const Cells& cells)
+{
+  std::size_t n = cells.size();
+  while (n > 0 && cells[n - 1].empty()) --n;
+  return n;
+}
+
 /// NaN where it is none.
 Real number_of(std::string text, char separator)
 {
   if (separator != ',') std::ranges::replace(text, ',', '.');
+  for (const char* minus : {"\xE2\x88\x92", "\xE2\x80\x93"})  // a minus sign, a dash
+    if (text.starts_with(minus)) text.replace(0, 3, "-");
   if (text.starts_with('+')) text.erase(0, 1);
   return number_from<Real>(text).value_or(nan);
 }
@@ -93,8 +102,11 @@ const std::vector<std::string> distance_words{"l", "s", "d", "distance", "dist",
     "afstand", "abstand", "distanz", "afst", "lengte", "length", "abscisse", "distancia", "distanza", "metrering"};
 const std::vector<std::string> level_words{"z", "level", "elevation", "elev", "height", "hoogte", "peil", "h", "nap",
     "mnap", "hoehe", "h\xC3\xB6he", "kote", "niveau", "altitude", "cota", "quota", "zcoord", "maaiveld"};
-const std::vector<std::string> name_words{
-    "name", "naam", "profile", "profiel", "id", "locationid", "section", "profil", "nom", "dwp"};
+const std::vector<std::string> x_words{"x", "rdx", "xrd", "xcoord", "easting", "oost"};
+const std::vector<std::string> y_words{"y", "rdy", "yrd", "ycoord", "northing", "noord"};
+const std::vector<std::string> depth_words{"depth", "diepte", "tiefe", "profondeur", "profundidad"};
+const std::vector<std::string> name_words{"name", "naam", "profile", "profiel", "id", "locationid", "section", "profil",
+    "nom", "dwp", "dwarsprofiel", "profielnaam"};
 const std::vector<std::string> soil_profile_words{"soilprofileid", "soilprofilename", "profile", "profiel", "id"};
 const std::vector<std::string> top_words{"toplevel", "top", "bovenkant", "level", "z"};
 const std::vector<std::string> soil_words{"soilname", "soil", "grondsoort", "grond", "material", "name", "naam"};
@@ -103,6 +115,8 @@ struct Columns {
   int distance = 0, level = 1, y = -1, name = -1;
   Real unit_x = 1.0, unit_z = 1.0;
   std::string unknown_unit = {};  ///< the head that has it
+  bool are_known = true;          ///< by their heads
+  bool has_depths = false;        ///< instead of levels
 };
 
 /// The column whose head is one of the words, the first of them first; -1: none.
@@ -117,9 +131,11 @@ int find_column(const Cells& heads, const std::vector<std::string>& words)
 Columns columns_of(const Cells& heads)
 {
   const auto find = [&](const std::vector<std::string>& words) { return find_column(heads, words); };
-  const int x = find({"x"}), y = find({"y"}), l = find(distance_words), z = find(level_words);
+  const int x = find(x_words), y = find(y_words), l = find(distance_words), z = find(level_words);
   Columns c{l >= 0 ? l : std::max(0, x), z >= 0 ? z : y >= 0 ? y : 1, -1, find(name_words)};
   if (l < 0 && x >= 0 && y >= 0 && z >= 0) c.y = y;
+  c.are_known = (l >= 0 || x >= 0) && (z >= 0 || y >= 0);
+  c.has_depths = z < 0 && find(depth_words) >= 0;
   const auto unit = [&](int column, Real& metres) {
     if (column >= std::ssize(heads)) return;
     const std::string_view head = heads[column];
@@ -174,18 +190,17 @@ class ProfileReader {
     put_in_order();
     if (ground_.size() < 2)
       refuse("is no ground profile", "It needs two rows with a distance and a level, as l,z and 0,-1.0 below it.");
-    Real lowest = ground_[0][1], highest = lowest;
-    for (const Vec<2>& x : ground_) lowest = std::min(lowest, x[1]), highest = std::max(highest, x[1]);
+    const BoundingBox box = box_around(ground_);
+    const Real lowest = box.low[1], width = box.high[0] - box.low[0], height = box.high[1] - lowest;
     const Real base = options_.base.value_or(lowest - (options_.depth > 0.0 ? options_.depth : usual_depth));
     if (!(base < lowest))
       refuse("has ground below the base",
           fmt::format("The base is at {:g} m, the lowest ground at {:g} m.", base, lowest));
     DxfRegions found;
-    if (const Real width = ground_.back()[0] - ground_.front()[0];
-        width < narrowest || width > widest || highest - lowest > most_relief)
+    if (width < narrowest || width > widest || height > highest)
       found.doubts.push_back(fmt::format(
           "The profile is {:.6g} m wide and {:.6g} m high: are its numbers in metres? --unit takes another unit.",
-          width, highest - lowest));
+          width, height));
     Polygon outline = ground_;
     std::ranges::reverse(outline);  // the ground runs from right to left, then along the base
     outline.push_back({ground_.front()[0], base});
@@ -195,7 +210,9 @@ class ProfileReader {
         fmt::format("The base was drawn at {:g} m, {:g} m below the lowest ground: --depth takes another "
                     "one.",
             base, lowest - base));
-    if (n_without_ > 0) found.notes.push_back(fmt::format("{} rows without numbers were left out.", n_without_));
+    if (n_without_ > 0)
+      (has_text_ ? found.doubts : found.notes)
+          .push_back(fmt::format("{} rows without numbers were left out.", n_without_));
     if (is_turned_) found.notes.push_back("The distances fall: the profile was read from its last row.");
     return found;
   }
@@ -217,21 +234,36 @@ class ProfileReader {
       has_heads_ = true;
       int n_numbers = 0;
       for (const std::string& cell : cells) n_numbers += !std::isnan(number_of(cell, separator_));
+      columns_.are_known = false;
       if (n_numbers < 2) {
         columns_ = columns_of(cells);
+        n_cells_ = n_filled(cells);
         if (!columns_.unknown_unit.empty() && options_.unit == 0.0)
           refuse(fmt::format("has a unit that Terp does not know, `{}`", columns_.unknown_unit),
               "Known are m, dm, cm, mm, ft, in: name one there, or give --unit.");
+        if (columns_.has_depths)
+          refuse("has depths, and no levels", "Give the level of the ground in each row, as l,z.");
         is_wide_ = cells.size() >= 4 && word_of(cells[0]) == "locationid" && word_of(cells[1]) == "x1";
         return;
       }
     }
     if (is_wide_) return take_line(cells);
+    n_cells_ = n_cells_ > 0 ? n_cells_ : n_filled(cells);
+    if (n_filled(cells) > n_cells_)
+      refuse("has rows of more cells than others",
+          "Is a comma both that of a decimal and between cells? Put semicolons between cells.");
+    if (!columns_.are_known && n_cells_ > 2)
+      refuse("does not say which columns are distance and level", "Name them in the first line, as l;z.");
     const Real z = number_at(cells, columns_.level), at = number_at(cells, columns_.distance);
     const std::string name = columns_.name >= 0 && columns_.name < std::ssize(cells) ? cells[columns_.name] : "";
     if (!options_.name.empty() && name != options_.name) return;
     if (!std::isfinite(at) || !std::isfinite(z)) {
       ++n_without_;
+      const auto is_text = [&](int column) {
+        return column < std::ssize(cells) && cells[column].find_first_of("0123456789") != std::string::npos &&
+               std::isnan(number_of(cells[column], separator_));
+      };
+      has_text_ = has_text_ || is_text(columns_.level) || is_text(columns_.distance);
       return;
     }
     if (columns_.name >= 0 && std::ranges::find(profiles_, name) == profiles_.end()) profiles_.push_back(name);
@@ -245,8 +277,19 @@ class ProfileReader {
   {
     if (!options_.name.empty() && cells[0] != options_.name) return;
     profiles_.push_back(cells[0]);
-    for (int k = 1; k + 2 < std::ssize(cells) && !std::isnan(number_at(cells, k + 2)); k += 3)
-      add_place({number_at(cells, k), number_at(cells, k + 1)}, number_at(cells, k + 2));
+    std::vector<Vec<2>> places;
+    int k = 1;
+    for (; !std::isnan(number_at(cells, k) + number_at(cells, k + 1) + number_at(cells, k + 2)); k += 3) {
+      places.push_back({number_at(cells, k), number_at(cells, k + 1)});
+      add_place(places.back(), number_at(cells, k + 2));
+    }
+    if (!std::isnan(number_at(cells, k)))
+      refuse(fmt::format("has a place without x, y or z in `{}`", cells[0]), "Each place has three numbers.");
+    for (std::size_t p = 1; p < places.size(); ++p)
+      if (dot(between(places[p - 1], places[p]), between(places.front(), places.back())) < 0.0)
+        refuse(fmt::format("goes back in `{}`", cells[0]),
+            fmt::format("After {:g}, {:g} comes {:g}, {:g}: give the places from one end to the other.",
+                places[p - 1][0], places[p - 1][1], places[p][0], places[p][1]));
   }
 
   /// Of a map: at its distance along the line.
@@ -277,8 +320,9 @@ class ProfileReader {
   const ProfileOptions& options_;
   char separator_;
   Columns columns_;
-  bool has_heads_ = false, is_turned_ = false, is_wide_ = false;
+  bool has_heads_ = false, is_turned_ = false, is_wide_ = false, has_text_ = false;
   int n_without_ = 0;
+  std::size_t n_cells_ = 0;  // of the heads, or of the first row
   Vec<2> before_{};
   Cells profiles_;
   Polygon ground_;
@@ -297,6 +341,7 @@ std::vector<SoilTop> read_soil_tops(const std::string& path, std::string_view te
   };
   const char separator = separator_of(text);
   int profile = -1, top = -1, soil = -1;
+  Real unit = 1.0;
   Cells profiles;
   std::vector<SoilTop> tops;
   for_each_row(text, separator, [&](const Cells& cells, int line) {
@@ -305,12 +350,13 @@ std::vector<SoilTop> read_soil_tops(const std::string& path, std::string_view te
       top = find_column(cells, top_words), soil = find_column(cells, soil_words);
       if (top < 0 || soil < 0)
         refuse("is no table of soils", "Its first line names the columns: soilprofile_id;top_level;soil_name.");
+      if (const Real metres = unit_of(cells[top]); metres > 0.0) unit = metres;
       return;
     }
     const auto at = [&](int column) { return column >= 0 && column < std::ssize(cells) ? cells[column] : ""; };
     if (!name.empty() && at(profile) != name) return;
     if (std::ranges::find(profiles, at(profile)) == profiles.end()) profiles.push_back(at(profile));
-    const Real level = number_of(at(top), separator);
+    const Real level = unit * number_of(at(top), separator);
     if (!std::isfinite(level) || at(soil).empty())
       refuse(fmt::format("has no level or no soil in line {}", line), "Each line has the level of a top, and a soil.");
     tops.push_back({at(soil), level});
@@ -321,6 +367,8 @@ std::vector<SoilTop> read_soil_tops(const std::string& path, std::string_view te
   if (tops.empty())
     refuse(name.empty() ? "has no soil" : fmt::format("has no profile `{}`", name), "Each line has a top and a soil.");
   std::ranges::stable_sort(tops, std::ranges::greater{}, &SoilTop::level);
+  if (const auto same = std::ranges::adjacent_find(tops, {}, &SoilTop::level); same != tops.end())
+    refuse(fmt::format("has two soils with the top at {:g} m", same->level), "Each soil lies below the one before it.");
   return tops;
 }
 

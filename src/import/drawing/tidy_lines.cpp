@@ -23,8 +23,9 @@ constexpr int outline_weight = 1000;        // of an outline beside open lines, 
 constexpr Real nearly_closed = 0.05;        // part of its length by which an outline may be open by mistake
 
 const char* const water_words[] = {"water", "phrea", "frea", "wasser", "nappe", "gws", "gwl", "piezo", "stijghoogte"};
-const char* const ground_words[] = {
-    "waterkering", "watergang", "waterbodem", "watercourse"};  // of ground, in spite of it
+const char* const ground_words[] = {"waterkering", "watergang", "bodem", "watercourse", "klei", "clay", "zand", "sand",
+    "veen", "peat", "leem", "silt", "grind", "pakket", "laag", "layer", "talud", "slope"};  // of ground, in spite of it
+const char* const words_of_levels[] = {"mhw", "mlw", "ghw", "glw", "hw", "lw", "ws", "peil", "hwl", "mhws"};  // alone
 const char* const frame_words[] = {"frame", "kader", "rahmen", "cadre", "border", "sheet", "blad", "title", "legend"};
 
 template <std::size_t n>
@@ -33,6 +34,20 @@ bool has_word(const std::string& layer, const char* const (&words)[n])
   std::string lower;
   for (const char c : layer) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return std::ranges::any_of(words, [&](const char* word) { return lower.find(word) != std::string::npos; });
+}
+
+/// "MHW", "peil 1", "NAP_HW": a word of its own.
+bool is_of_water_level(const std::string& layer)
+{
+  std::string word;
+  for (const char c : layer + ' ')
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else {
+      if (std::ranges::any_of(words_of_levels, [&](const char* level) { return word == level; })) return true;
+      word.clear();
+    }
+  return false;
 }
 
 std::size_t sides_of(const DxfLine& line) { return line.places.size() - (line.closed ? 0 : 1); }
@@ -48,6 +63,15 @@ Real gap_to(const DxfLine& line, Vec<2> x)
     least = std::min(least, square_to(between(a, b, t)));
   }
   return std::sqrt(least);
+}
+
+/// Width of a line within a box, 0 where a place of it lies outside [m].
+Real width_within(const DxfLine& line, const BoundingBox& box)
+{
+  const BoundingBox of = box_around(line.places);
+  for (int d = 0; d < 2; ++d)
+    if (of.low[d] < box.low[d] || of.high[d] > box.high[d]) return 0.0;
+  return of.high[0] - of.low[0];
 }
 
 BoundingBox wider(BoundingBox box, Real by)
@@ -79,17 +103,24 @@ class Tidier {
   {
     close_outlines();
     leave_out_ground_of_export();
-    std::set<std::string> water;
+    std::set<std::string> water, bodies_of_water;
     drop([&](const DxfLine& line) {
-      const bool is_water = !line.closed && has_word(line.layer, water_words) && !has_word(line.layer, ground_words);
-      if (is_water) water.insert(line.layer);
-      return is_water;
+      const bool is_water =
+          (has_word(line.layer, water_words) || is_of_water_level(line.layer)) && !has_word(line.layer, ground_words);
+      if (is_water) (line.closed ? bodies_of_water : water).insert(line.layer);
+      return is_water && !line.closed;
     });
     if (!water.empty()) note("Open lines of water bound no soil: {}.", fmt::join(water, ", "));
+    if (!bodies_of_water.empty())
+      tidy_.doubts.push_back(
+          fmt::format("Outlines on layers of water were taken as soil: {}. --layers leaves them out.",
+              fmt::join(bodies_of_water, ", ")));
     std::size_t n_sides = 0;
     for (const DxfLine& line : tidy_.lines) n_sides += line.places.size();
-    if (n_sides <= most_sides) leave_out_frames(), leave_out_walls();
-    close_ends();
+    const bool is_layered = has_boundaries();
+    if (is_layered) close_ends();
+    if (n_sides <= most_sides) leave_out_frames(is_layered), leave_out_walls();
+    if (!is_layered) close_ends();
     doubt_gaps();
     return std::move(tidy_);
   }
@@ -151,16 +182,40 @@ class Tidier {
     return group;
   }
 
-  void leave_out_frames()
+  /// Two open lines at different heights from one x to another: tops of layers, and not outlines alone.
+  bool has_boundaries() const
+  {
+    const auto spans = [&](const DxfLine& a, const DxfLine& b) {
+      const auto [a0, a1] = std::minmax(a.places.front(), a.places.back());
+      const auto [b0, b1] = std::minmax(b.places.front(), b.places.back());
+      return a1[0] - a0[0] > snap_ && std::abs(a0[0] - b0[0]) <= snap_ && std::abs(a1[0] - b1[0]) <= snap_ &&
+             (std::abs(a0[1] - b0[1]) > snap_ || std::abs(a1[1] - b1[1]) > snap_);
+    };
+    for (std::size_t a = 0; a < tidy_.lines.size(); ++a)
+      for (std::size_t b = a + 1; b < tidy_.lines.size(); ++b)
+        if (!tidy_.lines[a].closed && !tidy_.lines[b].closed && spans(tidy_.lines[a], tidy_.lines[b])) return true;
+    return false;
+  }
+
+  /// The number of the group that is the section: of layers that which was closed, else that of most outlines.
+  static std::size_t section_of(const std::vector<std::size_t>& group, const std::vector<int>& weight, bool is_closed)
+  {
+    if (is_closed) return group.back();
+    return static_cast<std::size_t>(std::ranges::max_element(weight) - weight.begin());
+  }
+
+  void leave_out_frames(bool is_layered)
   {
     const std::vector<std::size_t> group = groups();
+    const bool is_closed = is_layered && !tidy_.lines.empty() && tidy_.lines.back().layer.empty();
     std::vector<int> weight(group.size(), 0);
     for (std::size_t k = 0; k < group.size(); ++k) weight[group[k]] += tidy_.lines[k].closed ? outline_weight : 1;
-    const auto section = static_cast<std::size_t>(std::ranges::max_element(weight) - weight.begin());
+    if (group.empty()) return;
+    const std::size_t section = section_of(group, weight, is_closed);
     std::vector<Vec<2>> places;
     for (std::size_t k = 0; k < group.size(); ++k)
       if (group[k] == section) places.insert(places.end(), tidy_.lines[k].places.begin(), tidy_.lines[k].places.end());
-    if (places.empty()) return;
+    const BoundingBox section_box = box_around(places);
     std::set<std::size_t> frames;
     std::set<std::string> names, apart;
     for (std::size_t k = 0; k < group.size(); ++k) {
@@ -174,6 +229,7 @@ class Tidier {
     for (std::size_t k = 0; k < group.size(); ++k) {
       const DxfLine& line = tidy_.lines[k];
       if (group[k] == section || !line.closed || frames.contains(group[k])) continue;
+      if (is_closed && overlap(section_box, box_around(line.places))) continue;
       if (std::ranges::none_of(tidy_.lines, [&](const DxfLine& other) {
             return &other != &line && other.closed && contains(other.places, line.places[0]) &&
                    !has_word(other.layer, frame_words);
@@ -181,6 +237,7 @@ class Tidier {
         apart.insert(line.layer);
     }
     std::set<std::string> loose;
+    Real long_within = 0.0;  // [m]: width of what is left out within the section
     std::vector<DxfLine> kept;
     const auto reaches_as_far = [&](const DxfLine& line) {  // as an open line of the section: it is a boundary, too
       for (std::size_t k = 0; k < group.size(); ++k) {
@@ -197,16 +254,29 @@ class Tidier {
     for (std::size_t k = 0; k < group.size(); ++k) {
       const bool touches_nothing = group[k] != section && weight[section] >= outline_weight &&
                                    weight[group[k]] < outline_weight && !is_boundary[k];
-      if (touches_nothing) loose.insert(tidy_.lines[k].layer);
+      if (touches_nothing) loose.insert(tidy_.lines[k].layer), long_within += width_within(tidy_.lines[k], section_box);
       if (!touches_nothing && !frames.contains(group[k])) kept.push_back(std::move(tidy_.lines[k]));
     }
     tidy_.lines = std::move(kept);
-    if (!loose.empty()) note("Lines that touch no outline bound no soil: {}.", fmt::join(loose, ", "));
+    if (!loose.empty()) {
+      const std::string text = fmt::format("Lines that touch no outline bound no soil: {}.", fmt::join(loose, ", "));
+      if (long_within > 0.05 * (section_box.high[0] - section_box.low[0]))
+        tidy_.doubts.push_back(text + " Those within the section may be borders of soil: let them end at its outline.");
+      else
+        tidy_.notes.push_back(text);
+    }
     if (!frames.empty())
       tidy_.doubts.push_back(
           fmt::format("Outlines that hold all others and touch none were taken as a frame, not as soil: {}.",
               fmt::join(names, ", ")));
-    if (!apart.empty() && weight[section] >= 2 * outline_weight)
+    std::set<std::string> drawn_frames;
+    for (const DxfLine& line : tidy_.lines)
+      if (line.closed && has_word(line.layer, frame_words)) drawn_frames.insert(line.layer);
+    if (!drawn_frames.empty())
+      tidy_.doubts.push_back(
+          fmt::format("Outlines on layers of frames were taken as soil: {}. --layers leaves them out.",
+              fmt::join(drawn_frames, ", ")));
+    if (!apart.empty() && (is_closed || weight[section] >= 2 * outline_weight))
       tidy_.doubts.push_back(fmt::format(
           "Outlines that touch no other were taken as soil: {}. --layers leaves a layer out.", fmt::join(apart, ", ")));
   }
@@ -279,8 +349,8 @@ class Tidier {
           verticals.push_back({"", {side[k - 1], side[k]}, false, ""});
     }
     if (verticals.empty()) return;
-    const auto lowest =
-        std::ranges::min_element(tidy_.lines, {}, [](const DxfLine& line) { return line.places[0][1]; });
+    const auto base_of = [](const DxfLine& line) { return line.closed ? INFINITY : line.places[0][1]; };
+    const auto lowest = std::ranges::min_element(tidy_.lines, {}, base_of);
     std::set<std::string> where;
     for (const DxfLine& vertical : verticals) where.insert(fmt::format("{:.2f}", vertical.places[0][0]));
     note("Boundaries without ends were closed by verticals at x = {} m; the lowest line, on layer {}, is the base.",

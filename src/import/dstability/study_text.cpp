@@ -144,7 +144,11 @@ class StudyNumbers {
 
   void add_pop(const SoilUse& use, const SoilKind& kind, const std::string& key)
   {
-    if (!use.pop) return;
+    if (!use.pop) {
+      report_.push_back(fmt::format("POP of `{}` is not drawn: no POP{} makes most of the yield stress of {}.",
+          use.soil->name, plan_.is_of_file ? " with a distribution" : "", use.name));
+      return;
+    }
     StixParameter d{.mean = use.pop->mean, .deviation = use.pop->deviation, .is_probabilistic = true};
     if (!plan_.is_of_file) d.deviation = kind.cov_pop * d.mean;
     if (!is_random(d)) return;

@@ -376,6 +376,45 @@ def a_level_beside_boundaries(space):
     space.add_line((-5, 11), (5, 11), dxfattribs={"layer": "MHW"})
 
 
+@way(areas={"region 1": 40.5, "region 2": 80.0, "region 3": 99.0, "lens": 1.0})
+def a_lens_in_boundaries(space):
+    boundaries(space)
+    closed_line(space, [(5, 2), (7, 2), (7, 2.5), (5, 2.5)], "lens")
+
+
+@way(areas=LAYERED, warned="frame, not as soil: kader")
+def a_frame_around_boundaries(space):
+    boundaries(space)
+    closed_line(space, [(-10, -10), (40, -10), (40, 30), (-10, 30)], "kader")
+
+
+@way(areas=LAYERED)
+def a_border_named_by_the_water_above(space):
+    boundaries(space)
+    for line in space.query('*[layer=="sand"]'):
+        line.dxf.layer = "klei onder water"
+
+
+@way(areas={"sand": 180.0, "dike": 40.5}, warned="no soil: border. Those within")
+def a_border_short_at_both_ends(space):
+    closed_line(space, [(0, 0), (20, 0), (20, 9), (0, 9)], "sand")
+    closed_line(space, OUTLINES["dike"], "dike")
+    space.add_line((0.5, 5), (19.5, 5), dxfattribs={"layer": "border"})
+
+
+@way(warned="not in the drawing were left out: lost on 0")
+def a_block_that_is_not_there(space):
+    outlines(space)
+    space.add_blockref("lost", (0, 0))
+
+
+@way("R2000", warned="splines have fit points alone", areas={"sand": 100.0, "clay": 80.0, "dike": 0.5 * 8 * 4})
+def a_spline_of_fit_points(space):
+    ground(space)
+    space.add_line((6, 9), (14, 9), dxfattribs={"layer": "dike"})
+    space.add_spline([(6, 9), (10, 13), (14, 9)], dxfattribs={"layer": "dike"})
+
+
 @way(areas={"region 1": 40.5, "region 2": 180.0}, warned="19.60 m on sand")
 def a_boundary_that_ends_too_early(space):
     boundaries(space, sand=[(0.2, 5), (19.8, 5)])

@@ -51,6 +51,25 @@ TEST(GroundProfile, ThatGoesBackOrIsNoneIsRefused)
   EXPECT_NEAR(read_profile("p.csv", "0,1\n10,1\n", {.depth = 4.0}).regions[0].polygon.back()[1], -3.0, 1e-12);
 }
 
+TEST(GroundProfile, ThatCouldMeanSomethingElseIsRefused)
+{
+  const auto refused = [](const std::string& text, const std::string& name = "") {
+    return refusal<InputError>([&] { profile(text, {.name = name}); });
+  };
+  EXPECT_THAT(refused("afstand;diepte\n0;1\n10;2\n"), HasSubstr("has depths, and no levels"));
+  EXPECT_THAT(refused("x,z\n0,0\n30,5,25\n"), HasSubstr("has rows of more cells than others"));
+  EXPECT_THAT(refused("1 0 2\n2 10 3\n"), HasSubstr("does not say which columns"));
+  EXPECT_THAT(refused("LOCATIONID;X1;Y1;Z1\nA;0;0;0;20;0;0;18;0;3;50;0;0\n", "A"), HasSubstr("goes back in `A`"));
+  EXPECT_THAT(refused("LOCATIONID;X1;Y1;Z1\nA;0;0;0;20;0;0;40;0\n", "A"), HasSubstr("without x, y or z in `A`"));
+  EXPECT_NEAR(area("x;z;\n0;\xE2\x88\x92"
+                   "1;\n10;\xE2\x88\x92"
+                   "1;\n",
+                  {.base = -2.0}),
+      10.0, 1e-9);
+  EXPECT_NEAR(area("easting,northing,elevation\n3,4,0\n6,8,0\n", {.base = -2.0}), 10.0, 1e-9);
+  EXPECT_THAT(profile("l,z\n0,0\n5,1o\n10,0\n").doubts, ElementsAre(HasSubstr("1 rows without numbers")));
+}
+
 TEST(GroundProfile, HasTheUnitOfItsHeads)
 {
   EXPECT_NEAR(area("l [km];z_ft\n0;0\n0,01;10\n", {.base = -1.0}), 10.0 * (1.0 + 0.5 * 3.048), 1e-9);
@@ -88,6 +107,8 @@ TEST(GroundProfile, TakesSoilsByTheLevelOfTheirTops)
   EXPECT_THAT(refused(soils, "C"), HasSubstr("has no profile `C`"));
   EXPECT_THAT(refused("a;b\n1;2\n", ""), HasSubstr("is no table of soils"));
   EXPECT_THAT(refused("top;soil\nx;zand\n", ""), HasSubstr("in line 2"));
+  EXPECT_THAT(refused("top;soil\n1;zand\n1;klei\n", ""), HasSubstr("has two soils with the top at 1 m"));
+  EXPECT_EQ(with_soils(ground, "soils.csv", "top [cm];soil\n900;klei\n100;zand\n", "").regions.size(), 2u);
 }
 
 }  // namespace ground_profile_test

@@ -76,7 +76,7 @@ TEST_F(SummaryJson, HoldsEveryNumberUnderItsName)
 {
   json text = written(sample_summary(), true);
   EXPECT_EQ(text["terp_version"], TERP_VERSION);
-  text.erase("terp_version");
+  for (const char* of_the_version : {"terp_version", "checksum"}) text.erase(of_the_version);
   expect_golden("tests/io/files/summary.json", text.dump(1) + '\n');
 }
 
