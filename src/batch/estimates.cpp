@@ -64,7 +64,7 @@ void EventCounts::take(const Realisation& r)
   }
   (r.solved() ? solved : slid_as_drawn) += 1;
   slid += r.slid, flooded += r.flooded, flooded_after_slide += r.slid && r.flooded;
-  if (r.solved() && r.judges_flood) ++judged, slid_judged += r.slid;
+  if (r.knows_flood()) ++judged, slid_judged += r.slid;
 }
 
 std::int64_t EventCounts::unknown(std::int64_t EventCounts::*event) const

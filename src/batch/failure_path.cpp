@@ -56,7 +56,7 @@ void count(const Realisation& r, std::array<Counts, n_steps>& counts)
   const bool follows = r.outcomes[slides] > 1.0;
   counts[follow_up].take(follows);
   Counts& of_ground = counts[follows ? below_after : below_without];
-  if (!r.judges_flood) {
+  if (!r.knows_flood()) {
     ++of_ground.unknown, ++counts[overflow].unknown;
     return;
   }
@@ -98,8 +98,9 @@ std::vector<PathEvent> failure_path(const Study& study, const Realisations& rows
 std::string failure_path_text(const Study& study, const Realisations& rows)
 {
   if (!has_failure_path(study)) return "";
-  std::string out = fmt::format("  failure path (faalpad), each event given the one before it, {:g} % bounds\n",
-      100.0 * study.settings.confidence);
+  std::string out =
+      fmt::format("  failure path (faalpad) of a slide, each event given the one before it, {:g} % bounds\n",
+          100.0 * study.settings.confidence);
   for (std::size_t level = 0; level < static_cast<std::size_t>(study.n_levels()); ++level) {
     if (study.settings.fragility)
       out += fmt::format("   {} {}\n", study.settings.fragility->label(), level_text(study, level));

@@ -67,9 +67,9 @@ LevelCounts count_levels(const Study& study, const Realisations& rows)
     if (study.is_coarse(k)) continue;                    // P is of the fine ones
     if (study.level_of(k) == 0) slid = flooded = false;  // another sample
     counts.n_falling_slides += r.solved() && slid && !r.slid;
-    counts.n_falling_floods += r.solved() && r.judges_flood && flooded && !r.flooded;
+    counts.n_falling_floods += r.knows_flood() && flooded && !r.flooded;
     if (r.solved() || r.slid) slid = r.slid;  // a level that failed says nothing
-    if (r.solved() && r.judges_flood) flooded = r.flooded;
+    if (r.knows_flood()) flooded = r.flooded;
   }
   return counts;
 }

@@ -32,7 +32,7 @@ bool happened(const Realisation& r, StudyEvent event)
 
 bool is_known(const Realisation& r, StudyEvent event)
 {
-  const bool flood = r.solved() && r.judges_flood;
+  const bool flood = r.knows_flood();
   switch (event) {
     case StudyEvent::slide: return !r.failed();
     case StudyEvent::flood: return flood;

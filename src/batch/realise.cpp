@@ -229,6 +229,12 @@ std::vector<std::string> differing_outcomes(const std::vector<Real>& kept, const
   return names;
 }
 
+bool Realisation::knows_flood() const
+{
+  static const std::size_t still_moves = outcome_number("still_moves");
+  return solved() && judges_flood && (flooded || outcomes.size() <= still_moves || outcomes[still_moves] != 1.0);
+}
+
 bool Realisation::same_as(const Realisation& other) const
 {
   return number == other.number && fault == other.fault && screening == other.screening && slid == other.slid &&

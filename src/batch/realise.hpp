@@ -49,6 +49,8 @@ struct Realisation {
   bool slides_as_drawn() const { return !fault.empty() && slid; }
   /// It was run, and neither I nor F is known.
   bool failed() const { return !fault.empty() && !slid; }
+  /// Whether it floods is known: not of soil that still moves so fast that it may.
+  bool knows_flood() const;
   /// But for the clock.
   bool same_as(const Realisation& other) const;
 };

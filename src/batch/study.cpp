@@ -442,6 +442,7 @@ void doubt_small_events(const Study& study, Real cell, std::vector<Problem>& dou
 std::vector<Problem> find_doubts(const Study& study)
 {
   std::vector<Problem> doubts = study.settings.warnings;
+  if (!study.settings.note.empty()) doubts.push_back({"note", "a note of the study", study.settings.note, ""});
   doubt_places_of_lines(study, doubts);
   doubt_idle_sweeps(study, doubts);
   if (const Index n = study.settings.stop.number; study.settings.estimator == Estimator::sobol && (n & (n - 1)) != 0)

@@ -233,8 +233,8 @@ void read_changes(
 void read_top(const Node& root, StudySettings& s, Findings& findings)
 {
   read_section(root, "",
-      {{"title", "", any_number, false, &s.title}, {"case", "", any_number, true, &s.case_path},
-          {"seed", "-", {0.0, 2147483647.0}, false, &s.seed},
+      {{"title", "", any_number, false, &s.title}, {"note", "", any_number, false, &s.note},
+          {"case", "", any_number, true, &s.case_path}, {"seed", "-", {0.0, 2147483647.0}, false, &s.seed},
           {"confidence", "-", between(0.5, 0.9999), false, &s.confidence}},
       {"set", "random", "follow", "held", "field", "correlation", "sweep", "fragility", "estimator", "stop", "events"},
       findings);
@@ -475,7 +475,7 @@ std::string identity_text(const StudySettings& settings)
   Node root = settings.source.root;
   std::erase_if(root.items, [&](const Node& item) {
     const bool keeps_number = settings.estimator == Estimator::latin_hypercube || info_of(settings.estimator).adaptive;
-    return item.name == "title" || item.name == "confidence" || item.name == "case" ||
+    return item.name == "title" || item.name == "note" || item.name == "confidence" || item.name == "case" ||
            (item.name == "stop" && !keeps_number);
   });
   name_digits_of_files(root, folder_of(path_of(settings.folder, settings.case_path)));

@@ -85,6 +85,7 @@ struct StudySettings {
   std::string name;    ///< of the study file without .toml; of NAME/study.toml NAME
   std::string folder;  ///< that holds it
   std::string title, case_path;
+  std::string note;  ///< said wherever a P of the study is said
   Index seed = 1;
   Real confidence = 0.95;
   std::vector<std::string> set;  ///< KEY=VALUE, changes of the case in all realisations

@@ -51,7 +51,7 @@ std::vector<PageColumn> outcome_columns(const Study& study, const Realisations& 
                              : r.slides_as_drawn() ? 3.0
                              : r.failed()          ? 1.0
                                                    : 0.0,
-        is_known ? Real(r.slid) : std::nan(""), is_known && r.judges_flood ? Real(r.flooded) : std::nan(""),
+        is_known ? Real(r.slid) : std::nan(""), r.knows_flood() ? Real(r.flooded) : std::nan(""),
         static_cast<Real>(study.level_of(k)), Real(study.is_coarse(k))};
     for (std::size_t i = 0; i < study_outcomes().size(); ++i)
       values.push_back(r.solved() ? r.outcomes[i] : std::nan(""));

@@ -97,15 +97,16 @@ std::vector<std::string> remarks_on_realisations(const Study& study, const Study
     remarks.push_back(fmt::format("{} realisation{} {}, first {}: {}", fault.n, fault.n == 1 ? "" : "s",
         fault.slides ? fault.n == 1 ? "slides" : "slide" : "failed", fault.first, fault.what));
   const bool adaptive = info_of(study.settings.estimator).adaptive, of_flood = study.settings.adaptive.of_flood;
-  const auto add_moving = [&](Index n, const char* event, const char* p) {
+  const auto add_moving = [&](Index n, const char* event, const char* what) {
     if (n > 0)
       remarks.push_back(fmt::format(
-          "{} realisations end without a {} while their soil still moves: {} may be too low. "
+          "{} realisations end without a {} while their soil still moves: {}. "
           "End the case and each of its stages at rest, or later; `stage_moving` of a kept run names the stage.",
-          n, event, p));
+          n, event, what));
   };
-  if (!adaptive || !of_flood) add_moving(e.n_moving_without_slide, "slide", "P(I)");
-  if (!adaptive || of_flood) add_moving(e.n_moving_without_flood, "flood", "P(F)");
+  if (!adaptive || !of_flood) add_moving(e.n_moving_without_slide, "slide", "P(I) may be too low");
+  if (adaptive && of_flood) add_moving(e.n_moving_without_flood, "flood", "P(F) may be too low");
+  if (!adaptive) add_moving(e.n_moving_without_flood, "flood", "they count as unknown in P(F) and P(F|I)");
   if (e.n_near > 0)
     remarks.push_back(
         fmt::format("{} of the floods {} brief or small: the ground was below the water by little, for less than 2 s, "
@@ -188,6 +189,7 @@ std::string worth_of_residual_strength(const StudyEstimates& e)
 std::vector<std::string> remarks_on_study(const Study& study, const Realisations& rows, const StudyEstimates& e)
 {
   std::vector<std::string> remarks = remarks_on_realisations(study, e);
+  if (!study.settings.note.empty()) remarks.insert(remarks.begin(), study.settings.note);
   if (info_of(study.settings.estimator).adaptive) {
     std::ranges::move(remarks_on_adaptive(study, rows, e), std::back_inserter(remarks));
     return remarks;
@@ -202,7 +204,7 @@ std::vector<std::string> remarks_on_study(const Study& study, const Realisations
     remarks.push_back(
         "Failed realisations count in both bounds: as if nothing happened in the lower one, as if it did in "
         "the upper one. They are no random sample: the estimates are of the others alone.");
-  if (const std::int64_t n = counted.solved - counted.judged; e.judges_flood && n > 0)
+  if (const std::int64_t n = counted.solved - counted.judged - e.n_moving_without_flood; e.judges_flood && n > 0)
     remarks.push_back(fmt::format(
         "In {} realisations no water stands above the ground, so that no level is known: each counts as unknown in "
         "P(F) and P(F|I). Give the case flood.water_level.",
@@ -230,7 +232,8 @@ std::vector<std::string> remarks_on_study(const Study& study, const Realisations
   if (study.settings.fragility)
     for (std::string& remark : remarks_on_fragility(study, estimate_fragility(study, rows)))
       remarks.push_back(std::move(remark));
-  if (!e.judges_flood) remarks.push_back("Nothing is said of a flood: the case has no water level (docs/flood.md).");
+  if (!e.judges_flood && e.sample.counts().n() > 0)
+    remarks.push_back("Nothing is said of a flood: the case has no water level (docs/flood.md).");
   return remarks;
 }
 

@@ -57,7 +57,10 @@ void write_folder(const ImportCommand& command, const CaseFolder& folder)
   for (const Sentence& note : folder.notes) say(stderr, "warning: {}\n", printable(note.en));
   say("case in {}; what was assumed, moved and left out: {}/report.md\nNext: terp check {}\n", case_path,
       command.output, case_path);
-  if (command.study) say("      terp study check {}/study.toml\n", command.output);
+  if (command.study)
+    say("      terp study check {}/study.toml\n", command.output);
+  else if (std::filesystem::exists(command.output + "/study.toml"))
+    say(stderr, "warning: {}/study.toml was not written now: it is of the case that was here before\n", command.output);
 }
 
 int import_regions(const ImportCommand& command, const DxfRegions& regions, std::vector<std::string> notes)

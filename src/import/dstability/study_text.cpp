@@ -321,10 +321,12 @@ StudyText study_text(const StudyPlan& plan)
   text.file = fmt::format(
       "# A study of the section beside it: terp study run, docs/probability.md. Written by terp import --study.\n# {}\n"
       "# One number per soil, no random field: the deviations are those of the mean of a section.\n\n"
-      "title = {}\ncase  = \"case.toml\"\nseed  = 1\n\n[set]\n\"body.*.points_per_cell\" = [2, 2]  # 1.5 times as fast "
+      "title = {}\n{}case  = \"case.toml\"\nseed  = 1\n\n[set]\n\"body.*.points_per_cell\" = [2, 2]  # 1.5 times as "
+      "fast "
       "as "
       "4 x 4 (docs/probability.md)\n{}",
       text.source.en, in_quotes(plan.title),
+      plan.is_of_file ? "" : fmt::format("note  = {}\n", in_quotes(text.source.en)),
       plan.stages.has_flood && !plan.stages.is_held
           ? fmt::format("\"{}.until\" = \"verdict\"  # as soon as the answer is known\n", stage)
           : "");

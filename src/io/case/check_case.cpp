@@ -282,8 +282,9 @@ void check_flood(const Node& root, const Case& values, Problems& problems)
           "It holds no slope and no water. Leave `ground` out.", "material.ground"});
     if (fluid || !material.ground) others.push_back(material.called());
   }
-  if (values.flood.asks_profile() !=
-      (std::isfinite(values.flood.profile_width) || std::isfinite(values.flood.profile_slope)))
+  const auto is_of_profile = [](const Problem& p) { return p.key.starts_with("flood.smallest_profile"); };
+  if (find_node(root, "flood.smallest_profile") != nullptr && !values.flood.asks_profile() &&
+      std::ranges::none_of(problems, is_of_profile))
     problems.push_back({"flood.smallest_profile", "a profile needs `width` and `slope`",
         "As in smallest_profile = { width = 3.0, slope = 2.0 }: 3 m at the water level, with slopes of 1:2.", ""});
   const bool some = !values.materials.empty() && others.size() == values.materials.size();
