@@ -145,7 +145,7 @@ inline constexpr SentenceForm equally_high{
     "Water stands equally high on the ground at both ends of the section ({:.2f} m), and the file names no water side "
     "of the embankment: the end of the river is not known.",
     "Aan beide einden van de doorsnede staat het water even hoog op het maaiveld ({:.2f} m), en het bestand noemt geen "
-    "waterzijde van de dijk: het einde van de rivier is niet bekend."};
+    "waterzijde van de dijk: de rivierzijde is niet bekend."};
 inline constexpr SentenceForm higher_but_dry{
     "The phreatic line is higher at the {} end ({:.2f} m, below the ground), but water stands on the ground at the {} "
     "end alone ({:.2f} m), and the file names no water side of the embankment. The river is taken to be at the {} end.",
@@ -164,7 +164,7 @@ inline constexpr SentenceForm dry_at_the_river{
 inline constexpr SentenceForm narrow_river{
     "The water at the river's end ({:.2f} m) stands on less than a cell of ground: the case has no [flood], and no "
     "verdict on flooding.",
-    "Het water aan het einde van de rivier ({:.2f} m) staat op minder dan een cel maaiveld: de invoer heeft geen "
+    "Het water aan de rivierzijde ({:.2f} m) staat op minder dan een cel maaiveld: de invoer heeft geen "
     "[flood], en er is geen oordeel over overstroming."};
 inline constexpr SentenceForm above_crest{
     "The river of this stage ({:.2f} m) stands above the crest ({:.2f} m): it floods without any slide. A lower "
@@ -316,11 +316,13 @@ inline constexpr SentenceForm study_of_file{"The distributions of the study are 
     "De verdelingen van de probabilistische som zijn die van het bestand."};
 inline constexpr SentenceForm study_not_of_file{
     "The distributions of the study are NOT of the file, which has none. Means are its plain values, coefficients of "
-    "variation those of the kinds of soil in Terp's own table: P says what such a spread would mean, not how probable "
-    "a flood is here. Give your own with --soil-defaults.",
+    "variation those of the kinds of soil in the table of defaults: P says what such a spread would mean, not how "
+    "probable "
+    "a flood is here. --soil-defaults takes a table of your own.",
     "De verdelingen van de probabilistische som zijn NIET van het bestand, dat er geen heeft. Gemiddelden zijn de "
     "gewone "
-    "waarden, variatiecoëfficiënten die van de grondsoorten in Terps eigen tabel: P zegt wat zo'n spreiding zou "
-    "betekenen, niet hoe waarschijnlijk een overstroming hier is. Geef uw eigen tabel met --soil-defaults."};
+    "waarden, variatiecoëfficiënten die van de grondsoorten in de tabel met standaardwaarden: P zegt wat zo'n "
+    "spreiding "
+    "zou betekenen, niet hoe waarschijnlijk een overstroming hier is. --soil-defaults neemt een eigen tabel."};
 
 }  // namespace terp::reported_texts
