@@ -26,7 +26,8 @@ function written(name: string, { document, chunks } = EXAMPLES[name]!()): string
 
 /** The same sections and charts that a reader looks for. */
 const PARTS: Record<string, { titles: string[]; charts: number; dutch: string }> = {
-  study: { titles: ["Probabilities", "How sure, and what remains", "What happened", "What matters", "Realisations"], charts: 4, dutch: "Kansen" },
+  study: { titles: ["Probabilities", "How sure, and what remains", "Failure path", "What happened", "What matters",
+    "Realisations"], charts: 4, dutch: "Kansen" },
   curve: { titles: ["Fragility", "What remains", "What happened", "What matters", "Realisations"], charts: 5, dutch: "Fragiliteit" },
   sweep: { titles: ["Results over material.clay.su_peak", "Realisations"], charts: 2, dutch: "Realisaties" },
   samples: { titles: ["Histograms of the input", "Field of material.clay.su_peak"], charts: 2, dutch: "Histogrammen van de invoer" },

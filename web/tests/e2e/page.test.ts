@@ -410,7 +410,7 @@ describe("the page", () => {
       expect(width).toBeGreaterThan(1.9); // pixels per CSS pixel: sharp
       expect(width / height).toBeCloseTo(1, 1); // and not squashed
     }
-    expect(await page.evaluate("window.tall")).toBeGreaterThan(200);
+    expect(await page.evaluate("window.tall")).toBeGreaterThan(189); // 50 mm
     await expect.poll(async () => page.evaluate("document.body.style.width"), { timeout: 5000 }).toBe("");
     await page.context().close();
   });
@@ -496,7 +496,7 @@ describe.runIf(process.env.TERP)("the page of a dike of the program", () => {
     const path = realDike();
     const { page, errors } = await open(browser, path);
     expect(await page.locator(".verdict-word").textContent()).toBe("Overstroming");
-    expect(await page.locator(".tile").count()).toBe(6);
+    expect(await page.locator(".tile").count()).toBe(7);
     expect(await page.locator(".toggle:visible").allTextContents()).toEqual(
       expect.arrayContaining(["grondlagen", "water en belasting", "omtrek", "glijvlak", "punten"]));
     expect(await page.locator("#field option").allTextContents()).toEqual(expect.arrayContaining(["waterspanning", "grondsoort"]));

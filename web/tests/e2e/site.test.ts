@@ -39,7 +39,7 @@ describe.skipIf(!PAGES.length)("the site", () => {
     await Promise.all([page.waitForURL("**/dstability.html#*"), page.keyboard.press("Enter")]);
     expect(await page.evaluate("document.getElementById(location.hash.slice(1)) !== null")).toBe(true);
     await page.fill(".search input", "no such word anywhere");
-    expect(await page.textContent(".search ol")).toBe("Nothing found.");
+    await expect.poll(() => page.textContent(".search ol")).toBe("Nothing found.");
     expect(opened.errors).toEqual([]);
   });
 
