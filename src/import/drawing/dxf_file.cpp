@@ -410,7 +410,7 @@ class DxfReader {
     for (const DxfLine& line : drawing_.lines) places.insert(places.end(), line.places.begin(), line.places.end());
     const BoundingBox box = box_around(places);
     const Real width = box.high[0] - box.low[0], height = box.high[1] - box.low[1];
-    if (width >= narrowest && width <= widest && height <= highest) return;
+    if (width >= narrowest_section && width <= widest_section && height <= highest_section) return;
     drawing_.doubts.push_back(
         fmt::format("The section is {:.3g} m wide and {:.3g} m high: is that the unit of the drawing? --unit takes "
                     "another one.",

@@ -10,7 +10,8 @@
 
 namespace terp {
 
-inline constexpr Real narrowest = 1.0, widest = 5e3, highest = 300.0;  // [m] of a section whose unit is in no doubt
+/// Sizes of a section whose unit is in no doubt [m].
+inline constexpr Real narrowest_section = 1.0, widest_section = 5e3, highest_section = 300.0;
 
 struct DxfLine {
   std::string layer;

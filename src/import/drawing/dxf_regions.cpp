@@ -18,8 +18,6 @@
 namespace terp {
 namespace {
 
-constexpr Real short_piece = 0.05;  // of the width of the section: a tick or the rest of a crossing
-
 std::string name_of(const TidyLines& drawing, const PlanarGraph& graph, const FaceRing& ring, const Polygon& outline)
 {
   const DxfLine* around = nullptr;

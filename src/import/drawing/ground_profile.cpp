@@ -197,7 +197,7 @@ class ProfileReader {
       refuse("has ground below the base",
           fmt::format("The base is at {:g} m, the lowest ground at {:g} m.", base, lowest));
     DxfRegions found;
-    if (width < narrowest || width > widest || height > highest)
+    if (width < narrowest_section || width > widest_section || height > highest_section)
       found.doubts.push_back(fmt::format(
           "The profile is {:.6g} m wide and {:.6g} m high: are its numbers in metres? --unit takes another unit.",
           width, height));

@@ -24,7 +24,8 @@ constexpr Real nearly_closed = 0.05;        // part of its length by which an ou
 
 const char* const water_words[] = {"water", "phrea", "frea", "wasser", "nappe", "gws", "gwl", "piezo", "stijghoogte"};
 const char* const ground_words[] = {"waterkering", "watergang", "bodem", "watercourse", "klei", "clay", "zand", "sand",
-    "veen", "peat", "leem", "silt", "grind", "pakket", "laag", "layer", "talud", "slope"};  // of ground, in spite of it
+    "veen", "peat", "leem", "silt", "grind", "pakket", "watervoerend", "waterremmend", "talud",
+    "slope"};  // of ground, in spite of it
 const char* const words_of_levels[] = {"mhw", "mlw", "ghw", "glw", "hw", "lw", "ws", "peil", "hwl", "mhws"};  // alone
 const char* const frame_words[] = {"frame", "kader", "rahmen", "cadre", "border", "sheet", "blad", "title", "legend"};
 
@@ -198,20 +199,20 @@ class Tidier {
   }
 
   /// The number of the group that is the section: of layers that which was closed, else that of most outlines.
-  static std::size_t section_of(const std::vector<std::size_t>& group, const std::vector<int>& weight, bool is_closed)
+  static std::size_t section_of(const std::vector<std::size_t>& group, const std::vector<int>& weight, bool has_ends)
   {
-    if (is_closed) return group.back();
+    if (has_ends) return group.back();
     return static_cast<std::size_t>(std::ranges::max_element(weight) - weight.begin());
   }
 
   void leave_out_frames(bool is_layered)
   {
     const std::vector<std::size_t> group = groups();
-    const bool is_closed = is_layered && !tidy_.lines.empty() && tidy_.lines.back().layer.empty();
+    const bool has_ends = is_layered && !tidy_.lines.empty() && tidy_.lines.back().layer.empty();
     std::vector<int> weight(group.size(), 0);
     for (std::size_t k = 0; k < group.size(); ++k) weight[group[k]] += tidy_.lines[k].closed ? outline_weight : 1;
     if (group.empty()) return;
-    const std::size_t section = section_of(group, weight, is_closed);
+    const std::size_t section = section_of(group, weight, has_ends);
     std::vector<Vec<2>> places;
     for (std::size_t k = 0; k < group.size(); ++k)
       if (group[k] == section) places.insert(places.end(), tidy_.lines[k].places.begin(), tidy_.lines[k].places.end());
@@ -229,7 +230,7 @@ class Tidier {
     for (std::size_t k = 0; k < group.size(); ++k) {
       const DxfLine& line = tidy_.lines[k];
       if (group[k] == section || !line.closed || frames.contains(group[k])) continue;
-      if (is_closed && overlap(section_box, box_around(line.places))) continue;
+      if (has_ends && overlap(section_box, box_around(line.places))) continue;
       if (std::ranges::none_of(tidy_.lines, [&](const DxfLine& other) {
             return &other != &line && other.closed && contains(other.places, line.places[0]) &&
                    !has_word(other.layer, frame_words);
@@ -239,28 +240,16 @@ class Tidier {
     std::set<std::string> loose;
     Real long_within = 0.0;  // [m]: width of what is left out within the section
     std::vector<DxfLine> kept;
-    const auto reaches_as_far = [&](const DxfLine& line) {  // as an open line of the section: it is a boundary, too
-      for (std::size_t k = 0; k < group.size(); ++k) {
-        const DxfLine& other = tidy_.lines[k];
-        if (group[k] != section || other.closed || line.closed) continue;
-        const auto [a, b] = std::minmax(line.places.front()[0], line.places.back()[0]);
-        const auto [c, d] = std::minmax(other.places.front()[0], other.places.back()[0]);
-        if (std::abs(a - c) <= snap_ && std::abs(b - d) <= snap_) return true;
-      }
-      return false;
-    };
-    std::vector<bool> is_boundary(group.size());
-    for (std::size_t k = 0; k < group.size(); ++k) is_boundary[k] = reaches_as_far(tidy_.lines[k]);
     for (std::size_t k = 0; k < group.size(); ++k) {
-      const bool touches_nothing = group[k] != section && weight[section] >= outline_weight &&
-                                   weight[group[k]] < outline_weight && !is_boundary[k];
+      const bool touches_nothing =
+          group[k] != section && weight[section] >= outline_weight && weight[group[k]] < outline_weight;
       if (touches_nothing) loose.insert(tidy_.lines[k].layer), long_within += width_within(tidy_.lines[k], section_box);
       if (!touches_nothing && !frames.contains(group[k])) kept.push_back(std::move(tidy_.lines[k]));
     }
     tidy_.lines = std::move(kept);
     if (!loose.empty()) {
       const std::string text = fmt::format("Lines that touch no outline bound no soil: {}.", fmt::join(loose, ", "));
-      if (long_within > 0.05 * (section_box.high[0] - section_box.low[0]))
+      if (long_within > short_piece * (section_box.high[0] - section_box.low[0]))
         tidy_.doubts.push_back(text + " Those within the section may be borders of soil: let them end at its outline.");
       else
         tidy_.notes.push_back(text);
@@ -276,7 +265,7 @@ class Tidier {
       tidy_.doubts.push_back(
           fmt::format("Outlines on layers of frames were taken as soil: {}. --layers leaves them out.",
               fmt::join(drawn_frames, ", ")));
-    if (!apart.empty() && (is_closed || weight[section] >= 2 * outline_weight))
+    if (!apart.empty() && (has_ends || weight[section] >= 2 * outline_weight))
       tidy_.doubts.push_back(fmt::format(
           "Outlines that touch no other were taken as soil: {}. --layers leaves a layer out.", fmt::join(apart, ", ")));
   }

@@ -6,6 +6,9 @@
 
 namespace terp {
 
+/// Of the width of a section: a shorter piece that bounds nothing is a tick, or what is left of a crossing.
+inline constexpr Real short_piece = 0.05;
+
 struct TidyLines {
   std::vector<DxfLine> lines;
   std::vector<std::string> notes = {};   ///< what was changed, as sentences

@@ -373,7 +373,8 @@ def boundaries_below_an_outline(space):
 @way(areas=LAYERED)
 def a_level_beside_boundaries(space):
     boundaries(space)
-    space.add_line((-5, 11), (5, 11), dxfattribs={"layer": "MHW"})
+    for level, layer in ((11, "MHW"), (10, "laagwater"), (12, "waterlaag")):
+        space.add_line((-5, level), (5, level), dxfattribs={"layer": layer})
 
 
 @way(areas={"region 1": 40.5, "region 2": 80.0, "region 3": 99.0, "lens": 1.0})

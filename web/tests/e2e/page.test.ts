@@ -410,7 +410,7 @@ describe("the page", () => {
       expect(width).toBeGreaterThan(1.9); // pixels per CSS pixel: sharp
       expect(width / height).toBeCloseTo(1, 1); // and not squashed
     }
-    expect(await page.evaluate("window.tall")).toBeGreaterThan(189); // 50 mm
+    expect(await page.evaluate("window.tall")).toBeGreaterThan(200);
     await expect.poll(async () => page.evaluate("document.body.style.width"), { timeout: 5000 }).toBe("");
     await page.context().close();
   });
