@@ -1,5 +1,6 @@
 #include "coarse_column.hpp"
 #include "import/drawing/dxf_file.hpp"
+#include "import/drawing/section_export.hpp"
 #include "model/bodies/polygon.hpp"
 
 namespace section_export_test {
@@ -58,6 +59,20 @@ TEST(SectionExport, HasNothingOfABodyThatWasDugAway)
   }
 }
 
+TEST(SectionExport, HasTheHeightOfTheVerdict)
+{
+  const ScratchFolder scratch;
+  const std::string run = scratch.path() + "/run";
+  EXPECT_EQ(
+      test::terp({"run", source_path("cases/dike/dike.toml"), "-o", run, "-j", "1", "-q", "--set", "mesh.cell=1",
+                     "--set", "stage[0].at_most=0.2", "--set", "stage[1].ramp=0.2", "--set", "stage[1].at_most=0.4"})
+          .status,
+      0);
+  Real highest = -1e9;
+  for (const auto& [x, before, after] : profile_of(read_run(run))) highest = std::max(highest, after);
+  EXPECT_NEAR(highest, read_run(run).summary.values.flood->residual_height, 1e-6);
+}
+
 TEST(SectionExport, RefusesARunWhoseFirstOrLastFrameCannotBeRead)
 {
   const ScratchFolder scratch;
@@ -107,7 +122,7 @@ TEST(SectionExport, IsOfTheSoilThatHasNotLeft)
   };
   const std::string leaves = body("[[2.0, 0.0], [4.0, 1.0]]", 3, "5.0");
   EXPECT_EQ(after(body("[[0.0, 0.0], [1.0, 1.5]]", 2, "0.0") + leaves).status, 0);
-  EXPECT_EQ(text_of(csv), "x,start,end\n0.3750,1.5000,1.5000\n0.8750,1.5000,1.5000\n");
+  EXPECT_EQ(text_of(csv), "x,start,end\n0.2500,1.5000,1.5000\n0.7500,1.5000,1.5000\n");
   std::filesystem::remove(csv);
   const auto none = after(leaves);
   EXPECT_EQ(none.status, 1);

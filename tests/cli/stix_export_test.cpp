@@ -34,9 +34,9 @@ TEST(StixExport, IsTheSectionOfTheRunInLayersOfTheFile)
   for (const StixLayer& layer : after.layers) area += std::abs(signed_area(Polygon(layer.outline)));
   for (const StixLayer& layer : before.layers) of_file += std::abs(signed_area(Polygon(layer.outline)));
   EXPECT_NEAR(area, of_file, 0.005 * of_file);
-  for (const Real x : {25.0, 40.0, 60.0, 85.0}) {
+  for (const Real x : {25.0, 41.0, 59.0, 85.0}) {  // middles of columns
     const StixStageColumn old_column(project, before, x), column(project, after, x);
-    EXPECT_NEAR(column.ground(), old_column.ground(), 0.5) << "a point, at x = " << x;
+    EXPECT_NEAR(column.ground(), old_column.ground(), 0.06) << "it settles meanwhile, at x = " << x;
     EXPECT_NEAR(column.pore_pressure(-25.0), old_column.pore_pressure(-25.0), 100.0);
     const auto soil_at = [&](const StixStageColumn& of, const StixStage& stage) {
       for (const SoilBand& band : of.bands())

@@ -111,7 +111,7 @@ const std::vector<std::string> soil_profile_words{"soilprofileid", "soilprofilen
 const std::vector<std::string> top_words{"toplevel", "top", "bovenkant", "level", "z"};
 const std::vector<std::string> soil_words{"soilname", "soil", "grondsoort", "grond", "material", "name", "naam"};
 
-struct Columns {
+struct TableColumns {
   int distance = 0, level = 1, y = -1, name = -1;
   Real unit_x = 1.0, unit_z = 1.0;
   std::string unknown_unit = {};  ///< the head that has it
@@ -128,11 +128,11 @@ int find_column(const Cells& heads, const std::vector<std::string>& words)
   return -1;
 }
 
-Columns columns_of(const Cells& heads)
+TableColumns columns_of(const Cells& heads)
 {
   const auto find = [&](const std::vector<std::string>& words) { return find_column(heads, words); };
   const int x = find(x_words), y = find(y_words), l = find(distance_words), z = find(level_words);
-  Columns c{l >= 0 ? l : std::max(0, x), z >= 0 ? z : y >= 0 ? y : 1, -1, find(name_words)};
+  TableColumns c{l >= 0 ? l : std::max(0, x), z >= 0 ? z : y >= 0 ? y : 1, -1, find(name_words)};
   if (l < 0 && x >= 0 && y >= 0 && z >= 0) c.y = y;
   c.are_known = (l >= 0 || x >= 0) && (z >= 0 || y >= 0);
   c.has_depths = z < 0 && find(depth_words) >= 0;
@@ -319,7 +319,7 @@ class ProfileReader {
   const std::string& path_;
   const ProfileOptions& options_;
   char separator_;
-  Columns columns_;
+  TableColumns columns_;
   bool has_heads_ = false, is_turned_ = false, is_wide_ = false, has_text_ = false;
   int n_without_ = 0;
   std::size_t n_cells_ = 0;  // of the heads, or of the first row

@@ -3,19 +3,14 @@
 
 #include "import/drawing/point_section.hpp"
 
-#include "math/interpolate.hpp"
-#include "math/nan.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace terp {
 namespace {
 
-constexpr Real least_fill = 0.05;  // of a box, from which on it counts as ground
-constexpr Real infinite = std::numeric_limits<Real>::infinity();
+constexpr Real least_fill = 0.05;   // of a box, from which on it counts as ground
 constexpr Real outline_fill = 0.5;  // of a box, from which on it lies in an outline
 
 struct BoxRaster {
@@ -66,34 +61,6 @@ Index top_of(const BoxRaster& raster, Index i)
   Index j = raster.n[1] - 1;
   while (j >= 0 && raster.fill(i, j) < least_fill) --j;
   return j;
-}
-
-/// Where the points of each column begin and end [m].
-std::vector<Vec<2>> widths_of(const BoxRaster& raster, std::span<const Vec<2>> places)
-{
-  const Real point = raster.side / 3.0;
-  std::vector<Vec<2>> widths(static_cast<std::size_t>(raster.n[0]), Vec<2>{infinite, -infinite});
-  for (const Vec<2>& x : places) {
-    const auto i = static_cast<Index>((x[0] - raster.low[0]) / raster.side);
-    widths[i] = {std::min(widths[i][0], x[0] - 0.5 * point), std::max(widths[i][1], x[0] + 0.5 * point)};
-  }
-  return widths;
-}
-
-std::vector<Vec<2>> ground_of(const BoxRaster& raster, std::span<const Vec<2>> places)
-{
-  const std::vector<Vec<2>> widths = widths_of(raster, places);
-  std::vector<Vec<2>> ground;
-  for (Index i = 0; i < raster.n[0]; ++i) {
-    const Index top = top_of(raster, i);
-    if (top < 0) continue;
-    Real left = raster.low[0] + i * raster.side, right = left + raster.side;
-    if (top_of(raster, i - 1) < 0) left = std::max(left, widths[i][0]);
-    if (top_of(raster, i + 1) < 0) right = std::min(right, widths[i][1]);
-    const Real fill = raster.fill(i, top) * raster.side / (right - left);
-    ground.push_back({0.5 * (left + right), raster.low[1] + (top + std::min(fill, 1.0)) * raster.side});
-  }
-  return ground;
 }
 
 /// Materials of boxes, with an empty box around all.
@@ -182,21 +149,12 @@ PlanarGraph edges_of(Vec<2> low, const BoxLabels& labels)
 
 }  // namespace
 
-Real PointSection::ground_at(Real x) const
-{
-  const auto after = std::ranges::find_if(ground, [x](const Vec<2>& place) { return place[0] > x; });
-  const bool has_left = after != ground.begin(), has_right = after != ground.end();
-  if (has_left && has_right && (*after)[0] - (*(after - 1))[0] < 1.5 * box) return interpolate(ground, x);
-  if (has_left && x - (*(after - 1))[0] <= 0.5 * box) return (*(after - 1))[1];
-  return has_right && (*after)[0] - x <= 0.5 * box ? (*after)[1] : nan;
-}
-
-PointSection section_of_points(std::span<const Vec<2>> places, std::span<const Real> volumes,
+PointRegions regions_of_points(std::span<const Vec<2>> places, std::span<const Real> volumes,
     std::span<const int> materials, const OutlineOptions& options)
 {
   if (places.empty()) return {};
   const BoxRaster raster = raster_of(places, volumes, materials);
-  PointSection section{raster.side, ground_of(raster, places), {}};
+  PointRegions result{raster.side, {}};
   const Real last = box_around(places).high[0] + raster.side / 6.0 - (raster.low[0] + (raster.n[0] - 1) * raster.side);
   BoxLabels labels = labels_of(raster, options.reaches_above ? std::min(last, raster.side) : raster.side);
   if (options.reaches_above) {
@@ -211,8 +169,8 @@ PointSection section_of_points(std::span<const Vec<2>> places, std::span<const R
   const Real tolerance = options.tolerance > 0.0 ? options.tolerance : 0.75 * labels.side;
   simplify(simpler, {0.0, tolerance, 1e-3 * labels.side}, changes);
   const auto regions = regions_between(simpler);
-  section.regions = regions ? *regions : regions_between(boxes).value();
-  return section;
+  result.regions = regions ? *regions : regions_between(boxes).value();
+  return result;
 }
 
 }  // namespace terp

@@ -1,23 +1,18 @@
 #include "import/drawing/section_export.hpp"
 
 #include "math/errors.hpp"
+#include "math/nan.hpp"
 #include "import/drawing/dxf_file.hpp"
 #include "import/drawing/point_section.hpp"
 #include "io/case/case_file.hpp"
+#include "io/files/mesh_file.hpp"
+#include "io/files/run_folder.hpp"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
 namespace terp {
-namespace {
-
-PointSection section_of_frame(const Frames& frames, std::size_t k)
-{
-  const SoilPoints points = soil_points(frames, k);
-  return section_of_points(points.places, points.volumes, points.materials);
-}
-
-}  // namespace
-
 SoilPoints soil_points(const Frames& frames, std::size_t frame)
 {
   const std::vector<Real> x = frames.places(frame), material = frames.read("material", frame),
@@ -32,18 +27,25 @@ SoilPoints soil_points(const Frames& frames, std::size_t frame)
   return points;
 }
 
+EndsOfRun ends_of(const RunResults& run)
+{
+  EndsOfRun ends{read_case_text(run.case_toml, run.folder + "/case.toml").values, run.frames(), {}, {}, {}};
+  ends.frames.require_first_and_last();
+  ends.end = soil_points(ends.frames, ends.frames.times().size() - 1);
+  const Mesh<2> mesh = read_mesh(path_in(run.folder, mesh_file));
+  ends.ground_start = ground_line(ends.description, mesh, soil_points(ends.frames, 0));
+  ends.ground_end = ground_line(ends.description, mesh, ends.end);
+  if (ends.ground_end.empty())
+    throw FileError(fmt::format(
+        "{}: no soil is left at t = {:.4g} s: there is no section to export", run.folder, ends.frames.times().back()));
+  return ends;
+}
+
 SectionExport export_section(const RunResults& run)
 {
-  const Frames frames = run.frames();
-  frames.require_first_and_last();
-  const std::size_t n = frames.times().size();
-  const PointSection start = section_of_frame(frames, 0), end = section_of_frame(frames, n - 1);
-  if (end.ground.empty())
-    throw FileError(fmt::format(
-        "{}: no soil is left at t = {:.4g} s: there is no section to export", run.folder, frames.times().back()));
-  const Case description = read_case_text(run.case_toml, run.folder + "/case.toml").values;
-  std::vector<DxfLine> lines{{"ground_start", start.ground, false, ""}, {"ground_end", end.ground, false, ""}};
-  for (const CleanRegion& region : end.regions) {
+  const auto [description, frames, soil, before, after] = ends_of(run);
+  std::vector<DxfLine> lines{{"ground_start", before, false, ""}, {"ground_end", after, false, ""}};
+  for (const CleanRegion& region : regions_of_points(soil.places, soil.volumes, soil.materials).regions) {
     const auto number = static_cast<std::size_t>(region.drawn);
     const std::string name =
         number < description.materials.size() ? description.materials[number].name : fmt::format("{}", number);
@@ -51,7 +53,10 @@ SectionExport export_section(const RunResults& run)
     for (const Polygon& hole : region.holes) lines.push_back({name, hole, true, ""});
   }
   SectionExport section{dxf_text(lines), {}, frames.times().front(), frames.times().back()};
-  for (const Vec<2>& x : end.ground) section.profile.push_back({x[0], start.ground_at(x[0]), x[1]});
+  for (const Vec<2>& x : after) {
+    const auto same = std::ranges::find(before, x[0], [](const Vec<2>& place) { return place[0]; });
+    section.profile.push_back({x[0], same == before.end() ? nan : (*same)[1], x[1]});
+  }
   return section;
 }
 

@@ -2,18 +2,23 @@
 #pragma once
 
 #include "io/results/run_results.hpp"
+#include "model/ground/ground_section.hpp"
 
 #include <string>
 
 namespace terp {
 
-/// The soil of a frame, point by point: places [m], volumes [m^2], numbers of materials.
-struct SoilPoints {
-  std::vector<Vec<2>> places;
-  std::vector<Real> volumes;
-  std::vector<int> materials;
-};
 SoilPoints soil_points(const Frames& frames, std::size_t frame);
+
+/// The section at the two ends of a run.
+struct EndsOfRun {
+  Case description;
+  Frames frames;
+  SoilPoints end;
+  std::vector<Vec<2>> ground_start, ground_end;  ///< in the middle of columns, left to right [m]
+};
+/// Throws FileError if the mesh, the first or the last frame cannot be read, or no soil is left in the last.
+EndsOfRun ends_of(const RunResults& run);
 
 struct SectionExport {
   std::string dxf;  ///< layers ground_start, ground_end, and one for each material: its outlines at the end
@@ -23,7 +28,7 @@ struct SectionExport {
   std::string profile_csv() const;
 };
 
-/// Throws FileError if the first or the last frame of the run cannot be read, or no soil is left in it.
+/// Throws as ends_of does.
 SectionExport export_section(const RunResults& run);
 
 /// The ground alone: x, at the start and at the end [m].

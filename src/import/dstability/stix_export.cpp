@@ -12,7 +12,6 @@
 #include "import/dstability/read_stix.hpp"
 #include "import/dstability/section_layout.hpp"
 #include "import/dstability/stix_stage.hpp"
-#include "io/case/case_file.hpp"
 #include "io/files/files.hpp"
 #include "model/bodies/body_outline.hpp"
 #include "model/water/water_pressure.hpp"
@@ -27,19 +26,18 @@ namespace {
 
 constexpr Real on_a_side = 1e-5;  // [m]
 
-/// The section of the points, and how wide they lie [m].
+/// Regions of the points, and how wide they lie [m].
 struct PointsAtEnd {
-  PointSection section;
+  std::vector<CleanRegion> regions;
   BoundingBox box;
 };
 
-PointsAtEnd section_at_end(const Frames& frames, Real tolerance)
+PointsAtEnd points_at_end(const SoilPoints& soil, Real tolerance)
 {
-  const auto [places, volumes, materials] = soil_points(frames, frames.times().size() - 1);
-  if (places.empty()) return {};
-  PointsAtEnd end{section_of_points(places, volumes, materials, {.tolerance = tolerance, .reaches_above = true}),
-      box_around(places)};
-  const Real half = end.section.box / 6.0;  // of a point
+  PointRegions of =
+      regions_of_points(soil.places, soil.volumes, soil.materials, {.tolerance = tolerance, .reaches_above = true});
+  PointsAtEnd end{std::move(of.regions), box_around(soil.places)};
+  const Real half = of.box / 6.0;  // of a point
   for (int d = 0; d < 2; ++d) end.box.low[d] -= half, end.box.high[d] += half;
   return end;
 }
@@ -106,12 +104,12 @@ void round_corners(Polygon& polygon)
   while (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
 }
 
-std::vector<CleanRegion> layers_of(const PointsAtEnd& end)
+std::vector<CleanRegion> layers_of(const PointsAtEnd& end, const std::vector<Vec<2>>& ground)
 {
   std::vector<CleanRegion> below, layers;
   Real slivers = 0.0;
-  for (const CleanRegion& region : end.section.regions)
-    for (CutRegion& cut : cut_along(region, end.section.ground, 0.0, slivers))
+  for (const CleanRegion& region : end.regions)
+    for (CutRegion& cut : cut_along(region, ground, 0.0, slivers))
       if (!cut.above) below.push_back(std::move(cut.region));
   for (const CleanRegion& region : below) add_without_holes(region, below, layers);
   for (CleanRegion& layer : layers) {
@@ -137,19 +135,14 @@ const WaterSituation* water_at_end(const Case& c, std::size_t n_stages)
 
 StixExport export_stix(const RunResults& run, const StixExportOptions& options)
 {
-  const Frames frames = run.frames();
-  frames.require_first_and_last();
-  const PointsAtEnd end = section_at_end(frames, options.tolerance);
-  if (end.section.ground.empty())
-    throw FileError(fmt::format("{}: no soil is left at the end: there is no section to export", run.folder));
+  const auto [description, frames, soil_at_end, before_it, ground] = ends_of(run);
   const std::string bytes = read_file(options.original);
   const StixProject project = read_stix(options.original);
-  const Case description = read_case_text(run.case_toml, run.folder + "/case.toml").values;
   StixExport result{.bytes = {}, .time = frames.times().back(), .n_layers = 0, .notes = {}};
   const std::string& before = project.scenarios.at(options.scenario).stages.at(options.stage).label;
   AddedStage added{options.scenario, options.stage, before + " (after the run)", {}, {}};
   std::vector<Problem> problems;
-  for (CleanRegion& layer : layers_of(end)) {
+  for (CleanRegion& layer : layers_of(points_at_end(soil_at_end, options.tolerance), ground)) {
     const std::string& name = description.materials.at(static_cast<std::size_t>(layer.drawn)).called();
     const StixSoil* soil = soil_of(project, name);
     if (soil == nullptr)

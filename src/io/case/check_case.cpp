@@ -251,18 +251,12 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
           "body.velocity", true, {"initial.stress"}});
 }
 
-bool is_fluid(const MaterialCase& material)
-{
-  const MaterialType* law = complete_law(material);
-  return law != nullptr && law->make(material.parameters)->shear_modulus() == 0.0;
-}
-
 /// A fluid at rest has the same stress in all directions.
 void check_hydrostatic(const Case& values, Problems& problems)
 {
   if (values.initial.stress != InitialStress::k0 || std::isnan(values.initial.k0) || values.initial.k0 == 1.0) return;
   for (const MaterialCase& material : values.materials)
-    if (is_fluid(material))
+    if (material.is_fluid())
       problems.push_back({"initial.k0", fmt::format("the fluid `{}` carries no shear stress at rest", material.name),
           fmt::format(
               "k0 = {}; a fluid needs k0 = 1. Start with stress = \"equilibrium\" where soil beside it needs another.",
@@ -276,7 +270,7 @@ void check_flood(const Node& root, const Case& values, Problems& problems)
   std::vector<std::string> others;
   for (const MaterialCase& material : values.materials) {
     const std::string path = join_path("material", material.called());
-    const bool fluid = is_fluid(material);
+    const bool fluid = material.is_fluid();
     if (fluid && material.ground && find_node(root, path + ".ground") != nullptr)
       problems.push_back({path + ".ground", fmt::format("the fluid `{}` is no ground", material.called()),
           "It holds no slope and no water. Leave `ground` out.", "material.ground"});

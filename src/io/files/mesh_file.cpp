@@ -6,8 +6,11 @@
 
 #include "io/files/hdf5_file.hpp"
 #include "io/files/run_folder.hpp"
+#include "math/errors.hpp"
 
 #include <filesystem>
+
+#include <fmt/format.h>
 
 namespace terp {
 namespace {
@@ -50,6 +53,24 @@ void write_mesh(const std::string& path, const Mesh<2>& mesh, const std::string&
   write_grid(file, mesh);
   file.close();
   place.move_into_place();
+}
+
+Mesh<2> read_mesh(const std::string& path)
+{
+  const Hdf5File file(path, Hdf5File::Mode::read);
+  const std::vector<Real> places = file.read<Real>(root + "/Points");
+  const std::vector<std::int64_t> corners = file.read<std::int64_t>(root + "/Connectivity");
+  Mesh<2> mesh;
+  for (std::size_t k = 0; k + 2 < places.size(); k += 3) mesh.nodes.push_back({places[k], places[k + 1]});
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    if (corners[k] < 0 || corners[k] >= mesh.n_nodes())
+      throw FileError(fmt::format("{} is damaged: a cell has the node {}", path, corners[k]));
+    if (k % n_corners == 0) mesh.cells.emplace_back();
+    mesh.cells.back()[k % n_corners] = static_cast<Index>(corners[k]);
+  }
+  if (mesh.cells.empty()) throw FileError(fmt::format("{} is damaged: it has no cells", path));
+  connect(mesh);
+  return mesh;
 }
 
 MeshWriter::MeshWriter(const std::string& folder, FrameSeries& frames, const Model& model, const State& state)

@@ -14,6 +14,9 @@ namespace terp {
 /// run: digits of its case.
 void write_mesh(const std::string& path, const Mesh<2>& mesh, const std::string& run);
 
+/// Nodes, cells and what follows from them, without names. Throws FileError.
+Mesh<2> read_mesh(const std::string& path);
+
 /// Writes mesh.vtkhdf into the folder of a run, unless it is there, and with `output.mesh` what the mesh carries
 /// whenever a frame of the points is shown. In the run's own thread: it looks at the state, and is small against a
 /// frame.

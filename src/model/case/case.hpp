@@ -137,6 +137,13 @@ struct MaterialCase {
     const MaterialType* law = find_material(model, softening, tears_in_some_stage);
     return law != nullptr && law->by_library ? from_library.get() : law;
   }
+  /// Whether its law, with all parameters known, carries no shear stress at rest.
+  bool is_fluid() const
+  {
+    const bool is_complete = std::ranges::none_of(parameters, [](Real value) { return std::isnan(value); });
+    const MaterialType* law = is_complete ? type() : nullptr;
+    return law != nullptr && law->make(parameters)->shear_modulus() == 0.0;
+  }
 };
 
 /// Replaces every parameter of a material by change(its number, value), those that vary at each place.

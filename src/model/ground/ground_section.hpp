@@ -15,6 +15,16 @@ std::vector<std::uint8_t> ground_of(const Model& model);
 /// Columns of the width of a typical cell over the whole mesh.
 Columns columns_of_section(const Mesh<2>& mesh);
 
+/// Points of soil as files have them: places [m], volumes [m^2], numbers of materials, shape [n_points].
+struct SoilPoints {
+  std::vector<Vec<2>> places;
+  std::vector<Real> volumes;
+  std::vector<int> materials;
+};
+
+/// The surface of the ground that stands, left to right: x and height in the middle of each column that has some [m].
+std::vector<Vec<2>> ground_line(const Case& c, const Mesh<2>& mesh, const SoilPoints& soil);
+
 /// The surface of the ground as it is.
 Section first_section(const Model& model, const PointBlocks<2>& points, Ground ground);
 

@@ -82,7 +82,7 @@ std::vector<SoilMaterial> make_materials(const Case& c, const Case& whole)
         m.softening, m.stores_effective()});
     SoilMaterial& material = materials.back();
     material.ignores_pressure = ignores_pressure(m, *type);
-    material.is_ground = m.ground && material.law->shear_modulus() > 0.0;  // a fluid is none
+    material.is_ground = m.ground && !m.is_fluid();
   }
   return materials;
 }

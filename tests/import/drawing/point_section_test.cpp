@@ -20,16 +20,14 @@ struct PointSet {
   }
 };
 
-TEST(PointSection, HasTheGroundOfLevelSoil)
+TEST(PointSection, HasTheAreaOfItsPoints)
 {
   PointSet set;
   set.fill({0, 0}, {6, 1.5}, 0);
-  const auto section = section_of_points(set.places, set.volumes, set.materials);
-  EXPECT_NEAR(section.box, 0.3, 1e-12);
-  ASSERT_EQ(section.ground.size(), 20u);
-  for (const Vec<2>& x : section.ground) EXPECT_NEAR(x[1], 1.5, 1e-9);
-  ASSERT_EQ(section.regions.size(), 1u);
-  EXPECT_NEAR(signed_area(section.regions[0].polygon), 9.0, 1e-9);
+  const auto found = regions_of_points(set.places, set.volumes, set.materials);
+  EXPECT_NEAR(found.box, 0.3, 1e-12);
+  ASSERT_EQ(found.regions.size(), 1u);
+  EXPECT_NEAR(signed_area(found.regions[0].polygon), 9.0, 1e-9);
 }
 
 TEST(PointSection, HasAnOutlineForEachMaterial)
@@ -37,22 +35,20 @@ TEST(PointSection, HasAnOutlineForEachMaterial)
   PointSet set;
   set.fill({0, 0}, {6, 1.5}, 3);
   set.fill({0, 1.5}, {3, 3.0}, 1);
-  const auto section = section_of_points(set.places, set.volumes, set.materials);
-  ASSERT_EQ(section.regions.size(), 2u);
-  for (const CleanRegion& region : section.regions)
+  const auto found = regions_of_points(set.places, set.volumes, set.materials);
+  ASSERT_EQ(found.regions.size(), 2u);
+  for (const CleanRegion& region : found.regions)
     EXPECT_NEAR(signed_area(region.polygon), region.drawn == 3 ? 9.0 : 4.5, 1e-6);
-  EXPECT_NEAR(section.ground.front()[1], 3.0, 1e-9);
-  EXPECT_NEAR(section.ground.back()[1], 1.5, 1e-9);
 }
 
 TEST(PointSection, StraightensTheStepsOfASlope)
 {
   PointSet set;
   for (int k = 0; k < 60; ++k) set.fill({0.0, 0.1 * k}, {12.0 - 0.1 * k, 0.1 * (k + 1)}, 0);
-  const auto section = section_of_points(set.places, set.volumes, set.materials);
-  ASSERT_EQ(section.regions.size(), 1u);
-  EXPECT_LT(section.regions[0].polygon.size(), 12u);
-  EXPECT_NEAR(signed_area(section.regions[0].polygon), 54.0, 1.0);  // 12 by 6 less a triangle of 18
+  const auto found = regions_of_points(set.places, set.volumes, set.materials);
+  ASSERT_EQ(found.regions.size(), 1u);
+  EXPECT_LT(found.regions[0].polygon.size(), 12u);
+  EXPECT_NEAR(signed_area(found.regions[0].polygon), 54.0, 1.0);  // 12 by 6 less a triangle of 18
 }
 
 TEST(PointSection, DoesNotSeeASinglePointInTheAirAsAnOutline)
@@ -62,10 +58,9 @@ TEST(PointSection, DoesNotSeeASinglePointInTheAirAsAnOutline)
   set.places.push_back({3.0, 5.0});
   set.volumes.push_back(0.001);
   set.materials.push_back(0);
-  const auto section = section_of_points(set.places, set.volumes, set.materials);
-  EXPECT_EQ(section.regions.size(), 1u);
-  for (const Vec<2>& x : section.ground) EXPECT_NEAR(x[1], 1.5, 1e-9);
-  EXPECT_TRUE(section_of_points({}, {}, {}).ground.empty());
+  const auto found = regions_of_points(set.places, set.volumes, set.materials);
+  EXPECT_EQ(found.regions.size(), 1u);
+  EXPECT_TRUE(regions_of_points({}, {}, {}).regions.empty());
 }
 
 }  // namespace point_section_test

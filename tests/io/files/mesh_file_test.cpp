@@ -18,6 +18,10 @@ TEST(MeshFile, HoldsNodesAndCellsOfTheMesh)
   EXPECT_THAT(file.read<std::int64_t>("/VTKHDF/Offsets"), ElementsAre(0, 4, 8));
   EXPECT_THAT(file.read<std::uint8_t>("/VTKHDF/Types"), ElementsAre(9, 9));
   EXPECT_THAT(file.read<std::int64_t>("/VTKHDF/NumberOfConnectivityIds"), ElementsAre(8));
+  const Mesh<2> mesh = read_mesh(path);
+  EXPECT_EQ(mesh.nodes.back(), (Vec<2>{4.0, 1.0}));
+  EXPECT_THAT(mesh.cells[1], ElementsAre(1, 2, 5, 4));
+  EXPECT_EQ(mesh.neighbours[0][1], 1);
 }
 
 }  // namespace mesh_file_test
