@@ -47,10 +47,12 @@ inline std::array<Pack, pack_width> turn(const std::array<Pack, pack_width>& a)
     turned[4 + c] = join_halves(high_low.row[c], high_high.row[c]);
   }
 #else
-  alignas(64) Real numbers[pack_width][pack_width];
-  for (int k = 0; k < pack_width; ++k)
-    for (int c = 0; c < pack_width; ++c) numbers[c][k] = a[k][c];
-  for (int c = 0; c < pack_width; ++c) turned[c] = Pack::load(numbers[c]);
+  for (int k = 0; k < pack_width; k += 2)
+    for (int c = 0; c < pack_width; c += 2) {
+      const detail::Reals one = a[k].part[c / 2], other = a[k + 1].part[c / 2];
+      turned[c].part[k / 2] = __builtin_shufflevector(one, other, 0, 2);
+      turned[c + 1].part[k / 2] = __builtin_shufflevector(one, other, 1, 3);
+    }
 #endif
   return turned;
 }
@@ -82,6 +84,19 @@ inline Pack sum_eight(const std::array<Pack, pack_width>& a)
 #endif
 }
 
+#if defined(__AVX2__) && !defined(__AVX512F__)
+namespace detail {
+
+/// True in those of the lanes 4 half ... 4 half + 3 that are below n.
+inline __m256i lanes_below(int n, int half)
+{
+  static constexpr long long flags[2 * pack_width] = {-1, -1, -1, -1, -1, -1, -1, -1};
+  return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(flags + pack_width - n + 4 * half));
+}
+
+}  // namespace detail
+#endif
+
 /// The numbers first ... first + n - 1 at any address, n at most pack_width; zero in the lanes beyond.
 inline Pack load_some(const Real* first, int n)
 {
@@ -89,9 +104,12 @@ inline Pack load_some(const Real* first, int n)
   Pack a;
   a.part[0] = detail::Reals(_mm512_maskz_loadu_pd(static_cast<__mmask8>((1u << n) - 1u), first));
   return a;
+#elif defined(__AVX2__)
+  const auto half = [&](int k) { return _mm256_maskload_pd(first + 4 * k, detail::lanes_below(n, k)); };
+  return detail::join_halves(half(0), half(1));
 #else
   alignas(64) Real numbers[pack_width] = {};
-  std::copy_n(first, n, numbers);
+  for (int k = 0; k < n; ++k) numbers[k] = first[k];
   return Pack::load(numbers);
 #endif
 }
@@ -101,10 +119,15 @@ inline void store_some(Pack a, Real* first, int n)
 {
 #if defined(__AVX512F__)
   _mm512_mask_storeu_pd(first, static_cast<__mmask8>((1u << n) - 1u), __m512d(a.part[0]));
+#elif defined(__AVX2__)
+  _mm256_maskstore_pd(first, detail::lanes_below(n, 0), detail::low_half(a));
+  _mm256_maskstore_pd(first + 4, detail::lanes_below(n, 1), detail::high_half(a));
 #else
-  alignas(64) Real numbers[pack_width];
-  a.store(numbers);
-  std::copy_n(numbers, n, first);
+  for (int k = 0; k < n; k += 2) {  // not copy_n, which calls a function for a number of bytes that it does not know
+    const detail::Reals pair = a.part[k / 2];
+    first[k] = pair[0];
+    if (k + 1 < n) first[k + 1] = pair[1];
+  }
 #endif
 }
 
