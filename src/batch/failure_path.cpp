@@ -19,17 +19,18 @@ struct PathStep {
   std::string_view key, given_key;
   Sentence name, given;
 };
-enum Step { first_slide, follow_up, below_after, below_without, overflow, n_steps };
+enum Step { first_slide, follow_up, below_after, below_without, overflow, without_slide, n_steps };
 
 const std::array<PathStep, n_steps>& steps()
 {
   static const Sentence all{"all realisations", "alle realisaties"}, slide{"first slide", "eerste afschuiving"},
       more{"follow-up slides", "vervolgafschuivingen"}, no_more{"no follow-up slide", "geen vervolgafschuiving"},
-      below{"ground below the water", "grond onder het waterpeil"};
+      no_slide{"no slide", "geen afschuiving"}, below{"ground below the water", "grond onder het waterpeil"};
   static const std::array<PathStep, n_steps> list{{{"first_slide", "", slide, all},
       {"follow_up_slides", "first_slide", more, slide}, {"below_after_follow_up", "follow_up_slides", below, more},
       {"below_without_follow_up", "no_follow_up_slide", below, no_more},
-      {"overflow", "below", {"water flows over, to the end", "water loopt over, tot het einde"}, below}}};
+      {"overflow", "below", {"water flows over, to the end", "water loopt over, tot het einde"}, below},
+      {"flood_without_slide", "no_slide", {"flood without a slide", "overstroming zonder afschuiving"}, no_slide}}};
   return list;
 }
 
@@ -48,9 +49,15 @@ void count(const Realisation& r, std::array<Counts, n_steps>& counts)
     return;
   }
   counts[first_slide].take(r.slid);
-  if (!r.slid) return;
+  if (!r.slid) {
+    if (r.knows_flood())
+      counts[without_slide].take(r.flooded);
+    else
+      ++counts[without_slide].unknown;
+    return;
+  }
   if (!r.solved()) {
-    for (int step = follow_up; step < n_steps; ++step) ++counts[step].unknown;
+    for (int step = follow_up; step <= overflow; ++step) ++counts[step].unknown;
     return;
   }
   const bool follows = r.outcomes[slides] > 1.0;

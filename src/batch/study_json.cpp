@@ -30,6 +30,8 @@ Json path_json(const Study& study, const Realisations& rows, std::size_t level)
   Json path = Json::array();
   for (const PathEvent& event : failure_path(study, rows, level)) {
     Json json = event_json(event.estimate);
+    json.erase("solved"), json.erase("failed");
+    json["of"] = event.estimate.solved, json["unknown"] = event.estimate.failed;
     json["event"] = event.key, json["given"] = event.given_key;
     json["name"] = {{"en", event.name.en}, {"nl", event.name.nl}};
     json["given_name"] = {{"en", event.given.en}, {"nl", event.given.nl}};

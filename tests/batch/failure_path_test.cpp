@@ -38,13 +38,14 @@ TEST(FailurePath, HasEachEventGivenTheOneBefore)
 {
   const Study study = study_of_20();
   const auto path = failure_path(study, rows_of(study));
-  ASSERT_EQ(path.size(), 5u);
+  ASSERT_EQ(path.size(), 6u);
   EXPECT_EQ(path[0].key, "first_slide");
   EXPECT_THAT(counts(path[0]), ElementsAre(11, 19, 1));
   EXPECT_THAT(counts(path[1]), ElementsAre(4, 10, 2)) << "follow-up slides";
   EXPECT_THAT(counts(path[2]), ElementsAre(3, 4, 2)) << "ground below the water, after them";
   EXPECT_THAT(counts(path[3]), ElementsAre(1, 6, 2)) << "without them";
   EXPECT_THAT(counts(path[4]), ElementsAre(3, 4, 2)) << "not those that are near";
+  EXPECT_THAT(counts(path[5]), ElementsAre(0, 8, 1)) << "a flood without a slide";
   EXPECT_DOUBLE_EQ(*path[1].estimate.probability(), 0.4);
   EXPECT_EQ(path[1].estimate.bounds.high, clopper_pearson(6, 12, 0.95).high) << "what is not known may have gone on";
   EXPECT_EQ(path[1].estimate.bounds.low, clopper_pearson(4, 12, 0.95).low);
@@ -61,11 +62,13 @@ TEST(FailurePath, IsInTextTableAndJsonInBothLanguages)
       AllOf(HasSubstr("nan,follow-up slides,vervolgafschuivingen,first slide,eerste afschuiving,4,10,2,0.4,"),
           HasSubstr("\"water flows over, to the end\"")));
   const auto path = nlohmann::json::parse(study_json(study, rows))["failure_path"];
-  ASSERT_EQ(path.size(), 5u);
+  ASSERT_EQ(path.size(), 6u);
   EXPECT_EQ(path[0]["given"], "");
   EXPECT_EQ(path[3]["name"]["nl"], "grond onder het waterpeil");
   EXPECT_EQ(path[3]["given_name"]["nl"], "geen vervolgafschuiving");
   EXPECT_EQ(path[4]["happened"], 3);
+  EXPECT_EQ(path[4]["of"], 4);
+  EXPECT_EQ(path[4]["unknown"], 2);
 }
 
 TEST(FailurePath, OfACurveIsOneAtEachLevel)

@@ -110,7 +110,9 @@ export interface Method {
 }
 
 /** An event of the failure path, given the one before it. */
-export interface PathEvent extends EventMeta {
+export interface PathEvent extends Omit<EventMeta, "solved" | "failed"> {
+  of: number;
+  unknown: number;
   event: string;
   given: string; // empty: of all realisations
   name: Record<"en" | "nl", string>;

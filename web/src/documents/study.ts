@@ -164,9 +164,9 @@ export function pathPart(data: StudyMeta): HTMLElement | null {
     const name = element("td", { class: "words" }, event.name[language]);
     return { head: load ? numberText(level) : event.name[language],
       cells: [...(load ? [name] : []), element("td", { class: "words" }, event.given_name[language]),
-        probability(event.probability), event.solved + event.failed === 0 ? "–" : range(event.low, event.high),
-        say("study_of", { n: event.happened, all: event.solved }) +
-          (event.failed > 0 ? `, ${say("study_unknown", { n: event.failed })}` : "")] };
+        probability(event.probability), event.of + event.unknown === 0 ? "–" : range(event.low, event.high),
+        say("study_of", { n: event.happened, all: event.of }) +
+          (event.unknown > 0 ? `, ${say("study_unknown", { n: event.unknown })}` : "")] };
   }));
   if (rows.length === 0) return null;
   const heads = [say("path_given"), say("study_estimate"), say("study_bounds", { confidence: confidenceOf(data) }),

@@ -34,7 +34,7 @@ export function exampleStudy(change: (data: StudyMeta, writer: ChunkWriter) => v
     growth: { slide: [[20, 0.3, 0.1, 0.5], [60, 0.34, 0.2, 0.45]], flood: [[20, 0.2, 0.1, 0.4], [60, 0.17, 0.1, 0.3]] },
     sweep: [], sensitivities: [{ with_slide: -0.82, with_height: 0.75 }, { with_slide: 0.1, with_height: null }],
     remarks: ["Failed realisations count in both bounds."],
-    failure_path: [{ ...event(20, n - 1, 1), event: "first_slide", given: "", name: { en: "first slide", nl: "eerste afschuiving" },
+    failure_path: [{ ...event(20, n - 1, 1), of: n - 1, unknown: 1, event: "first_slide", given: "", name: { en: "first slide", nl: "eerste afschuiving" },
       given_name: { en: "all realisations", nl: "alle realisaties" } }],
     inputs: tableOf(writer, { "material.clay.su_peak": Array.from({ length: n }, (_, k) => (k % 3 === 0 ? 4000 + k : 9000 + k)), "material.clay.eta": new Array(n).fill(5) }, { "material.clay.su_peak": "Pa" }),
     row_labels: [], words: Array.from({ length: n }, () => []), faults_of: { 1: "stopped itself: no number" },
