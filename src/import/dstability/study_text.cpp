@@ -178,26 +178,29 @@ class StudyNumbers {
     const std::string c = name_of(use, "c", "Pa", f.cohesion, kind.cov_cohesion),
                       phi = name_of(use, "phi", "-", f.friction, kind.cov_friction);
     if (c.empty() && phi.empty()) return;
+    const bool has_cohesion = value_of(f.cohesion, StixBasis::mean) > 0.0;
     const auto plain = [](const StixParameter& p) { return nine_digits(value_of(p, StixBasis::mean)); };
     std::string cohesion = c.empty() ? plain(f.cohesion) : c, friction = phi.empty() ? plain(f.friction) : phi;
     if (is_reduced) {
       const Real dilatancy = value_of(f.dilatancy, StixBasis::mean),
                  psi = std::isnan(dilatancy) ? 0.0 : dilatancy * radian;
-      const std::string angle = fmt::format("({} * {})", friction, nine_digits(radian)),
-                        divisor = fmt::format("(1 - {} * sin{})", nine_digits(std::sin(psi)), angle),
-                        along = nine_digits(std::cos(psi));
-      cohesion = fmt::format("{} * {} * cos{} / {}", cohesion, along, angle, divisor);
-      friction = fmt::format("atan({} * sin{} / {}) / {}", along, angle, divisor, nine_digits(radian));
+      const std::string angle = fmt::format("({} * {})", friction, nine_digits(radian));
+      const std::string by_dilatancy = psi > 0.0 ? fmt::format(" * {} / (1 - {} * sin{})", nine_digits(std::cos(psi)),
+                                                       nine_digits(std::sin(psi)), angle)
+                                                 : "";
+      if (has_cohesion) cohesion = fmt::format("{} * cos{}{}", cohesion, angle, by_dilatancy);
+      friction = fmt::format("atan(sin{}{}) / {}", angle, by_dilatancy, nine_digits(radian));
       if (psi > 0.0 && !phi.empty())
         follow(key + "dilatancy_angle", fmt::format("min({}, {})", nine_digits(dilatancy), friction));
     }
     if (!phi.empty()) follow(key + "friction_angle", fmt::format("min({}, 60)", friction));
+    if (!has_cohesion) return;
     if (use.face_cohesion > 0.0) {
       const std::string face = fmt::format("max({}, {})", nine_digits(use.face_cohesion), cohesion);
       follow(key + "cohesion",
           fmt::format("{{ depth = [[0, \"{0}\"], [{1:g}, \"{0}\"], [{1:g}, \"{2}\"], [50, \"{2}\"]] }}", face,
               face_depth, cohesion));
-    } else if (value_of(f.cohesion, StixBasis::mean) > 0.0) {
+    } else {
       follow(key + "cohesion", cohesion);
     }
   }

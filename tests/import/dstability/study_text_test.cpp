@@ -67,7 +67,7 @@ TEST(StudyText, DrawsTheFrictionOfTheFileBeforeItIsReduced)
   for (const Real phi : {25.0, 30.0, 37.0})
     EXPECT_NEAR(followed(study, "material.sand_below.friction_angle", "phi_sand", phi),
         davis_reduced(2e3, phi, 0.0).friction, 1e-6);
-  EXPECT_THAT(study, HasSubstr("\"material.sand_below.cohesion\" = \"c_sand * 1 * cos(phi_sand * "));
+  EXPECT_THAT(study, HasSubstr("\"material.sand_below.cohesion\" = \"c_sand * cos(phi_sand * "));
   EXPECT_THAT(declared(study, "c_sand"), HasSubstr("mean         = 2000\nsd           = 500"));
 }
 
