@@ -69,7 +69,7 @@ inline constexpr SentenceForm no_layers{"This stage has no soil layers and canno
 // ---- doubts: loads ----
 
 inline constexpr SentenceForm load_of_no_size{"Load {}: it has no width or no size in the section.",
-    "Belasting {}: zij heeft in de doorsnede geen breedte of geen grootte."};
+    "Belasting {}: zij heeft in het dwarsprofiel geen breedte of geen grootte."};
 inline constexpr SentenceForm layers_as_loads{
     "Layers that count as loads without full consolidation: their excess pore pressure.",
     "Lagen die als belasting tellen zonder volledige consolidatie: hun wateroverspanning."};
@@ -134,7 +134,8 @@ inline constexpr SentenceForm tops_and_toes_differ{
 inline constexpr SentenceForm embankment_outside{
     "The file has a point of its embankment at x = {:.2f} m, outside of the section ({:.2f} to {:.2f} m). The river is "
     "taken to be at the {} end.",
-    "Het bestand heeft een punt van de dijk bij x = {:.2f} m, buiten de doorsnede ({:.2f} tot {:.2f} m). Aangenomen is "
+    "Het bestand heeft een punt van de dijk bij x = {:.2f} m, buiten het dwarsprofiel ({:.2f} tot {:.2f} m). "
+    "Aangenomen is "
     "dat de rivier aan het {}einde ligt."};
 inline constexpr SentenceForm water_at_other_end{
     "The file has its embankment's water side at the {} end, but water stands on the ground at the {} end, and higher: "
@@ -144,7 +145,8 @@ inline constexpr SentenceForm water_at_other_end{
 inline constexpr SentenceForm equally_high{
     "Water stands equally high on the ground at both ends of the section ({:.2f} m), and the file names no water side "
     "of the embankment: the end of the river is not known.",
-    "Aan beide einden van de doorsnede staat het water even hoog op het maaiveld ({:.2f} m), en het bestand noemt geen "
+    "Aan beide einden van het dwarsprofiel staat het water even hoog op het maaiveld ({:.2f} m), en het bestand noemt "
+    "geen "
     "waterzijde van de dijk: de rivierzijde is niet bekend."};
 inline constexpr SentenceForm higher_but_dry{
     "The phreatic line is higher at the {} end ({:.2f} m, below the ground), but water stands on the ground at the {} "
@@ -154,18 +156,19 @@ inline constexpr SentenceForm higher_but_dry{
     "aan het {}einde ligt."};
 inline constexpr SentenceForm dry_at_either_end{
     "No water stands on the ground at either end of the section: the case has no [flood], and no verdict on flooding.",
-    "Aan geen einde van de doorsnede staat water op het maaiveld: de invoer heeft geen [flood], en er is geen oordeel "
-    "over overstroming."};
+    "Aan geen einde van het dwarsprofiel staat water op het maaiveld: de invoer heeft geen [flood], en er is geen "
+    "oordeel "
+    "over overstromen."};
 inline constexpr SentenceForm dry_at_the_river{
     "No water stands on the ground at the river's end ({}) of the section: the case has no [flood], and no verdict on "
     "flooding.",
-    "Aan het {}einde van de doorsnede, dat van de rivier, staat geen water op het maaiveld: de invoer heeft geen "
-    "[flood], en er is geen oordeel over overstroming."};
+    "Aan het {}einde van het dwarsprofiel, dat van de rivier, staat geen water op het maaiveld: de invoer heeft geen "
+    "[flood], en er is geen oordeel over overstromen."};
 inline constexpr SentenceForm narrow_river{
     "The water at the river's end ({:.2f} m) stands on less than a cell of ground: the case has no [flood], and no "
     "verdict on flooding.",
     "Het water aan de rivierzijde ({:.2f} m) staat op minder dan een cel maaiveld: de invoer heeft geen "
-    "[flood], en er is geen oordeel over overstroming."};
+    "[flood], en er is geen oordeel over overstromen."};
 inline constexpr SentenceForm above_crest{
     "The river of this stage ({:.2f} m) stands above the crest ({:.2f} m): it floods without any slide. A lower "
     "water_level judges a slide.",
@@ -279,7 +282,7 @@ inline constexpr SentenceForm load_consolidation{
 inline constexpr SentenceForm all_dry{"The stage has no water: the case has none, and all soil is dry.",
     "De fase heeft geen water: de invoer ook niet, en alle grond is droog."};
 inline constexpr SentenceForm water_beneath{"Stage {} has no water: in the case it stands below the section.",
-    "Fase {} heeft geen water: in de invoer staat het onder de doorsnede."};
+    "Fase {} heeft geen water: in de invoer staat het onder het dwarsprofiel."};
 inline constexpr SentenceForm changed_layers{
     "Layers or loads change between the stages of the file: the run has those of the analysed stage from the start. "
     "Yield stresses follow the ground, water and loads of each stage.",

@@ -294,14 +294,14 @@ std::string words_of(Hint hint, const ReachSection& section, bool dutch)
                  : dutch             ? ": het oordeel kan veranderen"
                                      : ": the verdict may change");
     case Hint::held:
-      return dutch ? "eerst vastgehouden: de grond staat niet uit zichzelf"
+      return dutch ? "evenwicht zonder steun niet gevonden: de grond is eerst vastgehouden"
                    : "held at first: the soil does not stand by itself";
     case Hint::stored_below:
-      return fmt::format(fmt::runtime(dutch ? "blijft staan, maar een opgeslagen factor is {}, kleiner dan 1"
+      return fmt::format(fmt::runtime(dutch ? "standzeker, maar een opgeslagen factor is {}, kleiner dan 1"
                                             : "stands, but a stored factor is {}, below 1"),
           decimal_sign(fmt::format("{:.3f}", least_stored(section.record)), dutch));
     case Hint::stored_above:
-      return fmt::format(fmt::runtime(dutch ? "overstroomt, maar elke opgeslagen factor is ten minste {}"
+      return fmt::format(fmt::runtime(dutch ? "loopt over, maar elke opgeslagen factor is ten minste {}"
                                             : "floods, but every stored factor is at least {}"),
           decimal_sign(fmt::format("{:.3f}", least_stored(section.record)), dutch));
   }
@@ -323,7 +323,7 @@ std::string stored_text(const SectionRecord& record, bool dutch)
   for (const StoredFactor& s : record.stored) {
     std::vector<std::string> remarks;
     if (s.strength != "deterministic") remarks.push_back(strength_words(s.strength, dutch));
-    if (s.stale) remarks.emplace_back(dutch ? "andere doorsnede" : "other section");
+    if (s.stale) remarks.emplace_back(dutch ? "ander dwarsprofiel" : "other section");
     text += fmt::format("{}{} {}{}",
         text.empty() ? ""
         : dutch      ? "; "

@@ -1,6 +1,6 @@
 // Numbers as text: a few significant digits, a prefix of the unit where it helps.
 
-import { decimalSign } from "./texts";
+import { currentLanguage, decimalSign } from "./texts";
 
 const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const THIN = "\u202f";
@@ -47,6 +47,13 @@ export function fixed(value: number | null | undefined, decimals: number, unit: 
 
 export function metres(value: number | null | undefined): string {
   return fixed(value, 2, "\u00a0m");
+}
+
+/** Over NAP, as a Dutch page says it of a section of D-Stability: "NAP +9,25 m". Of others in metres. */
+export function elevation(meta: { assumed?: unknown }, value: number | null | undefined): string {
+  const text = metres(value);
+  if (currentLanguage() !== "nl" || !meta.assumed || typeof value !== "number" || !Number.isFinite(value)) return text;
+  return `NAP\u00a0${text.startsWith("−") ? "" : "+"}${text}`;
 }
 
 /** A place that is the edge of a column, with no more decimals than the edges have: "21 m". */

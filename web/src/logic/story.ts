@@ -120,7 +120,7 @@ export function zoneText(meta: RunMeta, slide: Slide): string {
   const river = meta.events?.flood?.river;
   const [slope, other] = !river ? ["slope", "other_slope"] as const
     : slide.facing === river ? ["outer_slope", "inner_slope"] as const : ["inner_slope", "outer_slope"] as const;
-  return say(`zone_${slide.entry.zone}`, { slope: say(slope), other: say(other) });
+  return say(`zone_${slide.entry.zone}`, { slope: say(slope), other: say(other), toe: say(`toe_of_${slope}`) });
 }
 
 function tellStages(meta: RunMeta): string[] {
@@ -345,5 +345,6 @@ export function triggerWords(trigger: Trigger | null | undefined): string {
   if (!trigger) return "";
   const parts = [trigger.at_strength !== 1 ? say("trigger_strength", { factor: numberText(trigger.at_strength) }) : "",
     typeof trigger.river === "number" ? say("trigger_river", { level: metres(trigger.river) }) : ""].filter(Boolean);
-  return `, ${parts.length > 0 ? parts.join(say("trigger_and")) : say("trigger_stage", { stage: trigger.stage })}`;
+  const what = parts.length > 0 ? parts.join(say("trigger_and")) : say("trigger_stage", { stage: trigger.stage });
+  return `, ${say("trigger_after", { what })}`;
 }

@@ -70,31 +70,31 @@ export const DOCUMENT_TEXTS = {
     "Druk is positief, rek is positief bij uitzetting. De getallen: de CSV-tabellen naast deze pagina."],
 
   // A reach
-  reach_title: ["Sections of a reach", "Doorsneden van een traject"],
+  reach_title: ["Sections of a reach", "Dwarsprofielen van een traject"],
   reach_counts: ["Solved: {solved} of {all} sections. Stands: {stands}; damaged, holds the water: {damaged}; still " +
     "moving: {still_moving}; floods briefly or by little: {near}; floods: {floods}; no verdict on the water: {none}; " +
     "no result: {open}.",
-    "Berekend: {solved} van {all} doorsneden. Blijft staan: {stands}; beschadigd, keert het water: {damaged}; " +
-    "beweegt nog: {still_moving}; loopt kort over of net: {near}; overstroming: {floods}; geen oordeel over het " +
-    "water: {none}; zonder resultaat: {open}."],
+    "Berekend: {solved} van {all} dwarsprofielen. Standzeker: {stands}; beschadigd, keert het water: {damaged}; " +
+    "beweegt nog: {still_moving}; loopt kort over of net: {near}; loopt over: {floods}; geen oordeel over " +
+    "overstromen: {none}; zonder resultaat: {open}."],
   reach_moving: ["Not at rest at the end: {n}.", "Aan het eind niet in rust: {n}."],
   reach_caution: ["Water that would flow over is not simulated. A verdict after a trigger is not that of the " +
     "section as it is.",
-    "Water dat zou overstromen is niet berekend. Een oordeel na een ingreep is niet dat van de doorsnede zoals zij " +
-    "is."],
-  reach_section: ["Section", "Doorsnede"],
+    "Water dat zou overstromen is niet berekend. Een oordeel na een opgelegde trigger is niet dat van het " +
+    "dwarsprofiel zoals het is."],
+  reach_section: ["Section", "Dwarsprofiel"],
   reach_at_most: ["at most {factor}", "ten hoogste {factor}"],
-  reach_picture: ["Ground before and after", "Maaiveld voor en na"],
+  reach_picture: ["Ground before and after", "Profiel voor en na"],
   reach_verdict: ["Verdict", "Oordeel"],
-  reach_height: ["Height that remains", "Resthoogte"],
-  reach_freeboard: ["Freeboard", "Waakhoogte"],
+  reach_height: ["Height that remains", "Hoogte restprofiel"],
+  reach_freeboard: ["Freeboard", "Resterende waakhoogte"],
   reach_factor: ["Factor of safety", "Stabiliteitsfactor"],
   reach_time: ["Time", "Rekentijd"],
   reach_refused: ["Refused", "Geweigerd"],
   reach_failed: ["Failed", "Mislukt"],
   reach_not_finished: ["Not finished", "Niet afgerond"],
   reach_moved_before: ["As it is: no verdict, as it had not come to rest.",
-    "Zoals zij is: geen oordeel, want niet tot rust gekomen."],
+    "Zonder trigger: geen oordeel, want niet tot rust gekomen."],
   reach_at_rest: ["not at rest", "niet in rust"],
   reach_stored: ["stored", "opgeslagen"],
   reach_report: ["report page", "rapport"],
@@ -151,7 +151,7 @@ export const DOCUMENT_TEXTS = {
   study_what_p_is: ["The probability is that of this section with the random input of the study file, under the " +
     "load and the water of the case: not per year, and not of the length of a dike. Bounds hold what the number of " +
     "realisations leaves open, not what the model or the input leave open.",
-    "De kans is die van deze doorsnede met de aselecte invoer van het studiebestand, onder de belasting en het " +
+    "De kans is die van dit dwarsprofiel met de aselecte invoer van het studiebestand, onder de belasting en het " +
     "water van de berekening: niet per jaar, en niet van de lengte van een dijk. De grenzen bevatten wat het aantal " +
     "realisaties openlaat, niet wat het model of de invoer openlaat."],
   study_clopper: ["They are by Clopper and Pearson: of all studies like this one at least that share has the true " +
@@ -208,7 +208,7 @@ export const DOCUMENT_TEXTS = {
   study_with_slide: ["with a slide", "met een afschuiving"],
   study_with_falling: ["with falling at the factor", "met bezwijken bij de factor"],
   study_with_coarse: ["with a coarse slide", "met een grove afschuiving"],
-  study_with_height: ["with the height that remains", "met de resthoogte"],
+  study_with_height: ["with the height that remains", "met de hoogte van het restprofiel"],
   study_matters_help: ["Spearman's rank correlation: +1 or −1 where the input decides alone, near 0 where it does " +
     "not matter. Of n realisations, one below 2/√n may be chance. Keys are written without “material.”; of a field " +
     "it is the mean over its trend.",
@@ -288,7 +288,7 @@ export const DOCUMENT_TEXTS = {
     "is per year; it is of this section alone.",
     "De steekproef is dezelfde op alle niveaus. Grenzen van een niveau zijn die van Clopper en Pearson; grenzen " +
     "over alle niveaus gelden op alle tegelijk. Waar de belasting het hoogste water van een jaar is, is de kans per " +
-    "jaar; zij is die van deze doorsnede alleen."],
+    "jaar; zij is die van dit dwarsprofiel alleen."],
   fragility_files: ["fragility.csv has the table.", "fragility.csv bevat de tabel."],
   fragility_files_water: ["fragility.csv has the table; fragility_slide.json and fragility_flood.json have it for " +
     "D-Stability.",

@@ -4,7 +4,7 @@ import type { Report } from "../data/report";
 import type { RunMeta, Slide, Trigger } from "../data/format";
 import type { Run } from "../data/run";
 import { runLabels } from "../logic/labels";
-import { columnPlace, fixed, metres, withUnit } from "../logic/numbers";
+import { columnPlace, elevation, fixed, metres, withUnit } from "../logic/numbers";
 import { slidesBySlope } from "../logic/slides";
 import { byColumns, crestFrom, exitOf, lastTime, movedBefore, seconds, sideOf, triggerWords,
   zoneText } from "../logic/story";
@@ -49,8 +49,8 @@ function sentence(run: Run, kind: Kind): string {
   const time = seconds(lastTime(run));
   if (!events) return say("running_text", { time });
   const { flood } = events;
-  const values = { height: metres(flood?.residual_height), freeboard: metres(flood?.freeboard),
-    level: metres(flood?.water_level) };
+  const values = { height: elevation(run.meta, flood?.residual_height), freeboard: metres(flood?.freeboard),
+    level: elevation(run.meta, flood?.water_level) };
   if (kind === "running") {
     if (!flood) return say("so_far_none_text", { time });
     const from = flood.first_time_damaged;
@@ -102,12 +102,12 @@ function tilesOf(run: Run): Tile[] {
   const { flood } = events;
   const before = run.series?.column("residual_height")?.[0] ?? NaN;
   const remains: Tile[] = typeof events.residual_height !== "number" ? [] : [
-    { label: "tile_crest", value: metres(events.residual_height),
-      notes: [Number.isFinite(before) ? say("crest_was", { height: metres(before) }) : ""] },
+    { label: "tile_crest", value: elevation(meta, events.residual_height),
+      notes: [Number.isFinite(before) ? say("crest_was", { height: elevation(meta, before) }) : ""] },
   ];
   if (flood) remains.push(
     { label: "tile_freeboard", value: metres(flood.freeboard),
-      notes: [say("water_at", { level: metres(flood.water_level) })], time: flood.first_time_below },
+      notes: [say("water_at", { level: elevation(meta, flood.water_level) })], time: flood.first_time_below },
     { label: "tile_width", value: metres(flood.width_at_level),
       notes: [say("intact_of", { width: fixed(flood.intact_width, 2, "\u00a0m") })] });
   const profile = flood?.profile;

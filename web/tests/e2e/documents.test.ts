@@ -86,7 +86,7 @@ it("an element has a curve of each soil, also where the pressure comes back", as
 it("a reach leads to the page of each section, and marks English on a Dutch page", async () => {
   const { page } = await openDocument(browser, written("reach", exampleReach("nl")));
   expect(await page.locator("tbody a").first().getAttribute("href")).toBe("a%20dike/run/report.html");
-  expect(await page.locator("tr.floods .verdict-words").textContent()).toMatch(/^Overstroming, nadat/);
+  expect(await page.locator("tr.floods .verdict-words").textContent()).toMatch(/^Loopt over, na een opgelegde trigger/);
   expect(await page.locator("[lang=en]").allTextContents()).toEqual(["it is <no> zip file\nTry another."]);
   expect(await page.locator("tbody canvas").count()).toBe(3);
   await page.getByRole("combobox", { name: "Taal" }).selectOption("en");

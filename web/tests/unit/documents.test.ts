@@ -115,12 +115,12 @@ describe("a reach", () => {
   });
 
   it("says a trigger in the verdict itself, and what it was before", () => {
-    expect(verdictWords(sections[1]!)).toEqual({ verdict: "Floods, after strengths were divided by 1.12 and after the river was brought to 3.50\u00a0m", before: "As it is, the section stands." });
+    expect(verdictWords(sections[1]!)).toEqual({ verdict: "Floods, after strengths were divided by 1.12 and the river was brought to 3.50\u00a0m", before: "As it is, the section stands." });
     const moved = sectionOf("x", "floods", { moved_before_trigger: true });
     moved.flood!.trigger = { stage: "weaker_soil", at_strength: 1, river: null, before: null };
     expect(verdictWords(moved)).toEqual({ verdict: "Floods, after the stage “weaker_soil”", before: "As it is: no verdict, as it had not come to rest." });
     chooseLanguage("nl");
-    expect(verdictWords(sections[1]!).verdict).toBe("Overstroming, nadat de sterktes door 1,12 zijn gedeeld en nadat de rivier op 3,50\u00a0m is gebracht");
+    expect(verdictWords(sections[1]!).verdict).toBe("Loopt over, na een opgelegde trigger: sterktes gedeeld door 1,12 en buitenwaterstand 3,50\u00a0m");
     expect(verdictWords(sections[3]!).verdict).toBe("Geweigerd");
   });
 });

@@ -50,10 +50,10 @@ describe("the language", () => {
     expect([say("tile_freeboard"), metres(-0.78), numberText(12345.5, 6)]).toEqual(["Freeboard", "−0.78\u00a0m", "12\u202f345.5"]);
     expect(quantityLabel("pore_pressure", "pore pressure")).toBe("pore pressure");
     chooseLanguage("nl");
-    expect([say("tile_freeboard"), metres(-0.78), numberText(12345.5, 6)]).toEqual(["Waakhoogte", "−0,78\u00a0m", "12\u202f345,5"]);
+    expect([say("tile_freeboard"), metres(-0.78), numberText(12345.5, 6)]).toEqual(["Resterende waakhoogte", "−0,78\u00a0m", "12\u202f345,5"]);
     expect(quantityLabel("pore_pressure", "pore pressure")).toBe("waterspanning");
     expect(triggerWords({ stage: "weaker", at_strength: 1.15 } as Trigger))
-      .toBe(", nadat de sterktes door 1,15 zijn gedeeld");
+      .toBe(", na een opgelegde trigger: sterktes gedeeld door 1,15");
     expect(quantityLabel("of_a_new_law", "its label")).toBe("its label");
     expect([ordinal(0), ordinal(6)]).toEqual(["eerste", "7e"]);
   });
