@@ -108,8 +108,7 @@ TEST(Reach, SaysWhereTheVerdictAndTheStoredFactorsOrTheMotionOfTheSoilDisagree)
   EXPECT_THAT(hints_on(section), testing::ElementsAre());  // it floods, and may move
   section.record.stored[0].factor = 1.0;
   EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::stored_above));
-  EXPECT_EQ(
-      words_of(Hint::stored_above, section, true), "loopt over, maar elke opgeslagen factor is ten minste 1,000");
+  EXPECT_EQ(words_of(Hint::stored_above, section, true), "loopt over, maar elke opgeslagen factor is ten minste 1,000");
   flood.verdict = FloodVerdict::stands;
   EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::moves));
   EXPECT_EQ(words_of(Hint::moves, section, false), "not at rest at the end (0.25 m/s): the verdict may change");
