@@ -230,10 +230,35 @@ def texts_and_marks_of_later_releases(space):
     space.add_wipeout([(0, 0), (1, 1)])
 
 
-@way("R2000", refused="HATCH")
+@way("R2000", warned="Hatches were read as outlines")
 def hatches_alone(space):
     for layer, places in OUTLINES.items():
         space.add_hatch(dxfattribs={"layer": layer}).paths.add_polyline_path(places, is_closed=True)
+
+
+@way("R2000", warned="Hatches were read as outlines")
+def a_hatch_of_edges_seen_from_behind(space):
+    for layer, places in OUTLINES.items():
+        path = space.add_hatch(dxfattribs={"layer": layer, "extrusion": (0, 0, -1)}).paths.add_edge_path()
+        for a, b in zip(places, places[1:] + places[:1]):
+            path.add_line((-a[0], a[1]), (-b[0], b[1]))
+
+
+@way("R2000", warned="Hatches were read as outlines, where no line bounds soil: sand.")
+def a_hatch_of_one_soil(space):
+    space.add_hatch(dxfattribs={"layer": "sand"}).paths.add_polyline_path(OUTLINES["sand"], is_closed=True)
+    for layer in ("clay", "dike"):
+        closed_line(space, OUTLINES[layer], layer)
+
+
+@way("R2000", areas={"soil " + layer: area for layer, area in AREAS.items()})
+def hatches_in_a_block_name_what_lines_enclose(space):
+    boundaries(space)
+    block = space.doc.blocks.new("fills")
+    for layer, places in OUTLINES.items():
+        block.add_hatch(dxfattribs={"layer": "soil " + layer}).paths.add_polyline_path(
+            [(x + 0.1 * (10 - x), y) for x, y in places], is_closed=True)
+    space.add_blockref("fills", (0, 0))
 
 
 ROUND = {"sand": 100.0, "clay": 80.0, "dike": pi * 16 / 2}
@@ -254,6 +279,44 @@ def bent_outline(space):
 def bent_outline_from_behind(space):
     ground(space)
     closed_line(space, [(-6, 9), (-14, 9)], "dike", [0.0, -1.0]).dxf.extrusion = (0, 0, -1)
+
+
+@way("R2000", areas=ROUND, warned="Hatches were read as outlines")
+def hatch_with_an_arc(space):
+    ground(space)
+    path = space.add_hatch(dxfattribs={"layer": "dike"}).paths.add_edge_path()
+    path.add_arc((10, 9), 4, 0, 180, ccw=True)
+    path.add_line((6, 9), (14, 9))
+
+
+@way("R2000", areas=ROUND, warned="Hatches were read as outlines")
+def hatch_with_an_arc_clockwise(space):
+    ground(space)
+    path = space.add_hatch(dxfattribs={"layer": "dike"}).paths.add_edge_path()
+    path.add_arc((10, 9), 4, 0, 180, ccw=False)
+    path.add_line((14, 9), (6, 9))
+
+
+@way("R2000", areas=ROUND, warned="Hatches were read as outlines")
+def hatch_with_a_bulge(space):
+    ground(space)
+    space.add_hatch(dxfattribs={"layer": "dike"}).paths.add_polyline_path([(6, 9), (14, 9, 1)], is_closed=True)
+
+
+@way("R2000", areas={"sand": 100.0, "clay": 80.0, "dike": pi * 6 * 2 / 2}, warned="Hatches were read as outlines")
+def hatch_with_an_ellipse(space):
+    ground(space)
+    path = space.add_hatch(dxfattribs={"layer": "dike"}).paths.add_edge_path()
+    path.add_ellipse((10, 9), (6, 0), 1 / 3, 0, 180, ccw=True)
+    path.add_line((4, 9), (16, 9))
+
+
+@way("R2000", areas={"sand": 100.0, "clay": 80.0, "dike": 8 * 4.5 * 2 / 3}, warned="Hatches were read as outlines")
+def hatch_with_a_spline(space):
+    ground(space)
+    path = space.add_hatch(dxfattribs={"layer": "dike"}).paths.add_edge_path()
+    path.add_spline(control_points=[(6, 9), (10, 18), (14, 9)], degree=2, knot_values=[0, 0, 0, 1, 1, 1])
+    path.add_line((14, 9), (6, 9))
 
 
 @way(areas=ROUND)
@@ -383,7 +446,7 @@ def a_lens_in_boundaries(space):
     closed_line(space, [(5, 2), (7, 2), (7, 2.5), (5, 2.5)], "lens")
 
 
-@way(areas=LAYERED, warned="frame, not as soil: kader")
+@way(areas=LAYERED, warned="frame bound no soil: kader")
 def a_frame_around_boundaries(space):
     boundaries(space)
     closed_line(space, [(-10, -10), (40, -10), (40, 30), (-10, 30)], "kader")
@@ -432,6 +495,89 @@ def faces(space):
     """Soil as 3DFACE, as programs of finite elements write their elements."""
     for layer, places in OUTLINES.items():
         space.add_3dface(places, dxfattribs={"layer": layer})
+
+
+def moved(space, draw, dx, dy):
+    """What `draw` draws, at another place of the drawing."""
+    block = space.doc.blocks.new(f"{draw.__name__} {dx} {dy}")
+    draw(block)
+    space.add_blockref(block.name, (dx, dy))
+
+
+@way(refused="--window 39.9,-0.1,60.1,13.6")
+def two_sections_beside_each_other(space):
+    moved(space, boundaries, 0, 0)
+    moved(space, boundaries, 40, 0)
+
+
+@way(refused="--window -0.1,29.9,20.1,43.6")
+def two_sections_above_each_other(space):
+    moved(space, boundaries, 0, 0)
+    moved(space, boundaries, 0, 30)
+
+
+@way(refused="holds 3 sections")
+def three_sections_of_outlines(space):
+    for place in ((0, 0), (40, 0), (0, 40)):
+        moved(space, outlines, *place)
+
+
+@way(areas=LAYERED, options=("--window", "35,-5,65,20"), warned="Lines that reach out of the window were left out: on axis")
+def one_of_two_sections(space):
+    moved(space, boundaries, 0, 0)
+    moved(space, boundaries, 40, 0)
+    space.add_line((-5, 4), (70, 4), dxfattribs={"layer": "axis"})
+
+
+@way(warned="frame bound no soil: kader, title block")
+def a_frame_on_the_edge_of_the_section(space):
+    outlines(space)
+    closed_line(space, [(0, 0), (30, 0), (30, 20), (0, 20)], "kader")
+    closed_line(space, [(20, 0), (30, 0), (30, 4), (20, 4)], "title block")
+
+
+@way(refused="A frame: --layers 'clay,dike,sand'. Soil: --layers '0,clay,dike,sand'.")
+def a_frame_without_a_name_on_the_edge(space):
+    outlines(space)
+    closed_line(space, [(0, 0), (30, 0), (30, 20), (0, 20)], "0")
+
+
+@way(options=("--layers", "clay, dike,  sand"))
+def layers_with_blanks_between(space):
+    outlines(space)
+    closed_line(space, [(0, 0), (30, 0), (30, 20), (0, 20)], "0")
+
+
+@way(options=("--layers", "clay,veen"), refused="Layers of it: clay, dike, sand.")
+def a_layer_that_is_not_there(space):
+    outlines(space)
+
+
+@way(areas={"sand": 100.0, "peat": 80.0, "dike": 40.5}, warned="clay and peat at 0.00, 5.00 m: peat counts")
+def two_soils_in_one_place(space):
+    outlines(space)
+    closed_line(space, OUTLINES["clay"], "peat")
+
+
+@way(areas={"sand": 100.0, "clay": 80.0}, warned="3 ends of lines miss others: by 0.050 m at 0.000, 0.050 m (sand), by")
+def open_by_centimetres(space):
+    for layer, places in OUTLINES.items():
+        (x, y) = places[0]
+        space.add_polyline2d(places + [(x, y + 0.05)], dxfattribs={"layer": layer})
+
+
+@way()
+def borders_that_miss_by_millimetres(space):
+    for layer, places, up in (("sand", OUTLINES["sand"], 0), ("clay", OUTLINES["clay"], 0.009),
+                              ("dike", OUTLINES["dike"], 0.018)):
+        closed_line(space, [(x, y + up) for x, y in places], layer)
+
+
+@way()
+def borders_that_overlap_by_millimetres(space):
+    for layer, places, up in (("sand", OUTLINES["sand"], 0), ("clay", OUTLINES["clay"], -0.008),
+                              ("dike", OUTLINES["dike"], -0.017)):
+        closed_line(space, [(x, y + up) for x, y in places], layer)
 
 
 def areas_of(text):
