@@ -194,7 +194,7 @@ def below_the_ground(path: str, depth: Reals | None, length: Reals | None,
     depths = lengths[0] * cosines[0] + np.concatenate([[0.0], np.cumsum(steps)])
     vertical = np.interp(length, lengths, depths)
     vertical[~np.isfinite(length)] = np.nan
-    return vertical, (f"no depth: it was found from the inclination, {depths[-1]:.2f} m for {lengths[-1]:.2f} m of rods")
+    return vertical, f"no depth: it was found from the inclination, {depths[-1]:.2f} m for {lengths[-1]:.2f} m of rods"
 
 
 def sounding(path: str, name: str, level: float, datum: str, depth: Reals | None, length: Reals | None,
@@ -214,8 +214,8 @@ def sounding(path: str, name: str, level: float, datum: str, depth: Reals | None
     if np.nanmax(depth) > DEEPEST:
         raise RunError(f"{path} has depths to {np.nanmax(depth):.4g} m: is their unit right?")
     if pressure is not None and np.nanmin(pressure, initial=0.0) < VACUUM:
-        raise RunError(f"{path} has u_2 of {np.nanmin(pressure) / 1e3:.4g} kPa, less than a vacuum: name the value that "
-                       "stands where nothing was measured, in #COLUMNVOID, or take the column out")
+        raise RunError(f"{path} has u_2 of {np.nanmin(pressure) / 1e3:.4g} kPa, less than a vacuum: name the value where "
+                       "nothing was measured in #COLUMNVOID, or take the column out")
     order = np.argsort(depth, kind="stable")
     none = np.full(len(depth), np.nan)
     return Sounding(name, level, depth[order], cone[order], (none if pressure is None else pressure)[order],
@@ -279,8 +279,7 @@ def notes_of(test: Sounding, levels: Reals) -> list[str]:
     elif test.area_ratio == 1.0:
         notes.append("no area ratio of the cone: q_t was taken as q_c")
     elif n_void:
-        notes.append(f"{n_void} of {n_void + int(np.isfinite(test.pressure).sum())} rows have no u_2: there q_t was taken "
-                     "as q_c")
+        notes.append(f"{n_void} of {len(test.depth)} rows have no u_2: there q_t was taken as q_c")
     if test.level - levels[0] > TOP_OF_VALUES:
         notes.append(f"the highest value lies {test.level - levels[0]:.2f} m below the ground at {test.level:.2f} m; "
                      "above it a case takes that value")

@@ -9,6 +9,7 @@
 #include "import/drawing/dxf_hatch.hpp"
 #include "import/drawing/dxf_letters.hpp"
 #include "import/drawing/dxf_shapes.hpp"
+#include "import/drawing/dxf_units.hpp"
 #include "os/read_file.hpp"
 
 #include <fmt/format.h>
@@ -34,14 +35,6 @@ constexpr Real most_copies = 1e4;  // of a block by one INSERT
 constexpr std::size_t most_inserted = 1'000'000;
 constexpr DxfPlacement seen_from_behind{-1.0, 0.0, 0.0, 1.0, {0.0, 0.0}};
 constexpr Real most_metres = 1e7;  // a coordinate beyond the Earth's grids is a fault of the file
-
-struct Unit {
-  int number;  ///< of $INSUNITS
-  const char* name;
-  Real metres;
-};
-constexpr Unit units[] = {
-    {6, "m", 1.0}, {4, "mm", 1e-3}, {5, "cm", 1e-2}, {14, "dm", 0.1}, {2, "ft", 0.3048}, {1, "in", 0.0254}};
 
 struct Pair {
   int code;
@@ -166,8 +159,7 @@ class DxfReader {
   {
     const bool has_shape = entity.is_line() || entity.is({"VERTEX", "INSERT", "BLOCK"});
     const bool is_hatch = entity.kind == "HATCH";
-    bool has_paths = false;
-    bool more = next();
+    bool has_paths = false, more = next();
     for (; more && pair_.code != 0; more = next()) switch (pair_.code) {
         case 2: entity.block = pair_.value; break;
         case 5: entity.handle = pair_.value; break;
@@ -323,8 +315,8 @@ class DxfReader {
   {
     const DxfPlacement placement = hatch.mirrored ? joined(outer, seen_from_behind) : outer;
     auto outlines = hatch_outlines(hatch.hatch, flat / (metres_of_unit() * placement.largest()), n_holes_of_hatches_);
-    if (hatch.turned || outlines.empty()) ++others_[{layer, hatch.kind}];
-    if (hatch.turned) return;
+    if (hatch.turned) outlines.clear();
+    if (outlines.empty()) ++others_[{layer, hatch.kind}];
     for (auto& places : outlines) {
       for (Vec<2>& x : places) x = placement(x);
       drawing_.hatches.push_back({layer, std::move(places), true, hatch.handle});
@@ -430,7 +422,7 @@ class DxfReader {
   Real metres_of_unit() const
   {
     if (unit_ > 0.0) return unit_;
-    for (const Unit& known : units)
+    for (const DxfUnit& known : dxf_units)
       if (header_unit_ && known.number == *header_unit_) return known.metres;
     return 1.0;
   }
@@ -456,7 +448,7 @@ class DxfReader {
       drawing_.notes.push_back("The drawing has no unit ($INSUNITS): one unit was taken as 1 m.");
       return 1.0;
     }
-    for (const Unit& known : units)
+    for (const DxfUnit& known : dxf_units)
       if (known.number == *header_unit_) {
         drawing_.notes.push_back(fmt::format("The unit of the drawing is {}.", known.name));
         return known.metres;
@@ -489,7 +481,7 @@ class DxfReader {
 
 Real dxf_unit(std::string_view name)
 {
-  for (const Unit& unit : units)
+  for (const DxfUnit& unit : dxf_units)
     if (unit.name == name) return unit.metres;
   return 0.0;
 }
