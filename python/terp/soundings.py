@@ -214,8 +214,8 @@ def sounding(path: str, name: str, level: float, datum: str, depth: Reals | None
     if np.nanmax(depth) > DEEPEST:
         raise RunError(f"{path} has depths to {np.nanmax(depth):.4g} m: is their unit right?")
     if pressure is not None and np.nanmin(pressure, initial=0.0) < VACUUM:
-        raise RunError(f"{path} has u_2 of {np.nanmin(pressure) / 1e3:.4g} kPa, less than a vacuum: name the value where "
-                       "nothing was measured in #COLUMNVOID, or take the column out")
+        raise RunError(f"{path} has u_2 of {np.nanmin(pressure) / 1e3:.4g} kPa, less than a vacuum: #COLUMNVOID names "
+                       "the value where nothing was measured, or take the column out")
     order = np.argsort(depth, kind="stable")
     none = np.full(len(depth), np.nan)
     return Sounding(name, level, depth[order], cone[order], (none if pressure is None else pressure)[order],

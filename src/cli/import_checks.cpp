@@ -73,7 +73,8 @@ void refuse_unused_options(const ImportCommand& command, SectionFile kind)
                                   : option.file == Of::profile ? "ground profiles"
                                                                : "drawings"),
           fmt::format("{} is a {}. Leave the option out.", command.path, kinds[static_cast<int>(kind)]));
-    if (option.result == In::case_folder && result == In::list)
+    const bool is_base_of_profile = kind == SectionFile::profile && option.name == std::string_view("--base");
+    if (option.result == In::case_folder && result == In::list && !is_base_of_profile)
       refuse_option(option, "has no effect without -o", "Give a folder for the case, -o FOLDER, or leave it out.");
     if (option.result == In::list && result == In::case_folder)
       refuse_option(option, "is not written with -o", "Make the list and the case one after the other.");

@@ -323,7 +323,8 @@ std::vector<std::string> describe(
             names(both.drawn), both.area, both.x[0], both.x[1]));
   for (std::size_t k = 0; k < drawn.size(); ++k)
     if (const RegionChange& c = section.changes[k]; c.pieces == 0)
-      lines.push_back(fmt::format("Nothing is left of {}: others lie over all of it.", drawn[k].name));
+      lines.push_back(fmt::format("Nothing is left of {}: others lie over all of it, or it is thinner than {:.2g} m.",
+          drawn[k].name, options.snap));
     else if (std::abs(c.area - c.drawn_area) > 1e-9 * c.drawn_area)
       lines.push_back(fmt::format("{} has {:.9g} m2, its outline {:.9g} m2.", drawn[k].name, c.area, c.drawn_area));
   return lines;

@@ -26,7 +26,8 @@ class HatchReader {
   {
     while (at_ < groups_.size() && groups_[at_].first != 92) ++at_;
     if (at_ == groups_.size()) return false;
-    const bool is_polyline = (static_cast<int>(groups_[at_++].second) & 2) != 0;
+    const Real flags = groups_[at_++].second;
+    const bool is_polyline = flags >= 0.0 && flags < 1e6 && (static_cast<int>(flags) & 2) != 0;
     path = is_polyline ? polyline() : edges();
     if (path.size() > 1 && distance(path.front(), path.back()) <= tolerance_) path.pop_back();
     const bool is_whole =
@@ -82,7 +83,7 @@ class HatchReader {
 
   Path edge()
   {
-    switch (const Real kind = take(72); std::isnan(kind) ? 0 : static_cast<int>(kind)) {
+    switch (const Real kind = take(72); kind >= 1.0 && kind <= 4.0 ? static_cast<int>(kind) : 0) {
       case 1: {
         const Vec<2> from = take_place(10);
         return {from, take_place(11)};

@@ -19,7 +19,8 @@
 namespace terp {
 namespace {
 
-constexpr Real thin = 0.05;  // [m]: mean width of a region that nobody drew on purpose
+constexpr Real thin = 0.05;             // [m]: mean width of a region that nobody drew on purpose
+constexpr std::size_t most_thin = 300;  // regions: more are a hatching
 
 /// The layer of the smallest hatch over an outline; empty: none, or all hatches lie on one layer.
 std::string name_by_hatch(const std::vector<DxfLine>& hatches, Polygon outline)
@@ -87,6 +88,12 @@ void report_thin(DxfRegions& found)
     for (std::size_t k = 0; k < x.size(); ++k) around += distance(x[k], x[(k + 1) % x.size()]);
     if (2.0 * std::abs(signed_area(x)) < thin * around) at.push_back(x[0]);
   }
+  if (at.size() > most_thin)
+    throw InputError({"", fmt::format("the lines enclose {} regions that are thinner than {:g} m", at.size(), thin),
+        fmt::format(
+            "The first lies at {:.3f}, {:.3f} m. Leave out hatchings: --layers names the layers of the section.{}{}",
+            at[0][0], at[0][1], found.doubts.empty() ? "" : "\n  ", fmt::join(found.doubts, "\n  ")),
+        ""});
   if (!at.empty())
     found.doubts.push_back(fmt::format(
         "{} regions are thinner than {:g} m, the first at {:.3f}, {:.3f} m: do lines miss each other there?", at.size(),

@@ -144,6 +144,14 @@ TEST(TidyLines, ThatMissEachOtherByALittleAreNamed)
                                HasSubstr("(sand), and 197 more.")));
 }
 
+TEST(TidyLines, OfAHatchingAreRefused)
+{
+  std::vector<DxfLine> lines{{"a", {{0, 0}, {0, 30}}, false, ""}, {"a", {{40, 0}, {40, 30}}, false, ""}};
+  for (int k = 0; k < 400; ++k) lines.push_back({"a", {{0, 0.03 * k}, {40, 0.03 * k}}, false, ""});
+  EXPECT_THAT(
+      refusal<InputError>([&] { regions_of({lines}, 0.01); }), HasSubstr("enclose 399 regions that are thinner"));
+}
+
 TEST(TidyLines, ThatLieWithinTheSnapDistanceLeaveNoSlit)
 {
   for (const Real gap : {-0.009, -0.008, 0.008, 0.009}) {
