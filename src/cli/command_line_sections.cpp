@@ -4,6 +4,8 @@
 
 #include "cli/command_parts.hpp"
 
+#include <fmt/format.h>
+
 namespace terp {
 namespace {
 
@@ -31,6 +33,20 @@ void add_stage_options(CLI::App* command, ImportCommand& options, const char* wh
       "of drained soil of the dike with less, in its outer\nmetre, so that it does not ravel [kPa]; 0: none\n(default: "
       "2)");
   add_option(command, "--soil-defaults FILE", options.soil_defaults, "table of what the file does not say of soils");
+}
+
+CLI::Validator is_depth()
+{
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        double depth = 0.0;
+        if (CLI::detail::lexical_cast(text, depth) && depth >= 0.1 && depth <= 1e3) return "";
+        return fmt::format(
+            "{} is no depth: it counts downwards from the lowest ground, 0.1 to 1000 m. --base takes a "
+            "level",
+            text);
+      },
+      "");
 }
 
 }  // namespace
@@ -61,9 +77,13 @@ void declare_import(CLI::App& app, ImportCommand& command)
   add_option(import, "--unit U", command.unit, "of a drawing: m, dm, cm, mm, ft, in\n(default: that of its header)");
   add_option(import, "--layers A,B", command.layers,
       "of a drawing: those alone; of a table of several\nprofiles: the one of that name");
+  add_option(import, "--window X0,Y0,X1,Y1", command.window,
+      "of a drawing of several sections: the one between\nthese corners [m]")
+      ->delimiter(',')
+      ->expected(4);
   add_option(
       import, "--depth D", command.depth, "of a profile: the base lies D m below the lowest\nground (default 10)")
-      ->check(CLI::PositiveNumber);
+      ->check(is_depth());
   add_option(import, "--soils FILE,NAME", command.soils,
       "of a profile: its soils by the level of their tops\n(soilprofiles.csv of DAM; NAME: of one of several)");
   import->add_flag("--soil-defaults-table", command.print_defaults, "print the table that holds without it");

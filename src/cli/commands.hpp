@@ -75,6 +75,7 @@ struct ImportCommand {
   std::optional<double> base;           ///< level above which it is taken over [m]; none: what matters
   std::string unit;                     ///< of a drawing or profile; empty: that of its header
   std::string layers;                   ///< of a drawing, apart by commas, or the name of a profile; empty: all
+  std::vector<double> window;           ///< of a drawing: x, y of two corners [m]; empty: all of it
   double depth = 0.0;                   ///< of the base of a profile below its lowest ground [m]; 0: the usual one
   std::string soils;                    ///< of a profile: a table of soils by level, and after a comma a name in it
   std::string soil_defaults;            ///< CSV file; empty: the table of the program

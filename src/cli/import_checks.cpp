@@ -9,8 +9,8 @@
 namespace terp {
 namespace {
 
-enum class Of { all, stix, drawn, profile };  // kinds of file; drawn: drawings and profiles
-enum class In { both, list, case_folder };    // what is made of it
+enum class Of { all, stix, drawn, drawing, profile };  // kinds of file; drawn: drawings and profiles
+enum class In { both, list, case_folder };             // what is made of it
 
 struct ImportOption {
   const char* name;
@@ -31,10 +31,11 @@ std::vector<ImportOption> import_options(const ImportCommand& c)
       {"--cell", number(c.cell), Of::all, In::case_folder},
       {"--between", fmt::format("{}", fmt::join(c.between, ",")), Of::all, In::case_folder},
       {"--base", level(c.base), Of::all, In::case_folder}, {"--unit", c.unit, Of::drawn, In::both},
-      {"--layers", c.layers, Of::drawn, In::both}, {"--depth", number(c.depth), Of::profile, In::both},
-      {"--soils", c.soils, Of::profile, In::both}, {"--river", level(c.river), Of::stix, In::case_folder},
-      {"--held", flag(c.is_held), Of::stix, In::case_folder}, {"--study", flag(c.study), Of::stix, In::case_folder},
-      {"--no-film", flag(c.no_film), Of::stix, In::case_folder},
+      {"--layers", c.layers, Of::drawn, In::both},
+      {"--window", fmt::format("{}", fmt::join(c.window, ",")), Of::drawing, In::both},
+      {"--depth", number(c.depth), Of::profile, In::both}, {"--soils", c.soils, Of::profile, In::both},
+      {"--river", level(c.river), Of::stix, In::case_folder}, {"--held", flag(c.is_held), Of::stix, In::case_folder},
+      {"--study", flag(c.study), Of::stix, In::case_folder}, {"--no-film", flag(c.no_film), Of::stix, In::case_folder},
       {"--face-cohesion", level(c.face_cohesion), Of::stix, In::case_folder},
       {"--soil-defaults", c.soil_defaults, Of::all, In::case_folder},
       {"--trigger", c.trigger, Of::stix, In::case_folder}};
@@ -61,17 +62,19 @@ void refuse_unused_options(const ImportCommand& command, SectionFile kind)
   const char* const kinds[] = {"D-Stability file", "drawing", "ground profile"};
   const auto acts = [&](Of file) {
     if (file == Of::drawn) return kind != SectionFile::dstability;
+    if (file == Of::drawing) return kind == SectionFile::drawing;
     return file == Of::all || kind == (file == Of::stix ? SectionFile::dstability : SectionFile::profile);
   };
   for (const ImportOption& option : import_options(command)) {
     if (option.value.empty()) continue;
     if (!acts(option.file))
       refuse_option(option,
-          fmt::format("is of {}", option.file == Of::stix    ? "D-Stability files"
-                                  : option.file == Of::drawn ? "drawings"
-                                                             : "ground profiles"),
+          fmt::format("is of {}", option.file == Of::stix      ? "D-Stability files"
+                                  : option.file == Of::profile ? "ground profiles"
+                                                               : "drawings"),
           fmt::format("{} is a {}. Leave the option out.", command.path, kinds[static_cast<int>(kind)]));
-    if (option.result == In::case_folder && result == In::list)
+    const bool is_base_of_profile = kind == SectionFile::profile && option.name == std::string_view("--base");
+    if (option.result == In::case_folder && result == In::list && !is_base_of_profile)
       refuse_option(option, "has no effect without -o", "Give a folder for the case, -o FOLDER, or leave it out.");
     if (option.result == In::list && result == In::case_folder)
       refuse_option(option, "is not written with -o", "Make the list and the case one after the other.");

@@ -3,6 +3,7 @@
 // again with it. If the search is stopped, the case without trigger stays in the folder.
 
 #include "cli/commands.hpp"
+#include "import/drawing/drawn_sections.hpp"
 #include "import/drawing/dxf_regions.hpp"
 #include "import/drawing/ground_profile.hpp"
 #include "import/dstability/drawing_folder.hpp"
@@ -11,6 +12,7 @@
 #include "io/case/case_file.hpp"
 #include "io/case/printable.hpp"
 #include "io/files/files.hpp"
+#include "math/utf8.hpp"
 #include "model/bodies/csv_rows.hpp"
 #include "os/say.hpp"
 
@@ -32,12 +34,13 @@ Real unit_of(const ImportCommand& command)
   return unit;
 }
 
-/// Of a list apart by commas.
+/// Of a list apart by commas, without blanks around them.
 std::vector<std::string> words_of(const std::string& list)
 {
   std::vector<std::string> words;
   std::istringstream parts(list);
-  for (std::string word; std::getline(parts, word, ',');) words.push_back(word);
+  for (std::string word; std::getline(parts, word, ',');)
+    if (!trimmed(word).empty()) words.emplace_back(trimmed(word));
   return words;
 }
 
@@ -81,7 +84,12 @@ int import_regions(const ImportCommand& command, const DxfRegions& regions, std:
 
 int import_drawing(const ImportCommand& command)
 {
-  const DxfDrawing drawing = read_dxf(command.path, unit_of(command), words_of(command.layers));
+  DxfDrawing drawing = read_dxf(command.path, unit_of(command), words_of(command.layers));
+  if (const auto& w = command.window; !w.empty()) {
+    if (!(w[0] < w[2] && w[1] < w[3]))
+      refuse_import("--window has no width or no height", "Give the lower left corner first: --window 0,-10,60,8.");
+    keep_window(drawing, {{w[0], w[1]}, {w[2], w[3]}});
+  }
   DxfRegions regions = regions_of(drawing, drawing_snap);
   regions.doubts.insert(regions.doubts.begin(), drawing.doubts.begin(), drawing.doubts.end());
   return import_regions(command, regions, drawing.notes);
@@ -91,12 +99,13 @@ DxfRegions profile_of(const ImportCommand& command)
 {
   if (command.base && command.depth > 0.0)
     refuse_import("--base and --depth both say where the base lies", "Leave one of them out.");
-  const DxfRegions ground = read_profile(
-      command.path, read_file(command.path), {command.layers, unit_of(command), command.depth, command.base});
+  const DxfRegions ground = read_profile(command.path, read_file(command.path),
+      {std::string(trimmed(command.layers)), unit_of(command), command.depth, command.base});
   if (command.soils.empty()) return ground;
   const std::size_t comma = std::min(command.soils.find(','), command.soils.size());
   const std::string file = command.soils.substr(0, comma);
-  return with_soils(ground, file, read_file(file), command.soils.substr(std::min(comma + 1, command.soils.size())));
+  const std::string name = command.soils.substr(std::min(comma + 1, command.soils.size()));
+  return with_soils(ground, file, read_file(file), std::string(trimmed(name)));
 }
 
 }  // namespace

@@ -1,15 +1,18 @@
 """Strength from cone penetration tests, GEF and BRO, against sums by hand."""
 
+import math
 import os
 import pathlib
+import random
 import re
 import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 
 from terp import RunError
-from terp.soundings import from_bro, from_gef, read_sounding
+from terp.soundings import from_bro, from_gef, notes_of, read_sounding
 
 GEF = """#GEFID= 1, 1, 0
 #COLUMN= 4
@@ -74,6 +77,45 @@ class Soundings(unittest.TestCase):
             with self.assertRaises(RunError):
                 from_gef(wrong, "s.gef")
 
+    def test_a_depth_follows_from_length_and_inclination(self):
+        rods = GEF.replace("m, corrected depth, 11", "degrees, inclination, 8")
+        leaning = re.sub(r"^(\S+) (\S+) (\S+) (\S+) !$", r"\1 \2 60 \4 !", rods, flags=re.M)
+        with self.assertRaisesRegex(RunError, "incline by 60 degrees"):
+            from_gef(leaning, "s.gef")
+        test = from_gef(leaning.replace(" 60 ", " 20 "), "s.gef")
+        self.assertAlmostEqual(test.depth[-1], 2.04 * math.cos(math.radians(20.0)), places=9)
+        self.assertIn("found from the inclination, 1.92 m for 2.04 m of rods", test.notes[0])
+        test = from_gef(rods.replace(", 8\n", ", 99\n"), "s.gef")
+        self.assertEqual(test.depth[-1], 2.04)
+        self.assertIn("length of the rods", test.notes[0])
+        rows = bro([(-999999, 0.3, 0.04), (-999999, 0.4, 0.04)]).decode().replace("-999998.99", "5").split(";")
+        rows = [row if k > 1 else ",".join([*row.split(",")[:-10], "60", *row.split(",")[-9:]])
+                for k, row in enumerate(rows)]
+        with self.assertRaisesRegex(RunError, "incline by 60"):
+            from_bro(";".join(rows).encode(), "s.xml")
+
+    def test_the_datum_is_that_of_the_file(self):
+        self.assertEqual(from_gef(GEF, "s.gef").datum, "NAP")
+        self.assertEqual(from_gef(GEF.replace("31000", "32000"), "s.gef").datum, "datum 32000 (#ZID)")
+        row = bro([(0.5, 0.3, 0.04)])
+        self.assertIn("does not name", from_bro(row, "s.xml").datum)
+        named = row.replace(b"<c:cone", b"<c:verticalDatum>NAP</c:verticalDatum><c:cone")
+        self.assertEqual(from_bro(named, "s.xml").datum, "NAP")
+
+    def test_what_a_user_should_know_is_a_note(self):
+        def notes(text):
+            test = from_gef(text, "s.gef")
+            return " ".join(notes_of(test, test.strength(step=0.5)[0]))
+
+        self.assertEqual(notes(GEF), "1 of 4 rows have no depth or no cone resistance")
+        self.assertIn("no u_2: q_t was taken as q_c", notes(GEF.replace("u2, 6", "u2, 99")))
+        some = GEF.replace("#COLUMNVOID= 2, -1", "#COLUMNVOID= 4, 0.04")
+        self.assertIn("2 of 4 rows have no u_2", notes(some))
+        deep = re.sub(r"^(0\.\S+) (\S+) (\S+) (\S+) !$", r"1\1 \2 1\3 \4 !", GEF, flags=re.M)
+        self.assertIn("m below the ground at 1.50 m", notes(deep))
+        with self.assertRaisesRegex(RunError, "less than a vacuum"):
+            from_gef(GEF.replace("0.05 !", "-999 !"), "s.gef")
+
     def test_what_is_no_test_is_refused(self):
         for text in ("#GEFID= 1\n", GEF.replace("#ZID= 31000, 1.50, 0.01\n", ""), GEF.replace(", 2\n", ", 99\n")):
             with self.assertRaises(RunError):
@@ -81,8 +123,36 @@ class Soundings(unittest.TestCase):
         for data in (b"<a", b"<a/>", bro([])):
             with self.assertRaises(RunError):
                 from_bro(data, "s.xml")
-        with self.assertRaises(RunError):
-            from_gef(GEF, "s.gef").strength(nkt=0.0)
+        for options, words in (({"nkt": 0.0}, "N_kt is 0"), ({"unit_weight": -17e3}, "weight is -17 kN/m3"),
+                               ({"step": -0.2}, "step of the depth is -0.2 m")):
+            with self.assertRaisesRegex(RunError, words):
+                from_gef(GEF, "s.gef").strength(**options)
+
+    def test_damaged_files_are_read_or_refused(self):
+        """Bytes changed, pieces doubled, taken out or moved: TERP_FUZZ_INPUTS=100000 tries more."""
+        seeds = [(GEF, lambda text: from_gef(text, "s.gef")),
+                 (bro([(0.5, 0.3, 0.04), (0.9, 0.4, -999999)]).decode(), lambda text: from_bro(text.encode(), "s.xml"))]
+        chance = random.Random(1)
+        n_read = 0
+        for k in range(int(os.environ.get("TERP_FUZZ_INPUTS", "600"))):
+            text, read = seeds[k % 2]
+            for _ in range(chance.randrange(1, 4)):
+                a, b = sorted(chance.randrange(len(text) + 1) for _ in range(2))
+                b = min(b, a + 30)
+                other = chance.choice([text[a:b] * 2, "", chance.choice("0123456789-+.e,;!#=<>&\n\0 \u00e9"), "1e300",
+                                       "nan", "-inf", text[:20]])
+                text = text[:a] + other + text[b:]
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                try:
+                    test = read(text)
+                    levels, _ = test.strength()
+                    n_read += 1
+                    if len(levels):
+                        notes_of(test, levels)
+                except RunError:
+                    pass
+        self.assertGreater(n_read, 20)
 
     def test_the_command_writes_a_table_that_a_case_takes(self):
         with tempfile.TemporaryDirectory() as folder:

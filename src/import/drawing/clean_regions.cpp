@@ -18,7 +18,7 @@
 namespace terp {
 namespace {
 
-constexpr Real grid_share = 1.0;  // of the snap distance: files have coordinates in mm
+constexpr Real grid = 1e-3;  // [m]: files have coordinates in mm
 
 Real perimeter(const PlanarGraph& graph, const std::vector<FaceRing>& rings)
 {
@@ -263,7 +263,6 @@ CleanSection clean_regions(const std::vector<DrawnRegion>& drawn, const std::vec
   const std::vector<int> region = assignment.assign(options.shortest_edge, section);
   const std::vector<Real> asked = assignment.areas_asked(region);
   const ChainMap joined = find_chains(graph, faces, region, edge_reach * options.snap);
-  const Real grid = grid_share * options.snap;
   for (const bool simpler : {true, false}) {
     ChainMap map = joined;
     section.simplified = {};
@@ -304,7 +303,7 @@ std::vector<std::string> describe(
       section.snaps.largest + section.simplified.largest + section.simplified.area_move));
   if (const SnapCounts& s = section.snaps; s.merged + s.joined + s.crossings > 0)
     lines.push_back(
-        fmt::format("Joined within {:g} m: {} corners with others, {} edges with corners beside them; {} "
+        fmt::format("Joined within {:.2g} m: {} corners with others, {} edges with corners beside them; {} "
                     "crossings of edges became corners.",
             options.snap, s.merged, s.joined, s.crossings));
   if (section.simplified.removed + section.simplified.merged > 0)
@@ -324,7 +323,8 @@ std::vector<std::string> describe(
             names(both.drawn), both.area, both.x[0], both.x[1]));
   for (std::size_t k = 0; k < drawn.size(); ++k)
     if (const RegionChange& c = section.changes[k]; c.pieces == 0)
-      lines.push_back(fmt::format("Nothing is left of {}: others lie over all of it.", drawn[k].name));
+      lines.push_back(fmt::format("Nothing is left of {}: others lie over all of it, or it is thinner than {:.2g} m.",
+          drawn[k].name, options.snap));
     else if (std::abs(c.area - c.drawn_area) > 1e-9 * c.drawn_area)
       lines.push_back(fmt::format("{} has {:.9g} m2, its outline {:.9g} m2.", drawn[k].name, c.area, c.drawn_area));
   return lines;

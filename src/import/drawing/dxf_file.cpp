@@ -6,8 +6,10 @@
 #include "math/utf8.hpp"
 #include "model/bodies/polygon.hpp"
 #include "math/number_from.hpp"
+#include "import/drawing/dxf_hatch.hpp"
 #include "import/drawing/dxf_letters.hpp"
 #include "import/drawing/dxf_shapes.hpp"
+#include "import/drawing/dxf_units.hpp"
 #include "os/read_file.hpp"
 
 #include <fmt/format.h>
@@ -33,14 +35,6 @@ constexpr Real most_copies = 1e4;  // of a block by one INSERT
 constexpr std::size_t most_inserted = 1'000'000;
 constexpr DxfPlacement seen_from_behind{-1.0, 0.0, 0.0, 1.0, {0.0, 0.0}};
 constexpr Real most_metres = 1e7;  // a coordinate beyond the Earth's grids is a fault of the file
-
-struct Unit {
-  int number;  ///< of $INSUNITS
-  const char* name;
-  Real metres;
-};
-constexpr Unit units[] = {
-    {6, "m", 1.0}, {4, "mm", 1e-3}, {5, "cm", 1e-2}, {14, "dm", 0.1}, {2, "ft", 0.3048}, {1, "in", 0.0254}};
 
 struct Pair {
   int code;
@@ -164,7 +158,8 @@ class DxfReader {
   bool read_groups(Entity& entity)
   {
     const bool has_shape = entity.is_line() || entity.is({"VERTEX", "INSERT", "BLOCK"});
-    bool more = next();
+    const bool is_hatch = entity.kind == "HATCH";
+    bool has_paths = false, more = next();
     for (; more && pair_.code != 0; more = next()) switch (pair_.code) {
         case 2: entity.block = pair_.value; break;
         case 5: entity.handle = pair_.value; break;
@@ -173,6 +168,11 @@ class DxfReader {
         case 67: entity.on_paper = number() != 0.0; break;
         default:
           if (has_shape && is_number_of_shape(pair_.code)) take_group(entity, pair_.code, number());
+          if (!is_hatch) break;
+          if (pair_.code == 91 || pair_.code == 75) has_paths = pair_.code == 91;
+          if (has_paths && pair_.code < 100)
+            entity.hatch.emplace_back(pair_.code, number_from<Real>(pair_.value).value_or(missing));
+          if (pair_.code == 230) take_group(entity, pair_.code, number());
       }
     return more;
   }
@@ -264,7 +264,7 @@ class DxfReader {
     if (is_insert) return false;  // entities of its block have layers of their own
     all_layers_.insert(layer);
     if (!layers_.empty() && !is_chosen(layer)) return left_layers_.insert(layer), true;
-    if (entity.is_line()) return false;
+    if (entity.is_line() || entity.kind == "HATCH") return false;
     if (!entity.is({"SEQEND", "ATTRIB", "VERTEX"})) ++others_[{layer, entity.kind}];
     return true;
   }
@@ -277,6 +277,7 @@ class DxfReader {
     const std::string layer = dxf_letters(entity.layer, code_page_);
     if (is_left_out(entity, entity.layer, layer)) return;
     if (entity.kind == "INSERT") return take_block(entity, outer, depth);
+    if (entity.kind == "HATCH") return take_hatch(entity, layer, outer);
     const bool is_line = entity.kind == "LINE";
     if (entity.kind == "POLYLINE" && (entity.flags & (16 | 64)))
       return problem(entity, "is a mesh", "Terp reads polylines only. Delete it, or draw its outline.");
@@ -310,6 +311,18 @@ class DxfReader {
     drawing_.lines.push_back({layer, std::move(entity.places), closed, entity.handle});
   }
 
+  void take_hatch(const Entity& hatch, const std::string& layer, const DxfPlacement& outer)
+  {
+    const DxfPlacement placement = hatch.mirrored ? joined(outer, seen_from_behind) : outer;
+    auto outlines = hatch_outlines(hatch.hatch, flat / (metres_of_unit() * placement.largest()), n_holes_of_hatches_);
+    if (hatch.turned) outlines.clear();
+    if (outlines.empty()) ++others_[{layer, hatch.kind}];
+    for (auto& places : outlines) {
+      for (Vec<2>& x : places) x = placement(x);
+      drawing_.hatches.push_back({layer, std::move(places), true, hatch.handle});
+    }
+  }
+
   void take_block(const Entity& insert, const DxfPlacement& outer, int depth)
   {
     const auto block = blocks_.find(insert.block);
@@ -339,9 +352,10 @@ class DxfReader {
       problems_.push_back({path_, fmt::format("has {} more such entities", n_problems_ - most_problems), "", ""});
     if (!problems_.empty()) throw InputError(std::move(problems_));
     check_chosen_layers();
-    if (drawing_.lines.empty())
+    if (drawing_.lines.empty() && drawing_.hatches.empty())
       refuse("has no lines",
-          fmt::format("No LINE, LWPOLYLINE, POLYLINE, ARC, ELLIPSE or SPLINE bounds a region.{}{} Draw outlines.",
+          fmt::format(
+              "No LINE, LWPOLYLINE, POLYLINE, ARC, ELLIPSE, SPLINE or HATCH bounds a region.{}{} Draw outlines.",
               others_.empty() ? "" : " It has " + others_text() + ".",
               left_layers_.empty() ? "" : fmt::format(" Layers left out: {}.", fmt::join(left_layers_, ", "))));
     if (!others_.empty()) drawing_.notes.push_back(fmt::format("Bounds no region: {}.", others_text()));
@@ -367,13 +381,23 @@ class DxfReader {
           "ANSI_1254, ANSI_1257, DOS437 and DOS850.",
           code_page_.empty() ? "ANSI_1252" : code_page_));
     const Real scale = unit_ > 0.0 ? unit_ : unit_of_header();
-    for (DxfLine& line : drawing_.lines)
-      for (Vec<2>& x : line.places) {
-        x = {scale * x[0], scale * x[1]};
-        if (!(std::abs(x[0]) < most_metres && std::abs(x[1]) < most_metres))
+    const auto is_on_earth = [](const Vec<2>& x) {
+      return std::abs(x[0]) < most_metres && std::abs(x[1]) < most_metres;
+    };
+    for (auto* lines : {&drawing_.lines, &drawing_.hatches})
+      for (DxfLine& line : *lines)
+        for (Vec<2>& x : line.places) x = {scale * x[0], scale * x[1]};
+    for (const DxfLine& line : drawing_.lines)
+      for (const Vec<2>& x : line.places)
+        if (!is_on_earth(x))
           refuse("has a place beyond all maps",
               fmt::format("{:g}, {:g} m on layer {}. Check the unit of the drawing.", x[0], x[1], line.layer));
-      }
+    std::erase_if(
+        drawing_.hatches, [&](const DxfLine& hatch) { return !std::ranges::all_of(hatch.places, is_on_earth); });
+    if (n_holes_of_hatches_ > 0)
+      drawing_.notes.push_back(
+          fmt::format("{} paths within a hatch were left out: what is drawn there counts.", n_holes_of_hatches_));
+    drawing_.layers_are_chosen = !layers_.empty();
     doubt_width();
   }
 
@@ -398,7 +422,7 @@ class DxfReader {
   Real metres_of_unit() const
   {
     if (unit_ > 0.0) return unit_;
-    for (const Unit& known : units)
+    for (const DxfUnit& known : dxf_units)
       if (header_unit_ && known.number == *header_unit_) return known.metres;
     return 1.0;
   }
@@ -407,7 +431,8 @@ class DxfReader {
   void doubt_width()
   {
     std::vector<Vec<2>> places;
-    for (const DxfLine& line : drawing_.lines) places.insert(places.end(), line.places.begin(), line.places.end());
+    for (const auto* lines : {&drawing_.lines, &drawing_.hatches})
+      for (const DxfLine& line : *lines) places.insert(places.end(), line.places.begin(), line.places.end());
     const BoundingBox box = box_around(places);
     const Real width = box.high[0] - box.low[0], height = box.high[1] - box.low[1];
     if (width >= narrowest_section && width <= widest_section && height <= highest_section) return;
@@ -423,7 +448,7 @@ class DxfReader {
       drawing_.notes.push_back("The drawing has no unit ($INSUNITS): one unit was taken as 1 m.");
       return 1.0;
     }
-    for (const Unit& known : units)
+    for (const DxfUnit& known : dxf_units)
       if (known.number == *header_unit_) {
         drawing_.notes.push_back(fmt::format("The unit of the drawing is {}.", known.name));
         return known.metres;
@@ -439,7 +464,7 @@ class DxfReader {
   Real unit_;
   const std::vector<std::string>& layers_;  ///< empty: all that the drawing shows
   std::size_t line_ = 0, n_problems_ = 0, n_on_paper_ = 0, n_hidden_ = 0, n_bent_ = 0, n_inserted_ = 0,
-              n_of_fit_places_ = 0;
+              n_of_fit_places_ = 0, n_holes_of_hatches_ = 0;
   std::map<std::string, Block, std::less<>> blocks_;
   std::map<std::string, std::string> layer_states_;                    ///< of those that are not shown
   std::map<std::pair<std::string, std::string>, std::size_t> others_;  ///< by layer and kind: what bounds nothing
@@ -456,7 +481,7 @@ class DxfReader {
 
 Real dxf_unit(std::string_view name)
 {
-  for (const Unit& unit : units)
+  for (const DxfUnit& unit : dxf_units)
     if (unit.name == name) return unit.metres;
   return 0.0;
 }

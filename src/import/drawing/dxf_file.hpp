@@ -24,6 +24,9 @@ struct DxfDrawing {
   std::vector<DxfLine> lines;
   std::vector<std::string> notes = {};   ///< what was assumed or left out, as sentences
   std::vector<std::string> doubts = {};  ///< what speaks against it, the same
+  std::vector<DxfLine> hatches = {};     ///< outlines of HATCH, closed
+  bool layers_are_chosen = false;        ///< by the user: all of them are soil
+  bool is_one_section = false;           ///< by the user: not to be looked for several
 };
 
 /// Length of a unit of the drawing in m, by its name in Terp (m, dm, cm, mm, ft, in); 0: there is no such unit.

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace terp {
@@ -61,6 +62,7 @@ struct DxfEntity {
   Real radius = 0.0, rotation = 0.0, to_angle = 0.0;
   Vec<2> scale{1.0, 1.0}, spacing{0.0, 0.0};  ///< of an ELLIPSE `scale` is from and to [rad], `radius` the ratio
   DxfSpline spline = {};
+  std::vector<std::pair<int, Real>> hatch = {};  ///< code and value, from its paths on; NaN: no number
   bool on_paper = false, turned = false, mirrored = false, hidden = false;
 
   bool is_line() const { return is({"LINE", "LWPOLYLINE", "POLYLINE", "ARC", "ELLIPSE", "SPLINE"}); }

@@ -114,9 +114,10 @@ const std::vector<std::string> soil_words{"soilname", "soil", "grondsoort", "gro
 struct TableColumns {
   int distance = 0, level = 1, y = -1, name = -1;
   Real unit_x = 1.0, unit_z = 1.0;
-  std::string unknown_unit = {};  ///< the head that has it
-  bool are_known = true;          ///< by their heads
-  bool has_depths = false;        ///< instead of levels
+  std::string unknown_unit = {};         ///< the head that has it
+  std::vector<std::string> rivals = {};  ///< heads of which each could be the one
+  bool are_known = true;                 ///< by their heads
+  bool has_depths = false;               ///< instead of levels
 };
 
 /// The column whose head is one of the words, the first of them first; -1: none.
@@ -128,6 +129,18 @@ int find_column(const Cells& heads, const std::vector<std::string>& words)
   return -1;
 }
 
+/// Heads that all name distances, or all levels: one of the words, alone or before a number, as in z_2023.
+std::vector<std::string> rivals_in(const Cells& heads, const std::vector<std::string>& words)
+{
+  std::vector<std::string> rivals;
+  for (const std::string& head : heads) {
+    std::string word = word_of(head);
+    while (!word.empty() && std::isdigit(static_cast<unsigned char>(word.back()))) word.pop_back();
+    if (std::ranges::find(words, word) != words.end()) rivals.push_back(head);
+  }
+  return rivals.size() > 1 ? rivals : std::vector<std::string>();
+}
+
 TableColumns columns_of(const Cells& heads)
 {
   const auto find = [&](const std::vector<std::string>& words) { return find_column(heads, words); };
@@ -136,6 +149,8 @@ TableColumns columns_of(const Cells& heads)
   if (l < 0 && x >= 0 && y >= 0 && z >= 0) c.y = y;
   c.are_known = (l >= 0 || x >= 0) && (z >= 0 || y >= 0);
   c.has_depths = z < 0 && find(depth_words) >= 0;
+  c.rivals = rivals_in(heads, level_words);
+  if (c.rivals.empty()) c.rivals = rivals_in(heads, distance_words);
   const auto unit = [&](int column, Real& metres) {
     if (column >= std::ssize(heads)) return;
     const std::string_view head = heads[column];
@@ -241,6 +256,10 @@ class ProfileReader {
         if (!columns_.unknown_unit.empty() && options_.unit == 0.0)
           refuse(fmt::format("has a unit that Terp does not know, `{}`", columns_.unknown_unit),
               "Known are m, dm, cm, mm, ft, in: name one there, or give --unit.");
+        if (!columns_.rivals.empty())
+          refuse(fmt::format("has several columns that could be the one of levels or distances: {}",
+                     fmt::join(columns_.rivals, ", ")),
+              "Leave one of them, as l;z.");
         if (columns_.has_depths)
           refuse("has depths, and no levels", "Give the level of the ground in each row, as l,z.");
         is_wide_ = cells.size() >= 4 && word_of(cells[0]) == "locationid" && word_of(cells[1]) == "x1";
@@ -312,8 +331,25 @@ class ProfileReader {
     }
     const auto back = std::adjacent_find(ground_.begin(), ground_.end(), falls);
     if (back != ground_.end())
-      refuse("goes back", fmt::format("After x = {:g} m comes {:g} m: give the rows from one end to the other.",
-                              (*back)[0], (*(back + 1))[0]));
+      refuse("goes back",
+          fmt::format("After x = {:g} m comes {:g} m: give the rows from one end to the other. If it holds several "
+                      "profiles, name them in a column `profile`.",
+              (*back)[0], (*(back + 1))[0]));
+    refuse_two_in_turn();
+  }
+
+  /// Profiles that were sorted by their distance into one: at many places the level goes up and down.
+  void refuse_two_in_turn() const
+  {
+    int n_steps = 0;
+    Real sum = 0.0;
+    for (std::size_t k = 1; k < ground_.size(); ++k)
+      if (ground_[k][0] == ground_[k - 1][0]) ++n_steps, sum += std::abs(ground_[k][1] - ground_[k - 1][1]);
+    if (n_steps < 4) return;
+    const BoundingBox box = box_around(ground_);
+    if (sum > 2.0 * (box.high[1] - box.low[1]))
+      refuse(fmt::format("has two levels at {} places", n_steps),
+          "Does it hold several profiles? Name them in a column `profile`, and one of them with --layers.");
   }
 
   const std::string& path_;

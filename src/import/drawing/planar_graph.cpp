@@ -302,4 +302,49 @@ Real area_of_face(const PlanarGraph& graph, const std::vector<FaceRing>& rings)
   return sum;
 }
 
+Real distance_to(const Polygon& line, std::size_t first, std::size_t last, Vec<2> x)
+{
+  Real nearest = distance(line[first], x);
+  for (std::size_t k = first; k < last; ++k) {
+    const Vec<2> a = line[k], b = line[k + 1];
+    const Real length = distance(a, b);
+    const Real along = (x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1]);
+    nearest = std::min(
+        nearest, distance(between(a, b, length > 0.0 ? std::clamp(along / (length * length), 0.0, 1.0) : 0.0), x));
+  }
+  return nearest;
+}
+
+bool are_apart(const std::vector<Vec<2>>& places, const GraphEdge& e, const GraphEdge& f)
+{
+  const Vec<2> a = places[e.a], b = places[e.b], c = places[f.a], d = places[f.b];
+  for (int axis = 0; axis < 2; ++axis)
+    if (std::min(a[axis], b[axis]) > std::max(c[axis], d[axis]) ||
+        std::min(c[axis], d[axis]) > std::max(a[axis], b[axis]))
+      return true;
+  Vec<2> x;
+  if (lines_cross(a, b, c, d, x)) return false;
+  const auto touches = [&](Index k, const GraphEdge& edge) {
+    return k != edge.a && k != edge.b && distance_to({places[edge.a], places[edge.b]}, 0, 1, places[k]) <= 1e-9;
+  };
+  return !(touches(e.a, f) || touches(e.b, f) || touches(f.a, e) || touches(f.b, e));
+}
+
+bool lines_are_apart(const PlanarGraph& graph)
+{
+  std::vector<std::size_t> order(graph.edges.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto low = [&](std::size_t k) {
+    return std::min(graph.places[graph.edges[k].a][0], graph.places[graph.edges[k].b][0]);
+  };
+  std::ranges::sort(order, {}, low);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const GraphEdge& e = graph.edges[order[i]];
+    const Real high = std::max(graph.places[e.a][0], graph.places[e.b][0]);
+    for (std::size_t j = i + 1; j < order.size() && low(order[j]) <= high; ++j)
+      if (!are_apart(graph.places, e, graph.edges[order[j]])) return false;
+  }
+  return true;
+}
+
 }  // namespace terp

@@ -63,4 +63,14 @@ Real area_of_face(const PlanarGraph& graph, const std::vector<FaceRing>& rings);
 /// A place within an outline that runs counter-clockwise, beside the middle of its longest edge [m].
 Vec<2> place_in(const Polygon& outline);
 
+/// Distance of a place from the part of a polyline between two of its corners [m]. distance_to_line rounds otherwise,
+/// and the corners that an import keeps depend on its last digit.
+Real distance_to(const Polygon& line, std::size_t first, std::size_t last, Vec<2> x);
+
+/// Whether two lines neither cross nor touch but at ends that they share.
+bool are_apart(const std::vector<Vec<2>>& places, const GraphEdge& e, const GraphEdge& f);
+
+/// True if no two lines cross or touch but at their ends.
+bool lines_are_apart(const PlanarGraph& graph);
+
 }  // namespace terp

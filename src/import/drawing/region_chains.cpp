@@ -57,20 +57,6 @@ Polygon polyline(const ChainMap& map, const Chain& chain)
   return line;
 }
 
-/// distance_to_line rounds otherwise, and the corners that an import keeps depend on its last digit.
-Real distance_to(const Polygon& line, std::size_t first, std::size_t last, Vec<2> x)
-{
-  Real nearest = distance(line[first], x);
-  for (std::size_t k = first; k < last; ++k) {
-    const Vec<2> a = line[k], b = line[k + 1];
-    const Real length = distance(a, b);
-    const Real along = (x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1]);
-    nearest = std::min(
-        nearest, distance(between(a, b, length > 0.0 ? std::clamp(along / (length * length), 0.0, 1.0) : 0.0), x));
-  }
-  return nearest;
-}
-
 /// Where one corner may stand for b and c so that the area left of a-b-c-d grows by `more`; not finite: nowhere.
 Vec<2> area_keeping_corner(Vec<2> a, Vec<2> b, Vec<2> c, Vec<2> d, Real more)
 {
@@ -273,8 +259,23 @@ bool is_sound(const ChainMap& map)
   return lines_are_apart(graph_of(map));
 }
 
+/// The same of a map that was sound before places at one end of its lines became `to`: only these lines are new.
+bool is_sound_at(const ChainMap& map, Index to)
+{
+  const PlanarGraph graph = graph_of(map);
+  std::set<Index> others;
+  for (const GraphEdge& e : graph.edges) {
+    if (e.a != to && e.b != to) continue;
+    if (e.a == e.b || !others.insert(e.a == to ? e.b : e.a).second) return false;
+    for (const GraphEdge& f : graph.edges)
+      if (&f != &e && !are_apart(graph.places, e, f)) return false;
+  }
+  return true;
+}
+
 void merge_junctions(ChainMap& map, const ChainLimits& limits, ChainChanges& changes)
 {
+  bool was_sound = is_sound(map);
   for (Index k = 0; k < static_cast<Index>(map.chains.size()); ++k) {
     const auto& places = map.chains[k].places;
     if (places.size() != 2) continue;
@@ -284,7 +285,8 @@ void merge_junctions(ChainMap& map, const ChainLimits& limits, ChainChanges& cha
     for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
       if (!may_become(map, from, to)) continue;
       ChainMap other = merged(map, k, from, to);
-      if (!is_sound(other)) continue;
+      if (!(was_sound ? is_sound_at(other, to) : is_sound(other))) continue;
+      was_sound = true;
       map = std::move(other);
       ++changes.merged;
       changes.largest = std::max(changes.largest, length);
@@ -467,33 +469,6 @@ PlanarGraph graph_of(const ChainMap& map)
     for (std::size_t k = 0; k + 1 < chain.places.size(); ++k)
       graph.edges.push_back({chain.places[k], chain.places[k + 1], {chain.left, chain.right}});
   return graph;
-}
-
-bool lines_are_apart(const PlanarGraph& graph)
-{
-  std::vector<std::size_t> order(graph.edges.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto low = [&](std::size_t k) {
-    return std::min(graph.places[graph.edges[k].a][0], graph.places[graph.edges[k].b][0]);
-  };
-  std::ranges::sort(order, {}, low);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const GraphEdge& e = graph.edges[order[i]];
-    const Vec<2> a = graph.places[e.a], b = graph.places[e.b];
-    for (std::size_t j = i + 1; j < order.size() && low(order[j]) <= std::max(a[0], b[0]); ++j) {
-      const GraphEdge& f = graph.edges[order[j]];
-      const Vec<2> c = graph.places[f.a], d = graph.places[f.b];
-      if (std::min(a[1], b[1]) > std::max(c[1], d[1]) || std::min(c[1], d[1]) > std::max(a[1], b[1])) continue;
-      Vec<2> x;
-      if (lines_cross(a, b, c, d, x)) return false;
-      const auto touches = [&](Index k, const GraphEdge& edge) {
-        return k != edge.a && k != edge.b &&
-               distance_to({graph.places[edge.a], graph.places[edge.b]}, 0, 1, graph.places[k]) <= 1e-9;
-      };
-      if (touches(e.a, f) || touches(e.b, f) || touches(f.a, e) || touches(f.b, e)) return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace terp

@@ -52,7 +52,4 @@ void balance_areas(ChainMap& map, const std::vector<Real>& areas, Real farthest,
 /// The chains as a graph; an edge from a to b has its region to the left and the one to the right as owners 0 and 1.
 PlanarGraph graph_of(const ChainMap& map);
 
-/// True if no two lines cross or touch but at their ends.
-bool lines_are_apart(const PlanarGraph& graph);
-
 }  // namespace terp

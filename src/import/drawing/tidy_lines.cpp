@@ -3,6 +3,10 @@
 
 #include "import/drawing/tidy_lines.hpp"
 
+#include "import/drawing/drawn_sections.hpp"
+#include "import/drawing/line_gaps.hpp"
+
+#include "math/errors.hpp"
 #include "math/plane.hpp"
 #include "model/bodies/polygon.hpp"
 
@@ -20,14 +24,14 @@ namespace {
 
 constexpr std::size_t most_sides = 20'000;  // of all lines, up to which groups are looked for
 constexpr int outline_weight = 1000;        // of an outline beside open lines, to find the section
-constexpr Real nearly_closed = 0.05;        // part of its length by which an outline may be open by mistake
 
 const char* const water_words[] = {"water", "phrea", "frea", "wasser", "nappe", "gws", "gwl", "piezo", "stijghoogte"};
 const char* const ground_words[] = {"waterkering", "watergang", "bodem", "watercourse", "klei", "clay", "zand", "sand",
     "veen", "peat", "leem", "silt", "grind", "pakket", "watervoerend", "waterremmend", "talud",
     "slope"};  // of ground, in spite of it
 const char* const words_of_levels[] = {"mhw", "mlw", "ghw", "glw", "hw", "lw", "ws", "peil", "hwl", "mhws"};  // alone
-const char* const frame_words[] = {"frame", "kader", "rahmen", "cadre", "border", "sheet", "blad", "title", "legend"};
+const char* const frame_words[] = {"frame", "kader", "rahmen", "cadre", "title", "titel", "legend", "stempel"};
+const char* const words_of_sheets[] = {"border", "sheet", "blad"};  // of frames, but also of soil borders and piles
 
 template <std::size_t n>
 bool has_word(const std::string& layer, const char* const (&words)[n])
@@ -51,21 +55,6 @@ bool is_of_water_level(const std::string& layer)
   return false;
 }
 
-std::size_t sides_of(const DxfLine& line) { return line.places.size() - (line.closed ? 0 : 1); }
-
-Real gap_to(const DxfLine& line, Vec<2> x)
-{
-  const auto square_to = [&](Vec<2> place) { return dot(between(place, x), between(place, x)); };
-  Real least = square_to(line.places[0]);
-  for (std::size_t k = 0; k < sides_of(line); ++k) {
-    const Vec<2> a = line.places[k], b = line.places[(k + 1) % line.places.size()], side = between(a, b);
-    const Real square = dot(side, side);
-    const Real t = square > 0.0 ? std::clamp(dot(between(a, x), side) / square, 0.0, 1.0) : 0.0;
-    least = std::min(least, square_to(between(a, b, t)));
-  }
-  return std::sqrt(least);
-}
-
 /// Width of a line within a box, 0 where a place of it lies outside [m].
 Real width_within(const DxfLine& line, const BoundingBox& box)
 {
@@ -75,12 +64,6 @@ Real width_within(const DxfLine& line, const BoundingBox& box)
   return of.high[0] - of.low[0];
 }
 
-BoundingBox wider(BoundingBox box, Real by)
-{
-  for (int d = 0; d < 2; ++d) box.low[d] -= by, box.high[d] += by;
-  return box;
-}
-
 bool meet(const DxfLine& a, const DxfLine& b, Real snap)
 {
   for (const Vec<2>& x : a.places)
@@ -88,8 +71,8 @@ bool meet(const DxfLine& a, const DxfLine& b, Real snap)
   for (const Vec<2>& x : b.places)
     if (gap_to(a, x) <= snap) return true;
   Vec<2> x;
-  for (std::size_t i = 0; i < sides_of(a); ++i)
-    for (std::size_t j = 0; j < sides_of(b); ++j)
+  for (std::size_t i = 0; i < n_sides(a); ++i)
+    for (std::size_t j = 0; j < n_sides(b); ++j)
       if (lines_cross(
               a.places[i], a.places[(i + 1) % a.places.size()], b.places[j], b.places[(j + 1) % b.places.size()], x))
         return true;
@@ -98,31 +81,28 @@ bool meet(const DxfLine& a, const DxfLine& b, Real snap)
 
 class Tidier {
  public:
-  Tidier(std::vector<DxfLine> lines, Real snap) : tidy_{std::move(lines)}, snap_(snap) {}
+  Tidier(const DxfDrawing& drawing, Real snap)
+      : tidy_{drawing.lines}, snap_(snap), layers_are_chosen_(drawing.layers_are_chosen)
+  {
+  }
 
-  TidyLines tidy()
+  TidyLines tidy(bool is_one_section)
   {
     close_outlines();
     leave_out_ground_of_export();
-    std::set<std::string> water, bodies_of_water;
-    drop([&](const DxfLine& line) {
-      const bool is_water =
-          (has_word(line.layer, water_words) || is_of_water_level(line.layer)) && !has_word(line.layer, ground_words);
-      if (is_water) (line.closed ? bodies_of_water : water).insert(line.layer);
-      return is_water && !line.closed;
-    });
-    if (!water.empty()) note("Open lines of water bound no soil: {}.", fmt::join(water, ", "));
-    if (!bodies_of_water.empty())
-      tidy_.doubts.push_back(
-          fmt::format("Outlines on layers of water were taken as soil: {}. --layers leaves them out.",
-              fmt::join(bodies_of_water, ", ")));
-    std::size_t n_sides = 0;
-    for (const DxfLine& line : tidy_.lines) n_sides += line.places.size();
-    const bool is_layered = has_boundaries();
+    leave_out_water();
+    std::size_t n_places = 0;
+    for (const DxfLine& line : tidy_.lines) n_places += line.places.size();
+    const bool is_small = n_places <= most_sides;
+    if (is_small && !layers_are_chosen_) leave_out_named_frames(), refuse_doubtful_frames();
+    if (is_small) leave_out_copies();
+    if (is_small && !is_one_section) leave_out_tables();
+    const bool is_layered = has_boundaries(tidy_.lines, snap_);
     if (is_layered) close_ends();
-    if (n_sides <= most_sides) leave_out_frames(is_layered), leave_out_walls();
+    if (is_small)
+      if (const std::string doubt = doubt_of_gaps(tidy_.lines, snap_); !doubt.empty()) tidy_.doubts.push_back(doubt);
+    if (is_small) leave_out_frames(is_layered), leave_out_walls();
     if (!is_layered) close_ends();
-    doubt_gaps();
     return std::move(tidy_);
   }
 
@@ -131,6 +111,12 @@ class Tidier {
   void note(fmt::format_string<A...> text, A&&... arguments)
   {
     tidy_.notes.push_back(fmt::format(text, std::forward<A>(arguments)...));
+  }
+
+  template <class... A>
+  void doubt(fmt::format_string<A...> text, A&&... arguments)
+  {
+    tidy_.doubts.push_back(fmt::format(text, std::forward<A>(arguments)...));
   }
 
   template <class F>
@@ -168,6 +154,90 @@ class Tidier {
     if (tidy_.lines.size() < n) note("The ground lines of an exported section bound no soil.");
   }
 
+  void leave_out_water()
+  {
+    std::set<std::string> water, bodies_of_water;
+    drop([&](const DxfLine& line) {
+      if (is_of_water(line.layer)) (line.closed ? bodies_of_water : water).insert(line.layer);
+      return is_of_water(line.layer) && !line.closed;
+    });
+    if (!water.empty()) note("Open lines of water bound no soil: {}.", fmt::join(water, ", "));
+    if (!bodies_of_water.empty())
+      doubt("Outlines on layers of water were taken as soil: {}. --layers leaves them out.",
+          fmt::join(bodies_of_water, ", "));
+  }
+
+  /// Borders, title blocks and legends by their names, whatever they touch.
+  void leave_out_named_frames()
+  {
+    const auto is_frame = [](const DxfLine& line) { return has_word(line.layer, frame_words); };
+    std::set<std::string> names;
+    if (std::ranges::all_of(tidy_.lines, is_frame)) return;
+    drop([&](const DxfLine& line) { return is_frame(line) && (names.insert(line.layer), true); });
+    if (!names.empty())
+      doubt("Lines of a frame bound no soil: {}. Name all layers of soil in --layers if they do.",
+          fmt::join(names, ", "));
+  }
+
+  /// A rectangle that holds all other outlines and touches them: a frame, or soil that they lie in.
+  void refuse_doubtful_frames()
+  {
+    if (tidy_.lines.size() < 3 || !std::ranges::all_of(tidy_.lines, &DxfLine::closed)) return;
+    std::set<std::string> layers;
+    for (const DxfLine& line : tidy_.lines) layers.insert(line.layer);
+    for (const DxfLine& line : tidy_.lines) {
+      if (!is_rectangle(line) || has_word(line.layer, ground_words)) continue;
+      const BoundingBox box = box_around(line.places);
+      const auto touches = [&](const DxfLine& other) {  // but for title blocks on its own layer
+        return &other != &line && other.layer != line.layer && meet(line, other, snap_);
+      };
+      const bool holds_all = std::ranges::all_of(
+          tidy_.lines, [&](const DxfLine& other) { return width_within(other, wider(box, snap_)) > 0.0; });
+      const bool is_of_no_layer = line.layer == "0" && layers.size() >= 3;
+      if ((!holds_all && !is_of_no_layer) || std::ranges::none_of(tidy_.lines, touches)) continue;
+      std::set<std::string> others = layers;
+      others.erase(line.layer);
+      throw InputError({"", fmt::format("the rectangle on layer {} may be a frame or soil", line.layer),
+          fmt::format("It lies from {:.2f}, {:.2f} to {:.2f}, {:.2f} m and {}. A frame: --layers '{}'. Soil: --layers "
+                      "'{}'.",
+              box.low[0], box.low[1], box.high[0], box.high[1],
+              holds_all ? "holds all other outlines" : "others have layers of their own", fmt::join(others, ","),
+              fmt::join(layers, ",")),
+          ""});
+    }
+  }
+
+  /// Of outlines in one place the last one that was drawn counts.
+  void leave_out_copies()
+  {
+    std::vector<std::string> named;
+    std::vector<bool> is_copy(tidy_.lines.size(), false);
+    for (std::size_t k = 0; k < tidy_.lines.size(); ++k)
+      for (std::size_t later = k + 1; later < tidy_.lines.size() && !is_copy[k]; ++later) {
+        const DxfLine &line = tidy_.lines[k], &other = tidy_.lines[later];
+        is_copy[k] = line.closed && other.closed && is_same_outline(line, other, snap_);
+        if (is_copy[k] && line.layer != other.layer)
+          named.push_back(fmt::format("{} and {} at {:.2f}, {:.2f} m: {} counts", line.layer, other.layer,
+              line.places[0][0], line.places[0][1], other.layer));
+      }
+    std::size_t k = 0;
+    drop([&](const DxfLine&) { return is_copy[k++]; });
+    if (!named.empty())
+      doubt(
+          "Two layers have the same outline, of which the last one that was drawn counts: {}. --layers leaves one out.",
+          fmt::join(named, ", "));
+  }
+
+  void leave_out_tables()
+  {
+    const SectionSearch found = look_for_sections(tidy_.lines, snap_);
+    if (!found.doubt.empty()) tidy_.doubts.push_back(found.doubt);
+    std::set<std::string> names;
+    std::size_t k = 0;
+    drop([&](const DxfLine& line) { return found.is_apart[k++] && (names.insert(line.layer), true); });
+    if (!names.empty()) note("Lines beside the section bound no soil: {}.", fmt::join(names, ", "));
+  }
+
   /// The number of its group for each line.
   std::vector<std::size_t> groups() const
   {
@@ -179,23 +249,8 @@ class Tidier {
     for (std::size_t a = 0; a < n; ++a)
       for (std::size_t b = a + 1; b < n; ++b)
         if (group[a] != group[b] && overlap(boxes[a], boxes[b]) && meet(tidy_.lines[a], tidy_.lines[b], snap_))
-          std::ranges::replace(group, group[b], group[a]);
+          std::ranges::replace(group, std::size_t{group[b]}, std::size_t{group[a]});  // copies: both stand in it
     return group;
-  }
-
-  /// Two open lines at different heights from one x to another: tops of layers, and not outlines alone.
-  bool has_boundaries() const
-  {
-    const auto spans = [&](const DxfLine& a, const DxfLine& b) {
-      const auto [a0, a1] = std::minmax(a.places.front(), a.places.back());
-      const auto [b0, b1] = std::minmax(b.places.front(), b.places.back());
-      return a1[0] - a0[0] > snap_ && std::abs(a0[0] - b0[0]) <= snap_ && std::abs(a1[0] - b1[0]) <= snap_ &&
-             (std::abs(a0[1] - b0[1]) > snap_ || std::abs(a1[1] - b1[1]) > snap_);
-    };
-    for (std::size_t a = 0; a < tidy_.lines.size(); ++a)
-      for (std::size_t b = a + 1; b < tidy_.lines.size(); ++b)
-        if (!tidy_.lines[a].closed && !tidy_.lines[b].closed && spans(tidy_.lines[a], tidy_.lines[b])) return true;
-    return false;
   }
 
   /// The number of the group that is the section: of layers that which was closed, else that of most outlines.
@@ -223,8 +278,8 @@ class Tidier {
       const DxfLine& line = tidy_.lines[k];
       if (group[k] == section || !line.closed) continue;
       const bool is_around = std::ranges::all_of(places, [&](const Vec<2>& x) { return contains(line.places, x); });
-      const bool is_frame = line.places.size() == 4 && weight[section] >= 2;
-      if (is_around && (is_frame || has_word(line.layer, frame_words)))
+      const bool is_frame = line.places.size() == 4 && weight[section] >= 2 && !has_word(line.layer, ground_words);
+      if (is_around && (is_frame || has_word(line.layer, words_of_sheets)) && !layers_are_chosen_)
         frames.insert(group[k]), names.insert(line.layer);
     }
     for (std::size_t k = 0; k < group.size(); ++k) {
@@ -232,8 +287,7 @@ class Tidier {
       if (group[k] == section || !line.closed || frames.contains(group[k])) continue;
       if (has_ends && overlap(section_box, box_around(line.places))) continue;
       if (std::ranges::none_of(tidy_.lines, [&](const DxfLine& other) {
-            return &other != &line && other.closed && contains(other.places, line.places[0]) &&
-                   !has_word(other.layer, frame_words);
+            return &other != &line && other.closed && contains(other.places, line.places[0]);
           }))
         apart.insert(line.layer);
     }
@@ -255,19 +309,17 @@ class Tidier {
         tidy_.notes.push_back(text);
     }
     if (!frames.empty())
-      tidy_.doubts.push_back(
-          fmt::format("Outlines that hold all others and touch none were taken as a frame, not as soil: {}.",
-              fmt::join(names, ", ")));
+      doubt("Outlines that hold all others and touch none were taken as a frame, not as soil: {}.",
+          fmt::join(names, ", "));
     std::set<std::string> drawn_frames;
     for (const DxfLine& line : tidy_.lines)
-      if (line.closed && has_word(line.layer, frame_words)) drawn_frames.insert(line.layer);
-    if (!drawn_frames.empty())
-      tidy_.doubts.push_back(
-          fmt::format("Outlines on layers of frames were taken as soil: {}. --layers leaves them out.",
-              fmt::join(drawn_frames, ", ")));
+      if (line.closed && has_word(line.layer, words_of_sheets)) drawn_frames.insert(line.layer);
+    if (!drawn_frames.empty() && !layers_are_chosen_)
+      doubt("Outlines on layers of frames were taken as soil: {}. --layers leaves them out.",
+          fmt::join(drawn_frames, ", "));
     if (!apart.empty() && (has_ends || weight[section] >= 2 * outline_weight))
-      tidy_.doubts.push_back(fmt::format(
-          "Outlines that touch no other were taken as soil: {}. --layers leaves a layer out.", fmt::join(apart, ", ")));
+      doubt(
+          "Outlines that touch no other were taken as soil: {}. --layers leaves a layer out.", fmt::join(apart, ", "));
   }
 
   bool is_loose(const DxfLine& line, Vec<2> end) const
@@ -347,26 +399,21 @@ class Tidier {
     std::ranges::move(verticals, std::back_inserter(tidy_.lines));
   }
 
-  void doubt_gaps()
-  {
-    for (const DxfLine& line : tidy_.lines) {
-      if (line.closed || line.places.size() < 4) continue;
-      Real all = 0.0;
-      for (std::size_t k = 0; k + 1 < line.places.size(); ++k) all += distance(line.places[k], line.places[k + 1]);
-      const Vec<2> end = line.places.back();
-      const Real gap = distance(line.places.front(), end);
-      if (gap > snap_ && gap < nearly_closed * all && is_loose(line, end))
-        tidy_.doubts.push_back(fmt::format("An outline on layer {} is open by {:.3f} m at {:.3f}, {:.3f} m: close it.",
-            line.layer, gap, end[0], end[1]));
-    }
-  }
-
   TidyLines tidy_;
   Real snap_;
+  bool layers_are_chosen_;
 };
 
 }  // namespace
 
-TidyLines tidy_lines(std::vector<DxfLine> lines, Real snap) { return Tidier(std::move(lines), snap).tidy(); }
+bool is_of_water(const std::string& layer)
+{
+  return (has_word(layer, water_words) || is_of_water_level(layer)) && !has_word(layer, ground_words);
+}
+
+TidyLines tidy_lines(const DxfDrawing& drawing, Real snap)
+{
+  return Tidier(drawing, snap).tidy(drawing.is_one_section);
+}
 
 }  // namespace terp

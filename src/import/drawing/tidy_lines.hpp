@@ -15,8 +15,12 @@ struct TidyLines {
   std::vector<std::string> doubts = {};  ///< what speaks against the drawing, the same
 };
 
+/// Whether the name of a layer says that it is water, and no ground.
+bool is_of_water(const std::string& layer);
+
 /// Closes outlines whose ends lie within `snap` [m], and boundaries that end at one x by a vertical. Leaves out open
-/// water lines, lines that end within an outline, frames around all, and the ground lines of an exported section.
-TidyLines tidy_lines(std::vector<DxfLine> lines, Real snap);
+/// water lines, lines that end within an outline, frames, tables, copies of outlines, and the ground lines of an
+/// exported section. Throws InputError if the drawing holds several sections, or what may be a frame or soil.
+TidyLines tidy_lines(const DxfDrawing& drawing, Real snap);
 
 }  // namespace terp

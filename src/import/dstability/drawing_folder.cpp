@@ -48,7 +48,8 @@ CaseFolder drawing_folder_of(
   drawing.regions = part_of(whole.regions, part);
   std::erase_if(drawing.regions, [](const DrawnRegion& r) { return r.polygon.empty(); });
   const SectionLayout layout = layout_of(drawing.regions, {}, {.cell = options.cell});
-  const CleaningOptions cleaning = cleaning_for(layout.cell);
+  CleaningOptions cleaning = cleaning_for(layout.cell);
+  cleaning.snap = drawing.snap;
   const CleanSection clean = clean_regions(drawing.regions, {}, cleaning);
   SectionText text;
   text.title = "Section of " + options.path;
@@ -99,7 +100,8 @@ CaseFolder drawing_folder_of(
 
 std::string drawing_listing(const DxfRegions& drawing, const std::vector<std::string>& notes)
 {
-  const CleanSection clean = clean_regions(drawing.regions, {}, {});
+  const CleaningOptions cleaning{.snap = drawing.snap};
+  const CleanSection clean = clean_regions(drawing.regions, {}, cleaning);
   std::string text = fmt::format("{:<28} {:>12} {:>8}   {}\n", "region", "area [m2]", "corners", "box [m]");
   Real sum = 0.0;
   for (std::size_t k = 0; k < drawing.regions.size(); ++k) {
@@ -111,7 +113,7 @@ std::string drawing_listing(const DxfRegions& drawing, const std::vector<std::st
   text += fmt::format("{:<28} {:>12.3f}\n", "all", sum);
   for (const auto* lines : {&notes, &drawing.notes})
     for (const std::string& line : *lines) text += line + "\n";
-  for (const std::string& line : describe(clean, drawing.regions, {})) text += line + "\n";
+  for (const std::string& line : describe(clean, drawing.regions, cleaning)) text += line + "\n";
   return text;
 }
 

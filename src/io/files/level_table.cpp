@@ -62,14 +62,18 @@ std::optional<Real> date_of_cell(const std::string& text)
 
 LevelTable read_level_table(const std::string& path, Real unit)
 {
-  const std::string text = read_file(path);
+  return read_level_table_text(path, read_file(path), unit);
+}
+
+LevelTable read_level_table_text(const std::string& path, std::string_view text, Real unit)
+{
   LevelTable table;
   LevelWave& wave = table.wave;
   bool is_first = true, has_dates = false;
   std::size_t begin = 0, n_levels = 0;
   for (int line = 1; begin < text.size(); ++line) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::vector<std::string> cells = cells_of(std::string_view(text).substr(begin, end - begin));
+    const std::vector<std::string> cells = cells_of(text.substr(begin, end - begin));
     begin = end + 1;
     if ((cells.size() == 1 && cells[0].empty()) || cells[0].starts_with('#')) continue;
     const auto fail = [&](const std::string& why) { throw FileError(fmt::format("{}:{}: {}", path, line, why)); };

@@ -5,6 +5,7 @@
 #include "model/seepage/seepage_in_time.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace terp {
 
@@ -16,5 +17,8 @@ struct LevelTable {
 /// Cells are apart by commas or semicolons; with semicolons a number may have a comma. Times are numbers in `unit` [s]
 /// or dates: 2026-01-05 12:30, 05-01-2026 12:30. Throws FileError with FILE:LINE.
 LevelTable read_level_table(const std::string& path, Real unit);
+
+/// The same of a text.
+LevelTable read_level_table_text(const std::string& path, std::string_view text, Real unit);
 
 }  // namespace terp

@@ -79,14 +79,17 @@ bool follows_a_wrong_one(
   return false;
 }
 
-void check_covers(const MaterialCase& material, const ParameterField& field, const std::vector<Index>& n_covered)
+/// soil: the box around its points. A table may lie in it and between points, as one of a short boring does.
+void check_covers(const MaterialCase& material, const ParameterField& field, const BoundingBox& soil)
 {
-  for (std::size_t c = 0; c < n_covered.size(); ++c)
-    if (n_covered[c] == 0)
+  for (std::size_t c = 0; c < field.needs.covers.size(); ++c)
+    if (!overlap({field.needs.covers[c].low, field.needs.covers[c].high}, soil))
       throw InputError(Problem{parameter_key(material, material.type()->parameters[field.parameter].name),
           fmt::format("the table `{}` covers none of the soil", field.needs.covers[c].file),
-          fmt::format("{}, where there is no `{}`. Are x and y in m, and in the axes of the case?",
-              cover_text(field.needs.covers[c]), material.name),
+          fmt::format(
+              "{}; `{}` lies in x = {:.4g} to {:.4g} m, y = {:.4g} to {:.4g} m. Are x and y in m, and in the axes of "
+              "the case?",
+              cover_text(field.needs.covers[c]), material.name, soil.low[0], soil.high[0], soil.low[1], soil.high[1]),
           "material"});
 }
 
@@ -115,24 +118,23 @@ FieldsOfPoints settle_fields(Model& model)
   std::vector<MaterialCase>& materials = model.description.materials;
   FieldsOfPoints fields = fields_of_points(model);
   std::vector<std::vector<FieldRange>> found(materials.size());
-  std::vector<std::vector<std::vector<Index>>> n_covered(materials.size());  // of each material, field and file
-  for (std::size_t m = 0; m < materials.size(); ++m) {
-    found[m].resize(materials[m].fields.size());
-    for (const ParameterField& field : materials[m].fields) n_covered[m].emplace_back(field.needs.covers.size());
-  }
-  for (const auto& [m, x, first] : fields.points)
+  std::vector<BoundingBox> soils(materials.size(), {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}});
+  for (std::size_t m = 0; m < materials.size(); ++m) found[m].resize(materials[m].fields.size());
+  for (const auto& [m, x, first] : fields.points) {
+    for (int d = 0; d < 2; ++d)
+      soils[m].low[d] = std::min(soils[m].low[d], x[d]), soils[m].high[d] = std::max(soils[m].high[d], x[d]);
     for (std::size_t f = 0; f < materials[m].fields.size(); ++f) {
       const ParameterField& field = materials[m].fields[f];
       found[m][f].add(fields.values[first + f], model.materials[m].type->parameters[field.parameter].range, x);
-      for (std::size_t c = 0; c < field.needs.covers.size(); ++c) n_covered[m][f][c] += is_in(field.needs.covers[c], x);
     }
+  }
   std::vector<Problem> problems;
   for (std::size_t m = 0; m < materials.size(); ++m) {
     for (std::size_t f = 0; f < found[m].size(); ++f) {
       const ParameterField& field = materials[m].fields[f];
       const FieldRange& values = found[m][f];
       if (values.n == 0) continue;
-      check_covers(materials[m], field, n_covered[m][f]);
+      check_covers(materials[m], field, soils[m]);
       const ParameterInfo& info = model.materials[m].type->parameters[field.parameter];
       if (values.n_outside > 0 && !follows_a_wrong_one(materials[m], field, found[m]))
         problems.push_back(outside_its_range(materials[m], info, values));

@@ -70,6 +70,17 @@ TEST(GroundProfile, ThatCouldMeanSomethingElseIsRefused)
   EXPECT_THAT(profile("l,z\n0,0\n5,1o\n10,0\n").doubts, ElementsAre(HasSubstr("1 rows without numbers")));
 }
 
+TEST(GroundProfile, OfSeveralWithoutANameIsRefused)
+{
+  const auto refused = [](const std::string& text) { return refusal<InputError>([&] { profile(text); }); };
+  EXPECT_THAT(refused("afstand;z;hoogte\n0;0;1\n10;0;1\n"), HasSubstr("levels or distances: z, hoogte"));
+  EXPECT_THAT(refused("l;z_2019 [m];z_2023 [m]\n0;0;1\n10;0;1\n"), HasSubstr("z_2019 [m], z_2023 [m]"));
+  EXPECT_THAT(refused("l;afstand;z\n0;0;1\n10;0;1\n"), HasSubstr("l, afstand"));
+  EXPECT_THAT(refused("vak;l;z\nA;0;0\nA;10;0\nB;0;1\nB;10;1\n"), HasSubstr("name them in a column `profile`"));
+  EXPECT_THAT(refused("l,z\n0,0\n0,1\n5,0\n5,1\n10,0\n10,1\n15,0\n15,1\n"), HasSubstr("two levels at 4 places"));
+  EXPECT_NEAR(area("l,z\n0,0\n5,0\n5,1\n9,1\n9,2\n12,2\n12,3\n15,3\n15,4\n20,4\n"), 120.0 + 4 + 6 + 9 + 20, 1e-9);
+}
+
 TEST(GroundProfile, HasTheUnitOfItsHeads)
 {
   EXPECT_NEAR(area("l [km];z_ft\n0;0\n0,01;10\n", {.base = -1.0}), 10.0 * (1.0 + 0.5 * 3.048), 1e-9);

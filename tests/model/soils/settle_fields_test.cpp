@@ -47,9 +47,11 @@ TEST(SettleFields, AFileThatCoversNoSoilIsRefusedAndOneThatCoversAPartIsDoubted)
   };
   EXPECT_THAT(refusal_of(covering({0.0, -5.0}, {8.0, -1.0})),
       ElementsAre(told("material.clay.eta", "the table `eta.csv` covers none of the soil",
-          "Its places lie in x = 0 to 8 m, y = -5 to -1 m, where there is no `clay`. Are x and y in m, and in the axes "
-          "of "
-          "the case?")));
+          "Its places lie in x = 0 to 8 m, y = -5 to -1 m; `clay` lies in x = 0.05 to 7.95 m, y = 0.05 to 1.95 m. Are "
+          "x "
+          "and y in m, and in the axes of the case?")));
+  EXPECT_THAT(warnings_from(find_uncovered_soil, covering({3.0, 0.99}, {3.0, 1.01})),  // between points
+      ElementsAre(told("material.clay.eta", "the table `eta.csv` does not cover all of the soil", _)));
   EXPECT_THAT(warnings_from(find_uncovered_soil, covering({0.0, 0.0}, {6.0, 2.0})),
       ElementsAre(told("material.clay.eta", "the table `eta.csv` does not cover all of the soil",
           EndsWith("of `clay` lie outside, by up to 1.95 m. They take the value of the nearest places."))));
