@@ -56,7 +56,7 @@ class Site(unittest.TestCase):
             for address in page.links + page.loaded:
                 parts = urllib.parse.urlsplit(address)
                 target = (file.parent / urllib.parse.unquote(parts.path)).resolve() if parts.path else file
-                if address in page.links and parts.scheme in ("http", "https", "mailto"):
+                if parts.scheme == "data" or (address in page.links and parts.scheme in ("http", "https", "mailto")):
                     continue
                 if parts.scheme or self.site.resolve() not in target.parents or not target.is_file() or (
                         parts.fragment and parts.fragment not in self.pages[target].anchors):
