@@ -16,10 +16,10 @@ namespace {
 CaseLine ramp() { return {"ramp", "10.0", "s: slow beside the vibrations of the section; nothing drains meanwhile"}; }
 
 /// longest: [s].
-CaseTableText stage_until(
-    const std::string& end, const std::string& name, const std::string& comment, const char* longest)
+CaseTableText stage_until(const std::string& end, const std::string& name, const std::string& comment, Real longest)
 {
-  return {"[[stage]]", comment, {{"name", in_quotes(name), ""}, {"until", end, ""}, {"at_most", longest, "s"}}};
+  return {"[[stage]]", comment,
+      {{"name", in_quotes(name), ""}, {"until", end, ""}, {"at_most", fmt::format("{:.1f}", longest), "s"}}};
 }
 
 void add_sets(const std::vector<std::string>& sets, CaseTableText& stage)
@@ -30,7 +30,7 @@ void add_sets(const std::vector<std::string>& sets, CaseTableText& stage)
 CaseTableText analysed_stage(const StagePlan& plan, const std::string& name)
 {
   CaseTableText stage = stage_until(last_end(plan.has_flood && plan.trigger.name.empty()), name,
-      fmt::format("Stage {} of the file", in_quotes(plan.analysed)), "30.0");
+      fmt::format("Stage {} of the file", in_quotes(plan.analysed)), plan.longest);
   if (plan.first.empty()) return stage;
   stage.lines.insert(stage.lines.begin() + 1, ramp());
   if (!plan.water.empty()) stage.lines.insert(stage.lines.begin() + 1, {"water", in_quotes(plan.water), ""});
@@ -61,7 +61,7 @@ CaseTableText release_stage(const StagePlan& plan, const std::string& name)
 {
   CaseTableText stage = stage_until(last_end(plan.has_flood && plan.trigger.name.empty()), name,
       "Strengths go from twice those of the file to those of the file. at_strength where it fails is its factor",
-      "42.0");
+      plan.longest + 12.0);
   stage.lines.insert(stage.lines.begin() + 1, {"ramp", "12.0", "s"});
   add_sets({"\"forces.damping.local\" = 0.05", "at_strength = 1.0"}, stage);
   stage.lines.push_back({"reset_displacement", "true", ""});
@@ -71,7 +71,7 @@ CaseTableText release_stage(const StagePlan& plan, const std::string& name)
 CaseTableText trigger_stage(const StagePlan& plan, const std::string& name)
 {
   const TriggerStage& trigger = plan.trigger;
-  CaseTableText stage = stage_until(last_end(plan.has_flood), name, trigger.comment, "30.0");
+  CaseTableText stage = stage_until(last_end(plan.has_flood), name, trigger.comment, plan.longest);
   stage.lines.insert(stage.lines.begin() + 1, {"trigger", "true", "the verdict is not that of the section as it is"});
   if (!trigger.water.empty())
     stage.lines.insert(stage.lines.begin() + 2, {{"water", in_quotes(trigger.water), ""}, ramp()});
@@ -99,7 +99,7 @@ std::vector<CaseTableText> stage_tables(const StagePlan& plan)
   } else {
     if (!plan.first.empty()) {
       tables.push_back(stage_until(until_rest, own_name(key_of_name(plan.first, "stage")),
-          fmt::format("Stage {} of the file", in_quotes(plan.first)), "20.0"));
+          fmt::format("Stage {} of the file", in_quotes(plan.first)), 20.0));
       add_sets({"\"forces.damping.local\" = 0.5"}, tables.back());
     }
     tables.push_back(analysed_stage(plan, own_name(key_of_name(plan.analysed, "stage"))));

@@ -20,6 +20,7 @@ struct StagePlan {
   std::vector<std::string> sets = {};
   bool is_held = false;    ///< strengths are doubled while the river rises: for soil that cannot stand
   bool has_flood = false;  ///< the case asks for a verdict on the water
+  Real longest = 30.0;     ///< of the last stage, beyond the ramp in which strengths go back [s]
   TriggerStage trigger = {};
 };
 

@@ -19,6 +19,8 @@ namespace terp {
 namespace {
 
 constexpr const char* factor_name = "model_factor";
+constexpr Real longest =
+    60.0;  // of the last stage [s]: of a run a person may ask for more, a study counts it as unknown
 constexpr Real radian = std::numbers::pi / 180.0;
 constexpr Real most_of_mean = 0.25;  // by which what a yield stress owes to a POP may differ from the mean of that POP
 
@@ -229,6 +231,7 @@ std::string held_text(const StudyPlan& plan, bool has_factor)
   if (plan.stages.is_held) return "";
   StagePlan held = plan.stages;
   held.is_held = true;
+  held.longest = longest;
   std::string text =
       "\n# What cannot stand as drawn is held while the river rises, and then released: so it is known what is left.\n"
       "[held]\n";
@@ -331,7 +334,9 @@ StudyText study_text(const StudyPlan& plan)
       text.source.en, in_quotes(plan.title),
       plan.is_of_file ? "" : fmt::format("note  = {}\n", in_quotes(text.source.en)),
       plan.stages.has_flood && !plan.stages.is_held
-          ? fmt::format("\"{}.until\" = \"verdict\"  # as soon as the answer is known\n", stage)
+          ? fmt::format(
+                "\"{0}.until\" = \"verdict\"  # as soon as the answer is known\n\"{0}.at_most\" = {1:.1f}  # s\n",
+                stage, longest)
           : "");
   text.file += numbers.text() + held_text(plan, numbers.has_factor());
   text.file += fmt::format(
