@@ -16,6 +16,7 @@
 #include "batch/case_refusal.hpp"
 #include "batch/idle_sweep.hpp"
 #include "batch/multilevel.hpp"
+#include "batch/odd_distributions.hpp"
 #include "batch/points.hpp"
 #include "batch/reliability.hpp"
 
@@ -422,7 +423,8 @@ void doubt_places_of_lines(const Study& study, std::vector<Problem>& doubts)
   for (const SweepKey& sweep : study.settings.sweep) take(sweep.key, sweep.path);
 }
 
-/// Soil that settles or swings goes as far; a slide of less than a few points shows nothing.
+/// Soil that settles or swings goes as far; a slide of less than a few points shows nothing. Few slides go farther than
+/// the section is high.
 void doubt_small_events(const Study& study, Real cell, std::vector<Problem>& doubts)
 {
   constexpr Real least_displacement = 1e-3, least_volume = 0.04;  // of a cell; one point of 5 x 5
@@ -431,6 +433,12 @@ void doubt_small_events(const Study& study, Real cell, std::vector<Problem>& dou
     doubts.push_back({"events.displacement", "soil that only settles counts as a slide",
         fmt::format("Got {:g} m; cells are {:.3g} m wide. Soil at rest still moves by as much. Usual: 0.1 to 1 m.",
             event.displacement, cell),
+        ""});
+  const BoundingBox box = box_around(study.mesh->nodes);
+  if (study.settings.estimator != Estimator::sweep && event.displacement > box.high[1] - box.low[1])
+    doubts.push_back({"events.displacement", "a slide moves farther than the section is high",
+        fmt::format(
+            "Got {:g} m; the mesh is {:.3g} m high. Usual: 0.1 to 1 m.", event.displacement, box.high[1] - box.low[1]),
         ""});
   if (event.volume < least_volume * cell * cell)
     doubts.push_back({"events.volume", "a slide may be smaller than a material point",
@@ -445,6 +453,7 @@ std::vector<Problem> find_doubts(const Study& study)
   if (!study.settings.note.empty()) doubts.push_back({"note", "a note of the study", study.settings.note, ""});
   doubt_places_of_lines(study, doubts);
   doubt_idle_sweeps(study, doubts);
+  doubt_distributions(study, doubts);
   if (const Index n = study.settings.stop.number; study.settings.estimator == Estimator::sobol && (n & (n - 1)) != 0)
     doubts.push_back({"stop.number", "Sobol points are even in powers of two",
         fmt::format("Got {}. Take {} or {}.", n, std::bit_floor(static_cast<std::uint32_t>(n)),

@@ -49,9 +49,10 @@ class CaseWarnings {
     for (const Problem& problem : said) is_news(problem), phrases_.insert(problem.what);
   }
 
-  std::vector<Problem> of_model(const Case& c, const SharedMesh& mesh) const
+  std::vector<Problem> of_model(const Case& c, const SharedMesh& mesh)
   {
     Model model = build_model(c, mesh, 1);
+    level_ = model.flood_level.value;
     std::vector<Problem> warnings = find_warnings(model, build_state(model));
     std::erase_if(warnings, is_of_cells);
     return warnings;
@@ -67,6 +68,7 @@ class CaseWarnings {
             of_model(file.values,
                 study_.shares_mesh ? study_.mesh : std::make_shared<const Mesh<2>>(build_mesh(file.values))),
             std::back_inserter(warnings));
+      if (tried.is_set_up) tried_levels_.emplace_back(tried.path, level_);
       for (const Problem& problem : warnings)
         if (!phrases_.contains(problem.what) && is_news(problem))
           found.push_back({tried.path, fmt::format("with {}: {}", tried.words, problem.what), problem.detail, ""});
@@ -76,9 +78,49 @@ class CaseWarnings {
     }
   }
 
+  /// A load whose formulas move a phreatic line, and the heads of the layers stay where they are.
+  void find_still_heads(std::vector<Problem>& found) const
+  {
+    const auto& load = study_.settings.fragility;
+    const auto& situations = study_.base.values.water.situations;
+    for (std::size_t k = 0; load && k < situations.size(); ++k) {
+      const std::string path = fmt::format("water.situation[{}].", k);
+      const auto sets = [&](const char* key) {
+        return std::ranges::any_of(load->set, [&](const auto& entry) { return entry.first.starts_with(path + key); });
+      };
+      if (situations[k].head_lines.empty() || !sets("phreatic_line") || sets("head_lines")) continue;
+      found.push_back({"fragility.set", "the river follows the load, and the heads of the layers do not",
+          fmt::format(
+              "`{}phreatic_line` is a formula of h, and `{}head_lines` stays as in the case. Give it, too, or leave it "
+              "if\nthe layers do not feel the river.",
+              path, path),
+          ""});
+    }
+  }
+
+  /// A load whose formulas move the water, and the river stays where it is.
+  void find_still_river(std::vector<Problem>& found) const
+  {
+    const auto& load = study_.settings.fragility;
+    const auto of_water = [](const auto& key_value) { return key_value.first.starts_with("water."); };
+    if (!load || !study_.base.values.flood.asks() || std::ranges::none_of(load->set, of_water)) return;
+    std::vector<Real> levels;
+    for (const auto& [path, level] : tried_levels_)
+      if (path.starts_with("fragility.")) levels.push_back(level);
+    if (levels.size() < 2 || levels.front() != levels.back()) return;
+    found.push_back({"fragility.set", "the river stands at one level, whatever the load",
+        fmt::format(
+            "It is {:.4g} m at the first level and at the last one. Let the river's end of the phreatic line be "
+            "a formula of h.",
+            levels.front()),
+        ""});
+  }
+
  private:
   const Study& study_;
   std::set<std::string> said_, phrases_;
+  Real level_ = 0.0;  ///< of the water of [flood] in the last model [m]
+  std::vector<std::pair<std::string, Real>> tried_levels_;
 };
 
 std::vector<TriedCase> cases_to_try(const Study& study)
@@ -129,6 +171,8 @@ WarningsOfCases find_warnings_of_cases(const Study& study, const std::vector<Pro
         found.drawn.push_back({"estimator.coarse", "the coarse case: " + problem.what, problem.detail, ""});
   }
   for (const TriedCase& tried : cases_to_try(study)) warnings.look_at(tried, found.drawn);
+  warnings.find_still_river(found.drawn);
+  warnings.find_still_heads(found.drawn);
   return found;
 }
 

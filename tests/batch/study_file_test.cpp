@@ -293,12 +293,14 @@ TEST(StudyFile, CellsThatAverageAFieldAreDoubted)
       << "sqrt(2 (1 + exp(-1) - 1))";
 }
 
-TEST(StudyFile, ASlideThatIsSmallerThanAPointOrASettlementIsDoubted)
+TEST(StudyFile, ASlideThatIsSmallerThanAPointOrASettlementOrHugeIsDoubted)
 {
   const ScratchFolder folder;
   const auto doubts = [&](const std::string& text) { return find_doubts(study_in(folder.path(), text)); };
   EXPECT_THAT(doubts(changed(column_study, "displacement = 0.3", "displacement = 3e-4")),
       ElementsAre(told("events.displacement", "soil that only settles counts as a slide", _)));
+  EXPECT_THAT(doubts(changed(column_study, "displacement = 0.3", "displacement = 5.0")),
+      ElementsAre(told("events.displacement", "a slide moves farther than the section is high", _)));
   EXPECT_THAT(doubts(changed(column_study, "volume = 1.0", "volume = 0.01")),
       ElementsAre(told("events.volume", "a slide may be smaller than a material point", _)));
 }

@@ -55,4 +55,31 @@ TEST(StudyWarnings, OfSweepsAndLoadsNameTheValue)
   EXPECT_THAT(told_of(load), Contains(HasSubstr("fragility.levels[1]: with h = 19000: `density` = 19000")));
 }
 
+TEST(StudyWarnings, OfALoadThatMovesTheWaterAndNotTheRiver)
+{
+  const auto told = [](const std::string& place, const std::string& more = "") {
+    const ScratchFolder folder;
+    const std::string wet = column_case + "[flood]\n[water]\nphreatic_line = [[0.0, 2.1], [1.0, 2.1], [4.0, 0.2]]\n" +
+                            more +
+                            "[[water.situation]]\nname = "
+                            "\"high\"\ntime = 0.5\nphreatic_line = [[0.0, 2.2], [1.0, 2.2], [4.0, 0.2]]\n";
+    const Study study = open_study(write_study(folder.path(),
+        on_column(("[fragility]\nlevels = [2.2, 2.4]\nset = { \"water.situation[0].phreatic_line\" = [[0.0, " + place +
+                   "], [1.0, " + place +
+                   "], [4.0, \"h/10\"]] }\n[[random]]\nkey = \"material.clay.su_peak\"\ndistribution = "
+                   "\"lognormal\"\nmean = \"8 kPa\"\ncov = 0.4\n")
+                      .c_str()),
+        wet));
+    std::vector<std::string> all;
+    for (const Problem& problem : find_warnings_of_cases(study, find_doubts(study)).drawn) all.push_back(problem.what);
+    return all;
+  };
+  EXPECT_THAT(told("2.3"), Contains("the river stands at one level, whatever the load"));
+  const std::string heads =
+      "head_lines = { deep = [[0.0, 1.0]] }\nreference_lines = [{ line = [[0.0, 0.5]], head = \"deep\" }]\n";
+  EXPECT_THAT(told("\"h\"", heads), Contains("the river follows the load, and the heads of the layers do not"));
+  EXPECT_THAT(told("\"h\""), Not(Contains("the river follows the load, and the heads of the layers do not")));
+  EXPECT_THAT(told("\"h\""), Not(Contains("the river stands at one level, whatever the load")));
+}
+
 }  // namespace study_warnings_test

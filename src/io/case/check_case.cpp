@@ -324,6 +324,10 @@ void check_times(const LoadCase& load, const std::string& path, Real end_of_run,
     findings.warnings.push_back({path + ".start", fmt::format("the load `{}` is never put on", load.name),
         fmt::format("It begins at {:g} s, the run ends at {:g} s.", load.start, end_of_run), "load.start", false,
         {"time.end"}});
+  else if (std::isfinite(load.start) && end_of_run > 0.0 && load.start + load.ramp > end_of_run * (1.0 + 1e-9))
+    findings.warnings.push_back({path + ".ramp", fmt::format("the load `{}` is never there in full", load.name),
+        fmt::format("It grows until {:g} s, the run ends at {:g} s.", load.start + load.ramp, end_of_run), "load.ramp",
+        false, {"time.end", path + ".start"}});
 }
 
 void check_loads(const Node& root, const Case& values, Findings& findings)

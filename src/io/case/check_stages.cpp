@@ -73,6 +73,33 @@ void check_water_of_stage(const Case& values, std::size_t k, Findings& findings)
         "Remove `time` from every [[water.situation]], or `water` from every stage.", "stage.water", false, {"water"}});
 }
 
+/// A stage has the name of a water situation, and another water acts in it.
+void check_namesake_of_stage(const Case& values, std::size_t k, std::vector<Problem>& warnings)
+{
+  const std::string& name = values.stages[k].name;
+  std::string water(name_of_start);
+  for (std::size_t i = 0; i <= k; ++i)
+    if (!values.stages[i].water.empty()) water = values.stages[i].water;
+  const auto& situations = values.water.situations;
+  if (water == name || std::ranges::find(situations, name, &WaterSituation::name) == situations.end()) return;
+  warnings.push_back({fmt::format("stage[{}]", k), fmt::format("the water of the stage `{}` is `{}`", name, water),
+      fmt::format(
+          "There is a water situation of the name of the stage. Give water = \"{}\" there, or another name.", name),
+      "stage.water", false, {"water"}});
+}
+
+/// It ends before its soil could have been at rest for as long as that takes.
+void check_time_for_rest(const StageCase& stage, Real rest_time, const std::string& key, std::vector<Problem>& warnings)
+{
+  if (stage.until != Until::at_rest || !(stage.at_most > 0.0) || stage.at_most >= stage.ramp + rest_time) return;
+  warnings.push_back({key, "the longest time is too short for rest",
+      fmt::format(
+          "Got {:g} s; soil is at rest after {:g} s without motion{}. Give `at_most` more, or `rest_time` less.",
+          stage.at_most, rest_time,
+          stage.ramp > 0.0 ? fmt::format(", counted from the end of the ramp of {:g} s", stage.ramp) : ""),
+      "time.rest_time", false, {"stage", "time"}});
+}
+
 struct BodyChange {
   StageNumber placed = 0, removed = never;
   std::string place_key, remove_key;  ///< where they say so
@@ -178,6 +205,12 @@ void check_stage(const Node& root, const Case& values, std::size_t k, Findings& 
     findings.problems.push_back({path + ".name", fmt::format("two stages have the name `{}`", stage.name),
         "Give each its own, as in name = \"flood\".", "stage.name", false, {path}});
   check_water_of_stage(values, k, findings);
+  check_namesake_of_stage(values, k, findings.warnings);
+  check_time_for_rest(stage, values.time.rest_time, path + ".at_most", findings.warnings);
+  if (k == 0 && stage.reset_displacement)
+    findings.warnings.push_back({path + ".reset_displacement", "`reset_displacement` of the first stage has no effect",
+        "Displacement and strain are zero at its start. Give it in the stage from whose start on they shall count.",
+        "stage.reset_displacement"});
   if (k == 0 && stage.trigger)
     findings.warnings.push_back({path + ".trigger", "no stage comes before the trigger",
         "The verdict is then of a section that was never looked at as it is. Give a stage without `trigger` before, in "
@@ -273,6 +306,9 @@ void check_stages(const Node& root, const Case& values, Findings& findings)
 {
   if (values.stages.empty()) {
     if (find_node(root, "time") != nullptr) check_end(root, {"time", "end", values.time.until}, findings);
+    StageCase all;
+    all.until = values.time.until, all.at_most = values.time.at_most;
+    check_time_for_rest(all, values.time.rest_time, "time.at_most", findings.warnings);
   } else {
     for (const char* key : {"time.end", "time.until", "time.at_most"})
       if (find_node(root, key) != nullptr)

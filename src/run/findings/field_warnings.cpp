@@ -53,6 +53,29 @@ std::optional<Problem> find_other_range(const std::string& key, const FieldReach
       "field", false, {"water"}};
 }
 
+/// SHANSEP whose `minimum` holds nearly everywhere: the least value is the one that points share.
+std::optional<Problem> find_ruling_minimum(
+    const Model& model, const State& state, Index material, const ParameterField& field, const std::string& key)
+{
+  constexpr Real most = 0.9;  // of the points
+  std::vector<Real> values;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    if (block.material != material) return;
+    values.push_back(field.value_at({{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]}, model.ground.get()}));
+  });
+  std::erase_if(values, [](Real value) { return std::isnan(value); });
+  if (values.empty()) return std::nullopt;
+  const Real least = std::ranges::min(values);
+  const auto n = std::ranges::count(values, least);
+  if (static_cast<Real>(n) < most * static_cast<Real>(values.size())) return std::nullopt;
+  return Problem{key, "the minimum holds nearly everywhere, not SHANSEP",
+      fmt::format(
+          "{} of {} points have the least strength of {:.4g} kPa. `minimum` is for soil near the ground, usually 1 "
+          "to 5 kPa:\ngive less, or a constant strength.",
+          n, values.size(), 1e-3 * least),
+      "material.su_peak", false, {"material"}};
+}
+
 }  // namespace
 
 std::optional<Problem> find_coarse_cells(const std::string& key, const FieldScale& scale, Real cell)
@@ -78,6 +101,9 @@ void find_odd_fields(const Model& model, const State& state, std::vector<Problem
       for (const FieldReach& reach : field.needs.reaches)
         if (auto odd = find_other_range(key, reach, meet_soil(model, state, static_cast<Index>(m), reach)))
           warnings.push_back(std::move(*odd));
+      if (field.needs.yield_stress)
+        if (auto ruled = find_ruling_minimum(model, state, static_cast<Index>(m), field, key))
+          warnings.push_back(std::move(*ruled));
       for (const FieldScale& scale : field.needs.scales)
         if (auto coarse = find_coarse_cells(key, scale, cell)) warnings.push_back(std::move(*coarse));
     }

@@ -37,26 +37,93 @@ Problem no_level(const Model& model)
       "flood.water_level", true};
 }
 
-/// A stage lowers the river, and none raises it.
+/// The level of a situation at the river; beyond its ends a line keeps its level [m].
+Real level_at_river(const Model& model, std::size_t number)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const auto& line = situation_of(whole.water, number).phreatic_line;
+  if (line.empty()) return FreeWater::none;
+  return model.flood_level.river == Facing::right ? line.back()[1] : line.front()[1];
+}
+
+/// Stages have other water than the start, and in none the river stands higher.
 std::optional<Problem> find_low_flood(const Model& model)
 {
   const Case& whole = model.whole ? *model.whole : model.description;
   const bool of_case = whole.flood.water_level == model.flood_level.value;
   if (of_case || model.flood_level.at_both_ends || changes_with_time(whole)) return std::nullopt;
-  const bool on_right = model.flood_level.river == Facing::right;
-  const auto level_at_river = [&](std::size_t number) {  // beyond its ends a line keeps its level
-    const auto& line = situation_of(whole.water, number).phreatic_line;
-    return line.empty() ? FreeWater::none : on_right ? line.back()[1] : line.front()[1];
-  };
   const auto asked_for = situations_asked_for(whole, whole.stages.size());
-  const auto is_low = [&](std::size_t number) { return level_at_river(number) < model.flood_level.value; };
-  if (is_low(0) || std::ranges::none_of(asked_for, is_low)) return std::nullopt;
-  return Problem{"flood", "no stage has higher water at the river than the start, and one has lower water",
+  const auto is_low = [&](std::size_t number) { return level_at_river(model, number) < level_at_river(model, 0); };
+  const bool any_other = std::ranges::any_of(asked_for, [](std::size_t number) { return number > 0; });
+  const Real first = level_at_river(model, 0);
+  const auto is_higher = [&](std::size_t number) { return level_at_river(model, number) > first; };
+  if (first == FreeWater::none || !any_other || std::ranges::any_of(asked_for, is_higher)) return std::nullopt;
+  return Problem{"flood",
+      std::ranges::any_of(asked_for, is_low)
+          ? "no stage has higher water at the river than the start, and one has lower water"
+          : "no stage has higher water at the river than the start",
       fmt::format(
           "The verdict is for the {:.4g} m of the start. Where a stage is the flood, look at its water, and at\n"
           "the river's end of its phreatic line.",
           model.flood_level.value),
       "flood.water_level", true};
+}
+
+/// Heads of layers that stay or fall where the river rises: of lines at the river's end, of computed water at its side.
+std::optional<Problem> find_idle_head(const Model& model)
+{
+  constexpr Real little = 0.1;  // [m]
+  const Case& whole = model.whole ? *model.whole : model.description;
+  if (!model.flood_level.river || changes_with_time(whole)) return std::nullopt;
+  const bool on_right = model.flood_level.river == Facing::right;
+  const WaterSituation& start = whole.water.start;
+  for (const std::size_t number : situations_asked_for(whole, whole.stages.size())) {
+    const Real rise = level_at_river(model, number) - level_at_river(model, 0);
+    if (number == 0 || !(rise > little)) continue;
+    const WaterSituation& of = situation_of(whole.water, number);
+    const std::string path = fmt::format("water.situation[{}]", number - 1);
+    const auto doubt = [&](std::string key, const std::string& name, Real before, Real now) {
+      return Problem{std::move(key),
+          fmt::format("the head `{}` {} where the river rises", name, now < before ? "falls" : "stays"),
+          fmt::format(
+              "At the river it is {:.4g} m in the water `{}` and {:.4g} m at the start; the river rises by {:.3g} m. "
+              "Give the\nhead that the layer has then, or leave it if the layer does not feel the river.",
+              now, of.name, before, rise),
+          "water.situation", false, {"water"}};
+    };
+    const auto at_river = [&](const std::vector<Vec<2>>& line) { return on_right ? line.back()[1] : line.front()[1]; };
+    for (const HeadLine& line : of.head_lines) {
+      const auto before = std::ranges::find(start.head_lines, line.name, &HeadLine::name);
+      if (before == start.head_lines.end() || before->places.empty() ||
+          at_river(line.places) > at_river(before->places))
+        continue;
+      const bool same = line.places == before->places;
+      return doubt(same ? path : fmt::format("{}.head_lines.\"{}\"", path, line.name), line.name,
+          at_river(before->places), at_river(line.places));
+    }
+    const SectionSide side = on_right ? SectionSide::right : SectionSide::left;
+    for (const SideHead& head : of.seepage.boundary) {
+      const auto before = std::ranges::find_if(start.seepage.boundary,
+          [&](const SideHead& other) { return other.side == side && other.from == head.from && other.to == head.to; });
+      if (head.side != side || before == start.seepage.boundary.end() || head.head[0][1] > before->head[0][1]) continue;
+      return doubt(path, head.name, before->head[0][1], head.head[0][1]);
+    }
+  }
+  return std::nullopt;
+}
+
+/// At the end strengths are divided by less than 1.
+std::optional<Problem> find_raised_strength(const Model& model)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const bool staged = !whole.stages.empty() && whole.stages.back().changed;
+  const Real factor = staged ? whole.stages.back().changed->at_strength : whole.at_strength;
+  if (!(factor < 1.0)) return std::nullopt;
+  return Problem{"at_strength", "the verdict is of soil that is stronger than it is",
+      fmt::format("At the end strengths are divided by {:.4g}: they are {:.4g} times those of the soil. A section that "
+                  "shall be\nweaker has at_strength above 1, as {:.4g}.",
+          factor, 1.0 / factor, 1.0 / factor),
+      "at_strength", false, {"stage"}};
 }
 
 /// The ground that holds the water, drawn narrower at its top than two cells.
@@ -117,7 +184,7 @@ std::vector<Problem> find_flood_warnings(const Model& model, const State& state)
   std::ranges::copy_if(ground.heights, std::back_inserter(heights), [](Real h) { return std::isfinite(h); });
   if (heights.empty()) return {};
   std::vector<Problem> warnings;
-  for (auto doubt : {find_low_flood(model), find_other_water(model),
+  for (auto doubt : {find_low_flood(model), find_other_water(model), find_idle_head(model), find_raised_strength(model),
            find_narrow_crest(model, columns_of_section(*model.mesh), range, barrier.height)})
     if (doubt) warnings.push_back(std::move(*doubt));
   const auto warn = [&](const char* key, std::string what, std::string detail) {
@@ -132,6 +199,10 @@ std::vector<Problem> find_flood_warnings(const Model& model, const State& state)
     warn("smallest_width", "it floods from the start",
         fmt::format("The ground is {:.4g} m wide at {:.4g} m, less than {:.4g} m.", barrier.width, level,
             flood.smallest_width));
+  else if (flood.asks_profile() && !place_of_profile(ground, range, flood.profile_width, flood.profile_slope))
+    warn("smallest_profile", "it floods from the start",
+        fmt::format("A profile of {:g} m at {:.4g} m with slopes of 1:{:g} fits nowhere in the ground as it is drawn.",
+            flood.profile_width, level, flood.profile_slope));
   if (model.flood_level.at_both_ends && barrier.height >= level)
     warn("river", "the water stands equally high at both ends of the section",
         fmt::format("It is {:.4g} m there, and the ground between reaches {:.4g} m: nothing has to be kept dry.\n"

@@ -25,11 +25,11 @@ constexpr Range stiffness_over_strength = between(4.0, 1e4);  // soil: 20 to 200
 constexpr Range stiffness_over_weight = between(2.0, 1e7);    // soil: 10 to 1e4, rock 1e5
 constexpr Real greatest_without_strength = 4e4;               // of G / (rho g H), where no strength is compared with G
 constexpr Real greatest_over_friction = 1e5;                  // G over rho g H/2 tan(phi); soil: 50 to 2000
-constexpr Real greatest_strength_over_weight = 50.0;          // soil: 0.02 to 5
+constexpr Real greatest_strength_over_weight = 8.0;           // soil: 0.02 to 5
 constexpr Real least_strength_over_weight = 1.0 / 300.0;      // a heap of slurry flows at 0.05
 constexpr Real band_over_length = 3.07;                       // width of a band (docs/softening_length.md)
 constexpr Real little_soil = 1.2;                             // density over that of water: pores of 88 % and more
-constexpr Real stiff = 3e6;                                   // [Pa]; peat, which is as light, has less
+constexpr Real stiff = 3e6;                                   // [Pa]; peat, which is as light, hardly has it
 constexpr Real greatest_speed = 3.0;                          // of a body over sqrt(g H); a fall from H ends at 1.4
 constexpr Real greatest_push = 0.1;                           // of a side or footing over sqrt(g H); pushes are slow
 constexpr Real least_motion = 1e-5;                           // of a footing in the whole run, over H
@@ -132,6 +132,22 @@ class MaterialScales {
             std::string(values_.model), false, {fmt::format("material.\"{}\"", values_.name)}});
   }
 
+  /// A softening length lifts the limit of a point: softening that is done within the elastic strain at the peak.
+  void check_brittle(const std::string& name, Real eta)
+  {
+    for (std::size_t k = 0; k < material_.type->parameters.size(); ++k) {
+      const Real strength = values_.parameters[k], elastic = strength / material_.law->shear_modulus();
+      if (!is_strength(material_.type->parameters[k]) || !(eta > 0.0) || !(3.0 / eta < elastic)) continue;
+      warnings_.push_back({fmt::format("material.\"{}\".{}", values_.name, name),
+          fmt::format("`{}` softens within its elastic strain", values_.name),
+          fmt::format("95 % of its softening takes a strain of {}, and {} is reached at {}. Such soil snaps, and what "
+                      "follows is that\nof the cells. Usual: a strain of 0.03 to 0.6, which is {} = 5 to 100.",
+              number(3.0 / eta), material_.type->parameters[k].name, number(elastic), name),
+          std::string(values_.model), false, {fmt::format("material.\"{}\"", values_.name)}});
+      return;
+    }
+  }
+
   /// Softening that takes a slip larger than the section: a shape factor in per cent, or of another strain.
   void check_softening()
   {
@@ -140,6 +156,7 @@ class MaterialScales {
     if (!std::isfinite(slowest) || factor == material_.type->parameters.end()) return;
     const Real eta = values_.parameters[static_cast<std::size_t>(factor - material_.type->parameters.begin())];
     const SofteningOptions& options = values_.softening;
+    if (options.is_nonlocal()) check_brittle(std::string(factor->name), eta);
     const Real width = options.is_scaled()     ? options.reference_width
                        : options.is_nonlocal() ? band_over_length * options.length
                                                : soil_.cell,
@@ -302,6 +319,11 @@ void check_speeds(const Model& model, const SoilSize& soil, Problems& warnings)
     const std::string key = fmt::format("footing[{}].velocity", k);
     if (warn_of_speed({key, fmt::format("the footing `{}`", f.name), size(f.velocity)}, soil, warnings)) continue;
     warn_of_inertia(key, f, model, warnings);
+    if (f.ramp > c.time.end)
+      warnings.push_back(
+          {fmt::format("footing[{}].ramp", k), fmt::format("the footing `{}` never has its velocity", f.name),
+              fmt::format("Its ramp takes {:g} s, the run ends at {:g} s.", f.ramp, c.time.end), "footing.ramp", false,
+              {"time.end"}});
     warn_of_no_motion(key, f, model, soil, warnings);
   }
 }
@@ -346,7 +368,9 @@ void find_submerged_weights(const Model& model, const State& state, Problems& wa
     const SoilMaterial& soil = model.materials[m];
     const Real shear = soil.law->shear_modulus();
     const bool floats = soil.density < of_water * (1.0 - 1e-3);
-    if (!wet[m] || shear == 0.0 || !(floats || (soil.density < little_soil * of_water && shear > stiff))) continue;
+    const auto by_stress = [](const ParameterField& field) { return bool(field.needs.yield_stress); };
+    const bool is_peat = shear < stiff || std::ranges::any_of(model.description.materials[m].fields, by_stress);
+    if (!wet[m] || shear == 0.0 || !(floats || (soil.density < little_soil * of_water && !is_peat))) continue;
     warnings.push_back({parameter_key(model.description.materials[m], "density"),
         fmt::format("`{}` lies under water and is {}", soil.name, floats ? "lighter than water" : "hardly heavier"),
         fmt::format("Got {:.4g} kg/m^3, {:.4g} kN/m^3; water has {:.4g} kg/m^3. Is this a submerged weight? Terp takes "
@@ -394,6 +418,38 @@ void find_large_yield_stress(const Model& model, const State& state, Problems& w
   }
 }
 
+/// A stress at rest that soil with friction cannot bear, neither as active nor as passive earth pressure.
+void find_odd_k0(const Model& model, const SoilSize& soil, Problems& warnings)
+{
+  const Case& c = model.description;
+  if (c.initial.stress == InitialStress::none) return;
+  for (std::size_t m = 0; m < model.materials.size(); ++m) {
+    const MaterialCase& material = c.materials[m];
+    const auto& parameters = model.materials[m].type->parameters;
+    Real angle = 0.0, cohesion = 0.0;
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      if (parameters[k].name == "friction_angle") angle = material.parameters[k];
+      if (parameters[k].name == "cohesion") cohesion = material.parameters[k];
+    }
+    const bool own = !std::isnan(material.k0);
+    const Real k0 = own ? material.k0 : c.initial.k0;
+    const Real vertical = 0.5 * model.materials[m].density * soil.g * soil.height;  // of a section without water [Pa]
+    if (!is_used(model, material.name) || std::isnan(k0) || !(angle > 0.0) || !(vertical > 0.0)) continue;
+    const Real root = std::tan((45.0 + 0.5 * angle) * std::numbers::pi / 180.0), passive = root * root;
+    const Real high = passive + 2.0 * cohesion * root / vertical,
+               low = 1.0 / passive - 2.0 * cohesion / (root * vertical);
+    if (k0 <= high && k0 >= low) continue;
+    warnings.push_back({own ? fmt::format("material.\"{}\".k0", material.name) : "initial.k0",
+        fmt::format("`{}` cannot bear this k0", material.name),
+        fmt::format(
+            "Got {:.4g}; with {:.4g} degrees of friction {:.2g} is active and {:.3g} passive earth pressure: it yields "
+            "at\nonce. Usual: 1 - sin(phi), here {:.2g}.",
+            k0, angle, 1.0 / passive, passive, 1.0 - std::sin(angle * std::numbers::pi / 180.0)),
+        "initial.k0", false, {"initial"}});
+    return;
+  }
+}
+
 }  // namespace
 
 void find_odd_scales(const Model& model, const State& state, Problems& warnings)
@@ -404,6 +460,7 @@ void find_odd_scales(const Model& model, const State& state, Problems& warnings)
     if (is_used(model, model.materials[k].name))
       MaterialScales(model.materials[k], model.description.materials[k], soil, warnings).check();
   find_large_yield_stress(model, state, warnings);
+  find_odd_k0(model, soil, warnings);
   check_speeds(model, soil, warnings);
   find_no_motion(model, warnings);
 }

@@ -31,6 +31,25 @@ std::array<Real, 2> heights_of(const SeepageSection& section, EdgeKind kind)
   return range;
 }
 
+/// Free water that ends over ground which lies below its level would run off.
+void find_open_end(
+    const SeepageSection& section, const PondCase& pond, const std::string& key, std::vector<Problem>& warnings)
+{
+  constexpr Real little = 0.05;  // of levels that are drawn by hand [m]
+  for (const Real x : {pond.from, pond.to}) {
+    const Real ground = ground_over(section, x);
+    const bool is_end = x < section.left + section.cell || x > section.right - section.cell;
+    if (is_end || !std::isfinite(ground) || pond.level <= ground + little) continue;
+    warnings.push_back({key, "the pond ends where the ground lies below its level",
+        fmt::format(
+            "Its level is {:g} m, the ground at its end x = {:g} m lies at {:.4g} m: the water would run off. Lower "
+            "it, or let\nthe pond reach to where the ground meets its level.",
+            pond.level, x, ground),
+        "water.ponds"});
+    return;
+  }
+}
+
 void find_odd_levels(
     const SeepageSection& section, const WaterSituation& of, std::size_t number, std::vector<Problem>& warnings)
 {
@@ -52,12 +71,27 @@ void find_odd_levels(
     for (int i = 0; i <= 50; ++i)
       if (const Real y = ground_over(section, std::lerp(pond.from, pond.to, i / 50.0)); std::isfinite(y))
         lowest = std::min(lowest, y);
-    if (pond.level > lowest) continue;
+    if (pond.level > lowest) {
+      find_open_end(section, pond, fmt::format("{}.ponds[{}]", path, k), warnings);
+      continue;
+    }
     warnings.push_back({fmt::format("{}.ponds[{}]", path, k), "the pond holds no water",
         fmt::format("Its level is {:g} m, the lowest ground from {:g} to {:g} m {:.4g} m. Raise it, or leave it out: "
                     "bare ground is a seepage face.",
             pond.level, pond.from, pond.to, lowest),
         "water.ponds"});
+  }
+  for (std::size_t k = 0; k < of.seepage.boundary.size(); ++k) {
+    const SideHead& head = of.seepage.boundary[k];
+    const Real thickness = head.to - head.from;
+    if (head.side == SectionSide::bottom || !(head.leakage_length > 0.0) || !std::isfinite(thickness)) continue;
+    if (head.leakage_length >= thickness) continue;
+    warnings.push_back(
+        {fmt::format("{}.boundary[{}]", path, k), "the leakage length is shorter than the layer is thick",
+            fmt::format("Got {:g} m for a layer of {:.4g} m. It is sqrt(k D c) in m, usually tens to thousands: of the "
+                        "layer with\npermeability k and thickness D, c the resistance of its cover.",
+                head.leakage_length, thickness),
+            "water.boundary"});
   }
 }
 

@@ -55,6 +55,46 @@ void find_long_relaxation(
       "method.relaxation_time", false, {"method"}});
 }
 
+/// A stage that brings other water or loads within less than half a period of the quickest vibration strikes the soil.
+void find_sudden_stages(
+    const Case& whole, const SoilSize& soil, const WaveSpeeds& speeds, std::vector<Problem>& warnings)
+{
+  const Real half_period = 2.0 * soil.height / speeds.fastest;
+  std::string water(name_of_start);
+  const std::vector<LoadCase>* loads = &whole.loads;
+  const auto same_pressure = [](const LoadCase& a, const LoadCase& b) { return a.pressure == b.pressure; };
+  for (std::size_t k = 0; k < whole.stages.size(); ++k) {
+    const StageCase& stage = whole.stages[k];
+    const std::vector<LoadCase>& now = stage.changed ? stage.changed->loads : *loads;
+    const bool other_water = !stage.water.empty() && stage.water != water;
+    const bool other_loads = !std::ranges::equal(now, *loads, same_pressure);
+    if (other_water) water = stage.water;
+    loads = &now;
+    if ((!other_water && !other_loads) || speeds.fastest == 0.0 || stage.ramp >= half_period) continue;
+    warnings.push_back({fmt::format("stage[{}].ramp", k),
+        fmt::format("the {} of the stage `{}` come{} at once", other_water ? "water" : "loads", stage.name,
+            other_water ? "s" : ""),
+        fmt::format(
+            "The ramp is {:.3g} s; half a period of the quickest vibration of {:.3g} m of soil takes {:.3g} s. The "
+            "soil is\nstruck, and swings to twice what the change asks. Give a `ramp` of some seconds.",
+            stage.ramp, soil.height, half_period),
+        "stage.ramp", false, {fmt::format("stage[{}]", k)}});
+  }
+}
+
+/// Damping against the mean of a force over several swings acts on what lasts, and hardly ends.
+void find_long_averaging(
+    const Model& model, const SoilSize& soil, const WaveSpeeds& speeds, Real longest, std::vector<Problem>& warnings)
+{
+  const Real time = model.damping.averaging_time, swing = 4.0 * soil.height / speeds.slowest;
+  if (!std::isfinite(speeds.slowest) || !(time > swing) || time > longest) return;
+  warnings.push_back({"forces.damping.averaging_time", "the averaging time is longer than the swings of the soil",
+      fmt::format("Got {:.4g} s; a shear wave swings through {:.3g} m of soil in {:.3g} s. Usual: the time in which a "
+                  "compression wave\ncrosses the soil once or twice, here {:.2g} s.",
+          time, soil.height, swing, 2.0 * soil.height / speeds.fastest),
+      "forces.damping.averaging_time", false, {"forces.damping"}});
+}
+
 void find_output_of_all_steps(const Model& model, std::vector<Problem>& warnings)
 {
   constexpr Real far_below = 0.1;  // of the time step
@@ -81,6 +121,8 @@ void find_odd_times(const Model& model, const State& state, std::vector<Problem>
   const WaveSpeeds speeds = wave_speeds(model);
   find_short_rest(whole, soil, speeds, warnings);
   find_long_relaxation(model, soil, speeds, whole.time.end, warnings);
+  find_long_averaging(model, soil, speeds, whole.time.end, warnings);
+  find_sudden_stages(whole, soil, speeds, warnings);
   find_output_of_all_steps(model, warnings);
 }
 

@@ -218,6 +218,29 @@ void find_deep_lines(const Model& model, const State& state, std::vector<Problem
   }
 }
 
+/// A water table below all of the soil, above which the case draws heads of layers.
+void find_deep_table(const Model& model, const State& state, std::vector<Problem>& warnings)
+{
+  Real lowest = INFINITY;
+  for_each_point(state.points,
+      [&](const PointBlock<2>& block, Index lane) { lowest = std::min(lowest, block.row(Rows::x + 1)[lane]); });
+  const WaterCase& water = model.description.water;
+  for (std::size_t k = 0; k <= water.situations.size(); ++k) {
+    const WaterSituation& of = situation_of(water, k);
+    if (of.phreatic_line.empty() || of.head_lines.empty() || (k > 0 && of.phreatic_line == water.start.phreatic_line))
+      continue;
+    const Real top = std::ranges::max(of.phreatic_line, {}, [](const Vec<2>& at) { return at[1]; })[1];
+    if (top >= lowest) continue;
+    warnings.push_back(
+        {path_of(k) + ".phreatic_line", fmt::format("the phreatic line{} lies below all of the soil", in_situation(of)),
+            fmt::format("Its highest place is at {:.4g} m, the lowest soil at {:.4g} m. Elevations are in m, in the "
+                        "frame of the mesh; "
+                        "a depth\nbelow the ground is none.",
+                top, lowest),
+            "water.phreatic_line", false, {"water"}});
+  }
+}
+
 /// A reference line with the head of the phreatic line below one with the head of a layer: water under pressure lies
 /// deeper, so the heads of the two look swapped.
 void find_swapped_heads(const Model& model, std::vector<Problem>& warnings)
@@ -267,7 +290,9 @@ void find_idle_water(const Model& model, std::vector<Problem>& warnings)
 {
   const Case& whole = model.whole ? *model.whole : model.description;
   const WaterCase& water = whole.water;
-  const auto changes_water = [](const StageCase& stage) { return !stage.water.empty(); };
+  const auto changes_water = [](const StageCase& stage) {
+    return !stage.water.empty() && stage.water != name_of_start;
+  };
   const bool stays = whole.stages.size() > 1 && !water.standing && std::ranges::none_of(whole.stages, changes_water);
   for (std::size_t k = 0; k < water.situations.size(); ++k) {
     const WaterSituation& situation = water.situations[k];
@@ -329,6 +354,7 @@ void find_odd_water(const Model& model, const State& state, std::vector<Problem>
   find_odd_free_water(model, state, warnings);
   find_low_heads(model, state, warnings);
   find_deep_lines(model, state, warnings);
+  find_deep_table(model, state, warnings);
   find_swapped_heads(model, warnings);
   std::vector<Index> nodes;
   for (const Index cell : state.points.occupied())

@@ -1,0 +1,67 @@
+#include "batch/odd_distributions.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+/// A standard deviation given as a coefficient of variation, and bounds that cut off most of what they bound.
+void doubt_numbers(const Study& study, std::vector<Problem>& doubts)
+{
+  constexpr Real little = 0.005;  // soil: 0.05 to 0.5
+  for (const RandomNumber& number : study.settings.numbers) {
+    const Distribution& d = number.distribution;
+    const std::string key = join_path(number.path, number.is_name ? "name" : "key");
+    const bool has_spread = d.kind == DistributionKind::normal || d.kind == DistributionKind::lognormal ||
+                            d.kind == DistributionKind::truncated_normal;
+    if (has_spread && d.sd < little * std::abs(d.mean))
+      doubts.push_back({key, fmt::format("`{}` hardly varies", number.key),
+          fmt::format("Its standard deviation is {:.3g}, its mean {:.4g}. `sd` has the unit of the mean; a coefficient "
+                      "of variation is `cov`.",
+              d.sd, d.mean),
+          ""});
+    if (d.kind != DistributionKind::truncated_normal || !(d.sd > 0.0)) continue;
+    const Real kept = normal_probability((d.highest - d.mean) / d.sd) - normal_probability((d.lowest - d.mean) / d.sd);
+    if (kept < 0.5)
+      doubts.push_back({key, fmt::format("the bounds cut off most of `{}`", number.key),
+          fmt::format(
+              "{:.2g} of the normal distribution with mean {:.4g} lies between them. The mean is that before the "
+              "cut.",
+              kept, d.mean),
+          ""});
+  }
+}
+
+/// Levels of a load that hardly comes, or that nearly always stands above them.
+void doubt_levels(const Study& study, std::vector<Problem>& doubts)
+{
+  constexpr Real most_beyond = 0.1, least_within = 1e-6;
+  const auto& load = study.settings.fragility;
+  if (!load || !load->distribution) return;
+  const Real first = load->levels.front(), last = load->levels.back(),
+             beyond = 1.0 - load->distribution->probability(last),
+             within = 1.0 - load->distribution->probability(first);
+  if (beyond > most_beyond)
+    doubts.push_back({"fragility.distribution", "much of the load lies above the last level",
+        fmt::format(
+            "It exceeds {:g} with probability {:.2g}. P is taken as constant there: give higher levels, or correct "
+            "the distribution.",
+            last, beyond),
+        ""});
+  else if (within < least_within)
+    doubts.push_back({"fragility.distribution", "the load hardly reaches the first level",
+        fmt::format(
+            "It exceeds {:g} with probability {:.2g}. Give lower levels, or correct the distribution.", first, within),
+        ""});
+}
+
+}  // namespace
+
+void doubt_distributions(const Study& study, std::vector<Problem>& doubts)
+{
+  doubt_numbers(study, doubts);
+  doubt_levels(study, doubts);
+}
+
+}  // namespace terp

@@ -1,0 +1,49 @@
+#include "batch/odd_distributions.hpp"
+
+#include "batch/samples.hpp"
+#include "batch/study_folder.hpp"
+
+namespace odd_distributions_test {
+
+std::vector<std::string> doubts_of(const std::string& spread, const std::string& more = "")
+{
+  const ScratchFolder folder;
+  const std::string old = "distribution = \"lognormal\"\nmean = \"8 kPa\"\ncov = 0.4\n";
+  std::string text = column_study;
+  text.replace(text.find(old), old.size(), spread + more);
+  std::vector<Problem> doubts;
+  doubt_distributions(open_study(write_study(folder.path(), text)), doubts);
+  std::vector<std::string> all;
+  for (const Problem& problem : doubts) all.push_back(problem.key + ": " + problem.what);
+  return all;
+}
+
+TEST(OddDistributions, AStandardDeviationInTheUnitOfACoefficientOfVariation)
+{
+  EXPECT_THAT(doubts_of("distribution = \"lognormal\"\nmean = \"8 kPa\"\nsd = 0.4\n"),
+      ElementsAre("random[0].key: `material.clay.su_peak` hardly varies"));
+  EXPECT_THAT(doubts_of("distribution = \"lognormal\"\nmean = \"8 kPa\"\nsd = \"1 kPa\"\n"), IsEmpty());
+}
+
+TEST(OddDistributions, BoundsBesideTheMean)
+{
+  const std::string cut = "distribution = \"truncated_normal\"\nmean = \"8 kPa\"\ncov = 0.2\nlowest = ";
+  EXPECT_THAT(
+      doubts_of(cut + "\"9 kPa\"\n"), ElementsAre("random[0].key: the bounds cut off most of `material.clay.su_peak`"));
+  EXPECT_THAT(doubts_of(cut + "\"6 kPa\"\n"), IsEmpty());
+}
+
+TEST(OddDistributions, LevelsBesideTheLoad)
+{
+  const std::string good = "distribution = \"lognormal\"\nmean = \"8 kPa\"\ncov = 0.4\n";
+  const auto of = [&](const char* location, const char* decimation) {
+    return doubts_of(good, std::string("[fragility]\nlevels = [1800, 2400]\nset = { \"material.clay.density\" = \"h\" "
+                                       "}\ndistribution = \"gumbel\"\nlocation = ") +
+                               location + "\ndecimation_height = " + decimation + "\n");
+  };
+  EXPECT_THAT(of("1900", "200"), IsEmpty());
+  EXPECT_THAT(of("3000", "200"), ElementsAre("fragility.distribution: much of the load lies above the last level"));
+  EXPECT_THAT(of("1000", "20"), ElementsAre("fragility.distribution: the load hardly reaches the first level"));
+}
+
+}  // namespace odd_distributions_test
