@@ -146,8 +146,7 @@ inline constexpr SentenceForm equally_high{
     "Water stands equally high on the ground at both ends of the section ({:.2f} m), and the file names no water side "
     "of the embankment: the end of the river is not known.",
     "Aan beide einden van het dwarsprofiel staat het water even hoog op het maaiveld ({:.2f} m), en het bestand noemt "
-    "geen "
-    "waterzijde van de dijk: de rivierzijde is niet bekend."};
+    "geen waterzijde van de dijk: de rivierzijde is niet bekend."};
 inline constexpr SentenceForm higher_but_dry{
     "The phreatic line is higher at the {} end ({:.2f} m, below the ground), but water stands on the ground at the {} "
     "end alone ({:.2f} m), and the file names no water side of the embankment. The river is taken to be at the {} end.",
@@ -157,8 +156,7 @@ inline constexpr SentenceForm higher_but_dry{
 inline constexpr SentenceForm dry_at_either_end{
     "No water stands on the ground at either end of the section: the case has no [flood], and no verdict on flooding.",
     "Aan geen einde van het dwarsprofiel staat water op het maaiveld: de invoer heeft geen [flood], en er is geen "
-    "oordeel "
-    "over overstromen."};
+    "oordeel over overstromen."};
 inline constexpr SentenceForm dry_at_the_river{
     "No water stands on the ground at the river's end ({}) of the section: the case has no [flood], and no verdict on "
     "flooding.",

@@ -19,8 +19,7 @@ namespace terp {
 namespace {
 
 constexpr const char* factor_name = "model_factor";
-constexpr Real longest =
-    60.0;  // of the last stage [s]: of a run a person may ask for more, a study counts it as unknown
+constexpr Real longest = 60.0;  // of the last stage [s]: twice that of a run, as a study counts what moves as unknown
 constexpr Real radian = std::numbers::pi / 180.0;
 constexpr Real most_of_mean = 0.25;  // by which what a yield stress owes to a POP may differ from the mean of that POP
 
@@ -333,10 +332,8 @@ StudyText study_text(const StudyPlan& plan)
       "4 x 4 (docs/probability.md)\n{}",
       text.source.en, in_quotes(plan.title),
       plan.is_of_file ? "" : fmt::format("note  = {}\n", in_quotes(text.source.en)),
-      plan.stages.has_flood && !plan.stages.is_held
-          ? fmt::format(
-                "\"{0}.until\" = \"verdict\"  # as soon as the answer is known\n\"{0}.at_most\" = {1:.1f}  # s\n",
-                stage, longest)
+      plan.stages.has_flood
+          ? fmt::format("\"{}.at_most\" = {:.1f}  # s\n", stage, plan.stages.is_held ? longest + 12.0 : longest)
           : "");
   text.file += numbers.text() + held_text(plan, numbers.has_factor());
   text.file += fmt::format(

@@ -63,10 +63,15 @@ TEST(StudyText, DrawsTheFrictionOfTheFileBeforeItIsReduced)
   StixProject project = project_of({clay_on_sand()});
   project.soils[0].advanced.friction = {.value = 28.0, .mean = 30.0, .deviation = 3.0, .is_probabilistic = true};
   project.soils[0].advanced.cohesion = {.value = 2e3, .mean = 2e3, .deviation = 500.0, .is_probabilistic = true};
-  const std::string study = file_of(folder_of(project), "study.toml");
-  for (const Real phi : {25.0, 30.0, 37.0})
-    EXPECT_NEAR(followed(study, "material.sand_below.friction_angle", "phi_sand", phi),
-        davis_reduced(2e3, phi, 0.0).friction, 1e-6);
+  std::string study;
+  for (const Real psi : {5.0, 0.0}) {
+    project.soils[0].advanced.dilatancy = {.value = psi};
+    study = file_of(folder_of(project), "study.toml");
+    for (const Real phi : {25.0, 30.0, 37.0})
+      EXPECT_NEAR(followed(study, "material.sand_below.friction_angle", "phi_sand", phi),
+          davis_reduced(2e3, phi, psi).friction, 1e-6)
+          << psi;
+  }
   EXPECT_THAT(study, HasSubstr("\"material.sand_below.cohesion\" = \"c_sand * cos(phi_sand * "));
   EXPECT_THAT(declared(study, "c_sand"), HasSubstr("mean         = 2000\nsd           = 500"));
 }
