@@ -1,5 +1,5 @@
 // All checks run, whatever others found, so that a user sees all problems at once. Each must therefore bear values that
-// could not be read: they have their defaults, and parameters that are missing are NaN (complete_law). Whether a key
+// could not be read: they have their defaults, and parameters that are missing are NaN (complete_type). Whether a key
 // was written shows in the tree alone: in the case a default looks like a written value.
 
 #include "io/case/check_case.hpp"
@@ -125,7 +125,7 @@ void check_bodies(const Node& root, const Case& values, Findings& findings)
 void check_parameters(const Case& values, Problems& problems)
 {
   for (const MaterialCase& material : values.materials) {
-    const MaterialType* law = complete_law(material);
+    const MaterialType* law = material.complete_type();
     if (law == nullptr || !material.fields.empty()) continue;
     const std::string path = material_path(material);
     for (const ParameterProblem& problem : law->check(material.parameters))
@@ -138,7 +138,7 @@ void check_parameters(const Case& values, Problems& problems)
 void check_cutoff(const Case& values, Problems& warnings)
 {
   for (const MaterialCase& material : values.materials) {
-    const MaterialType* law = complete_law(material);
+    const MaterialType* law = material.complete_type();
     if (law == nullptr || !material.fields.empty()) continue;
     const auto k = std::ranges::find(law->parameters, tension_cutoff, &ParameterInfo::name) - law->parameters.begin();
     if (k == std::ssize(law->parameters) || law->parameters[static_cast<std::size_t>(k)].reduction != Reduction::divide)
@@ -293,7 +293,7 @@ void check_flood(const Node& root, const Case& values, Problems& problems)
 void check_at_strength(const Case& values, Problems& problems)
 {
   const Real factor = values.at_strength;
-  const auto is_known = [](const MaterialCase& material) { return complete_law(material) != nullptr; };
+  const auto is_known = [](const MaterialCase& material) { return material.complete_type() != nullptr; };
   if (factor == 1.0 || !(factor > 0.0) || !std::ranges::all_of(values.materials, is_known)) return;
   if (const MaterialCase* material = find_not_judged(values))
     problems.push_back({"at_strength", fmt::format("the strength of `{}` cannot be divided", material->called()),
@@ -392,12 +392,6 @@ void check_output_fields(const Case& values, Findings& findings)
 }
 
 }  // namespace
-
-const MaterialType* complete_law(const MaterialCase& material)
-{
-  const bool is_complete = std::ranges::none_of(material.parameters, [](Real value) { return std::isnan(value); });
-  return is_complete ? material.type() : nullptr;
-}
 
 void set_start(const Node& root, Case& values, Findings& findings)
 {

@@ -14,9 +14,6 @@ void check_case(const Node& root, const Case& values, Findings& findings);
 
 void check_mesh(const Node& root, const MeshCase& mesh, Findings& findings);
 
-/// The law of a material; nullptr if there is none of that name, or a parameter is missing.
-const MaterialType* complete_law(const MaterialCase& material);
-
 /// Turns the polygon of a mesh counter-clockwise; its edges keep their places and take their new numbers.
 void turn_counter_clockwise(MeshCase& mesh);
 

@@ -102,7 +102,7 @@ void check_water_stiffness(
             psi),
         "material.drainage", false, {path}});
   const bool known =
-      material.fields.empty() && complete_law(material) != nullptr && law.check(material.parameters).empty();
+      material.fields.empty() && material.complete_type() != nullptr && law.check(material.parameters).empty();
   if (!known || !std::isnan(material.water_stiffness)) return;
   if (const Real nu = poisson_ratio_of(law.make(material.parameters)->moduli());
       !(material.undrained_poisson_ratio > nu))

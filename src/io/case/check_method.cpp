@@ -70,7 +70,7 @@ void check_locking(const Scheme& scheme, const Case& values, Problems& warnings)
   const bool has_b_bar = looks_at(scheme, "b_bar");
   if (!scheme.locks && (!has_b_bar || values.method.b_bar)) return;
   for (const MaterialCase& material : values.materials) {
-    const MaterialType* law = complete_law(material);
+    const MaterialType* law = material.complete_type();
     if (law == nullptr) continue;
     const auto soil = law->make(material.parameters);
     const Real K = soil->bulk_modulus(), G = soil->shear_modulus();

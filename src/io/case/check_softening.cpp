@@ -84,7 +84,7 @@ void check_length(const Node& table, const MaterialCase& material, const Materia
     findings.problems.push_back({key("m"), "the width of the band is not known for this m",
         fmt::format("Got m = {}. With a reference width: m = 1.5, its default, or m = 1.", options.over_nonlocal),
         "material.softening", false, {key("reference_width")}});
-  const MaterialType* complete = complete_law(material);
+  const MaterialType* complete = material.complete_type();
   if (complete != nullptr && !std::isfinite(complete->make(material.parameters)->softened_strain())) {
     const char* name = options.is_nonlocal() ? "length" : "reference_width";
     findings.warnings.push_back({key(name), fmt::format("`{}` has no effect: the soil does not soften", name),

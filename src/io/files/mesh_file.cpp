@@ -68,7 +68,8 @@ Mesh<2> read_mesh(const std::string& path)
     if (k % n_corners == 0) mesh.cells.emplace_back();
     mesh.cells.back()[k % n_corners] = static_cast<Index>(corners[k]);
   }
-  if (mesh.cells.empty()) throw FileError(fmt::format("{} is damaged: it has no cells", path));
+  if (mesh.cells.empty() || corners.size() % n_corners != 0)
+    throw FileError(fmt::format("{} is damaged: it has no whole cells", path));
   connect(mesh);
   return mesh;
 }

@@ -137,11 +137,16 @@ struct MaterialCase {
     const MaterialType* law = find_material(model, softening, tears_in_some_stage);
     return law != nullptr && law->by_library ? from_library.get() : law;
   }
-  /// Whether its law, with all parameters known, carries no shear stress at rest.
-  bool is_fluid() const
+  /// The same, if all parameters are known.
+  const MaterialType* complete_type() const
   {
     const bool is_complete = std::ranges::none_of(parameters, [](Real value) { return std::isnan(value); });
-    const MaterialType* law = is_complete ? type() : nullptr;
+    return is_complete ? type() : nullptr;
+  }
+  /// Whether its law carries no shear stress at rest.
+  bool is_fluid() const
+  {
+    const MaterialType* law = complete_type();
     return law != nullptr && law->make(parameters)->shear_modulus() == 0.0;
   }
 };
