@@ -16,7 +16,7 @@ COLUMN_UNITS = {
     "slip_work": "J per m", "gravity_work": "J per m", "damping_work": "J per m", "boundary_work": "J per m",
     "clamp_work": "J per m", "water_work": "J per m", "load_work": "J per m", "balance_work": "J per m",
     "relaxation_work": "J per m", "left_energy": "J per m", "numerical": "J per m", "transfer": "J per m",
-    "pressure_reset": "J per m", "unexplained": "J per m",
+    "pressure_reset": "J per m", "unexplained": "J per m", "water_supply": "J per m", "water_volume": "J per m",
     "mass": "kg per m", "mass_placed": "kg per m", "mass_removed": "kg per m", "momentum_x": "kg m/s per m",
     "momentum_y": "kg m/s per m", "clamped": "-", "left": "-", "front_x": "m", "crest_x": "m", "crest_y": "m",
     "front_left_x": "m", "crest_left_x": "m", "crest_left_y": "m", "moved_volume": "m^2", "v_max": "m/s",

@@ -158,9 +158,6 @@ int threads_of(const RunOptions& options);
 /// Warns where the system granted fewer.
 void warn_of_missing_threads(const RunOptions& options, int granted);
 
-/// What the summary of a run says against its numbers, on the terminal.
-void warn_of(const Summary& summary, const Model& model, const std::string& folder);
-
 int run_case(const RunOptions& options);
 /// cells: sizes [m]; empty: those of the case.
 int find_stability(const RunOptions& run, StabilityOptions options, const std::vector<double>& cells);

@@ -70,18 +70,19 @@ void print_dangers(const std::vector<UpliftPlace>& places, const ExitGradient& e
         exit.x[1], cell);
 }
 
-void find_steady(const SeepageCommand& command, const CaseFile& file, const std::string& folder, const SharedMesh& mesh,
-    const SeepageSection& section)
+void find_steady(
+    const SeepageCommand& command, const CaseFile& file, const std::string& folder, const SeepageSection& section)
 {
-  SeepageFiles files(folder, *mesh, section, "situation");
+  const Mesh<2>& mesh = *section.walled.mesh;
+  SeepageFiles files(folder, mesh, section, "situation");
   const Real band = suction_band_of(file.values.water, section);
   Case solved = file.values;
   std::vector<ComputedWater> waters;
   for (std::size_t k = 0; k <= solved.water.situations.size(); ++k) {
     WaterSituation& situation = k == 0 ? solved.water.start : solved.water.situations[k - 1];
-    waters.push_back(compute_water(*mesh, section, situation.seepage, {.band = band},
+    waters.push_back(compute_water(mesh, section, situation.seepage, {.band = band},
         k == 0 ? "water" : fmt::format("water.situation[{}]", k - 1)));
-    set_computed(situation, mesh, waters.back());
+    set_computed(situation, section, waters.back());
   }
   for (std::size_t k = 0; k < waters.size(); ++k) {
     const Simulation simulation(section_alone(solved, k), 1);
@@ -93,7 +94,7 @@ void find_steady(const SeepageCommand& command, const CaseFile& file, const std:
     const std::vector<UpliftPlace> places = uplift_over_land(simulation.model, section, situation);
     if (!command.run.quiet) {
       print_flow(name, situation.seepage, waters[k].flow);
-      print_dangers(places, steepest_exit(*mesh, section, waters[k]), section.cell);
+      print_dangers(places, steepest_exit(mesh, section, waters[k]), section.cell);
     }
     files.add_flows(name, situation.seepage, waters[k]);
     files.add_uplift(name, places);
@@ -115,9 +116,10 @@ LevelWave read_levels(const std::string& path)
   }
 }
 
-void follow_hours(const SeepageCommand& command, const CaseFile& file, const std::string& folder,
-    const SharedMesh& mesh, const SeepageSection& section)
+void follow_hours(
+    const SeepageCommand& command, const CaseFile& file, const std::string& folder, const SeepageSection& section)
 {
+  const Mesh<2>& mesh = *section.walled.mesh;
   const LevelWave wave = read_levels(command.levels);
   const Real first = wave.times.front(), last = wave.times.back();
   std::vector<Real> moments;
@@ -127,7 +129,7 @@ void follow_hours(const SeepageCommand& command, const CaseFile& file, const std
           "error: --at lies outside the table of levels, which has {:g} to {:g} h\n", first / hour, last / hour));
     moments.push_back(h * hour);
   }
-  SeepageFiles files(folder, *mesh, section, "hours");
+  SeepageFiles files(folder, mesh, section, "hours");
   std::vector<std::string> kept;
   const auto use = [&](Real time, const SeepageCase& conditions, const ComputedWater& water) {
     const std::string hours = fmt::format("{:g}", time / hour);
@@ -147,7 +149,7 @@ void follow_hours(const SeepageCommand& command, const CaseFile& file, const std
     files.write_for_case(kept);
   };
   try {
-    follow_levels(*mesh, section, file.values.water.start.seepage, with_times(wave, moments), command.step * hour,
+    follow_levels(mesh, section, file.values.water.start.seepage, with_times(wave, moments), command.step * hour,
         suction_band_of(file.values.water, section), use);
   } catch (const InputError&) {
     write();  // what there is up to then
@@ -176,11 +178,10 @@ int compute_seepage(const SeepageCommand& command)
   make_folder(folder);
   const FolderLock lock(folder);
   try {
-    const auto mesh = std::make_shared<const Mesh<2>>(build_mesh(file.values));
-    const SeepageSection section = seepage_section(file.values, mesh);
+    const SeepageSection section =
+        seepage_section(file.values, std::make_shared<const Mesh<2>>(build_mesh(file.values)));
     write_file_atomically(path_in(folder, "case.toml"), file.text);
-    command.levels.empty() ? find_steady(command, file, folder, mesh, section)
-                           : follow_hours(command, file, folder, mesh, section);
+    command.levels.empty() ? find_steady(command, file, folder, section) : follow_hours(command, file, folder, section);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   }

@@ -155,7 +155,8 @@ int StartedRun::end()
   progress_.finish();
   const Summary summary = write_summary(true);
   if (!options_.quiet && is_alone(options_)) print_summary(summary, model, folder_);
-  warn_of(summary, model, folder_);
+  for (const RunFinding& finding : summary.findings)
+    say(stderr, "warning: {}: {} See {}\n", folder_, printable(finding.en), finding.see);
   if (const std::string overload = describe_overload(model, simulation.state); !overload.empty())
     say(stderr, "warning: {}: {}\n", folder_, overload);
   if (options_.at_end) options_.at_end(simulation);

@@ -49,6 +49,7 @@ std::vector<Recipe> all_recipes(const Frames& frames)
       {"su", "su", "S_u", "undrained shear strength", "kPa", "sequential", 1e-3},
       {"pressure", "stress", "p", "mean stress, tension positive", "kPa", "diverging", 1e-3, Take::mean_stress, 1024.0},
       {"pore_pressure", "pore_pressure", "p_w", "", "kPa", "sequential", 1e-3},
+      {"head", "head", "h", "", "m", "sequential"},
       {"excess_pressure", "excess_pressure", "u_e", "", "kPa", "diverging", 1e-3, Take::value, 1024.0},
       {"velocity", "velocity", "|v|", "speed", "m/s", "sequential", 1.0, Take::size, 1024.0},
       {"displacement", "displacement", "|u|", "", "m", "sequential", 1.0, Take::size},

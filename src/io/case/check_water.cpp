@@ -221,7 +221,7 @@ void check_kind(const Node& table, const std::string& path, WaterKind kind, Prob
   const bool computed = kind == WaterKind::seepage;
   const auto keys = computed
                         ? std::vector<const char*>{"phreatic_line", "head_lines", "reference_lines", "pressure", "head"}
-                        : std::vector<const char*>{"river", "ponds", "boundary", "suction_band"};
+                        : std::vector<const char*>{"river", "ponds", "boundary", "suction_band", "walls"};
   for (const char* key : keys)
     if (find_item(table, key) != nullptr)
       problems.push_back({path + '.' + key,

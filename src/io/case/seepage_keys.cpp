@@ -166,6 +166,33 @@ bool check_side(const Entry& entry, const std::string& path, const SideHead& sid
   return true;
 }
 
+/// Two places or more.
+Member line_member(std::vector<Vec<2>>& line)
+{
+  return {"line", "places [[x, y], ...] in m, at least two",
+      [&line](const Node& node) {
+        if (node.kind != NodeKind::list || node.items.size() < 2) return false;
+        line.clear();
+        for (const Node& place : node.items) {
+          if (place.kind != NodeKind::list || place.items.size() != 2) return false;
+          const std::optional<Real> x = number_of(place.items[0], "m"), y = number_of(place.items[1], "m");
+          if (!x || !y || (!line.empty() && line.back() == Vec<2>{*x, *y})) return false;
+          line.push_back({*x, *y});
+        }
+        return true;
+      },
+      true};
+}
+
+std::vector<Member> members_of_wall(WallCase& wall) { return {text_member("name", wall.name), line_member(wall.line)}; }
+
+std::string text_of(const WallCase& wall)
+{
+  std::string places;
+  for (const Vec<2>& place : wall.line) places += fmt::format(" [{}, {}]", place[0], place[1]);
+  return fmt::format("{}{}", wall.name, places);
+}
+
 std::string text_of(const PondCase& pond)
 {
   return fmt::format("{} {} to {} at {}", pond.name, pond.from, pond.to, pond.level);
@@ -220,6 +247,16 @@ OwnForm boundary_field(std::vector<SideHead>& boundary)
         return read_entries<SideHead>(entry, findings, boundary, {members_of_side, check_side});
       },
       [&boundary] { return text_of_all(boundary); }};
+}
+
+OwnForm walls_field(std::vector<WallCase>& walls)
+{
+  return {"a list of tables { name = \"sheet pile\", line = [[25.0, 5.0], [25.0, -4.0]] }",
+      [&walls](const Entry& entry, Findings& findings) {
+        return read_entries<WallCase>(entry, findings, walls,
+            {members_of_wall, [](const Entry&, const std::string&, const WallCase&, Findings&) { return true; }});
+      },
+      [&walls] { return text_of_all(walls); }};
 }
 
 constexpr Real least_k = 1e-12, most_k = 1.0;  // [m/s]
@@ -287,6 +324,11 @@ std::vector<KeyInfo> seepage_keys()
           .meaning =
               "height over which soil dries about the table of computed water; a wider band converges more easily",
           .default_text = "half the height of a cell"},
+      {.path = "water.walls",
+          .field = [](Case& c, std::size_t) { return walls_field(c.water.walls); },
+          .unit = "m",
+          .meaning = "of computed water: lines that let no water through, along sides of cells. They hold back water "
+                     "alone, not soil"},
   };
 }
 

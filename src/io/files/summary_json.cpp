@@ -46,6 +46,11 @@ void each(FootingSummary& footing, F&& f)
   f("largest_reaction", footing.largest), f("work", footing.work);
 }
 template <class F>
+void each(RunFinding& finding, F&& f)
+{
+  f("id", finding.id), f("en", finding.en), f("nl", finding.nl), f("see", finding.see);
+}
+template <class F>
 void each(StageSummary& stage, F&& f)
 {
   f("name", stage.name), f("start", stage.record.start), f("end", stage.record.end), f("steps", stage.record.steps);
@@ -116,6 +121,7 @@ void each(Summary& s, F&& f)
   f("facing", s.facing), f("slides", s.slides), f("softened_fraction", s.softened_fraction);
   f("reached_sides", s.reached_sides), f("footings", s.footings), f("stages", s.stages);
   f("strength_water", s.strength_water), f("flood", s.flood), f("passes", s.passes);
+  f("findings", s.findings);
 }
 
 template <class T>

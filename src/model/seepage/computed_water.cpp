@@ -122,6 +122,9 @@ SeepageSection seepage_section(const Case& whole, const SharedMesh& mesh)
   model.description = case_of_stage(whole, 0);
   std::vector<Problem> problems;
   SeepageSection section;
+  section.walled = with_walls(mesh, whole.water.walls);
+  for (const WallCase& wall : whole.water.walls)
+    for (std::size_t k = 0; k + 1 < wall.line.size(); ++k) section.walls.push_back({wall.line[k], wall.line[k + 1]});
   const std::vector<BodyOutline> outlines = outlines_of(model);
   const std::vector<MaterialCase>& materials = model.description.materials;
   std::vector<std::string> missing;
@@ -390,11 +393,18 @@ ComputedWater compute_water(const Mesh<2>& mesh, const SeepageSection& section, 
   return water;
 }
 
-void set_computed(WaterSituation& situation, const SharedMesh& mesh, const ComputedWater& water)
+void set_computed(WaterSituation& situation, const SeepageSection& section, const ComputedWater& water)
 {
   situation.phreatic_line = water.table;
-  situation.formula = [mesh, heads = std::make_shared<const std::vector<Real>>(water.flow.heads)](
-                          Vec<2> x, Real) { return head_at(*mesh, *heads, x).value_or(x[1]); };
+  const std::vector<Real> joined = section.walled.joined(water.flow.heads);
+  std::vector<std::pair<Vec<2>, Real>> along_walls;  // the soil there has one head
+  for (const Index node : section.walled.twins)
+    along_walls.emplace_back(section.walled.mesh->nodes[node], joined[static_cast<std::size_t>(node)]);
+  situation.formula = [along_walls, mesh = section.walled.mesh,
+                          heads = std::make_shared<const std::vector<Real>>(water.flow.heads)](Vec<2> x, Real) {
+    const auto at_wall = std::ranges::find(along_walls, x, &std::pair<Vec<2>, Real>::first);
+    return at_wall != along_walls.end() ? at_wall->second : head_at(*mesh, *heads, x).value_or(x[1]);
+  };
   situation.formula_gives_head = true;
   situation.formula_text = "computed";
 }
@@ -421,8 +431,9 @@ Case with_computed_water(const Case& whole, const SharedMesh& mesh)
   const auto solve = [&](WaterSituation& situation, const std::string& path) {
     if (situation.formula) return;  // it was
     if (!section) section = seepage_section(whole, mesh);
-    set_computed(situation, mesh,
-        compute_water(*mesh, *section, situation.seepage, {.band = suction_band_of(whole.water, *section)}, path));
+    set_computed(situation, *section,
+        compute_water(*section->walled.mesh, *section, situation.seepage,
+            {.band = suction_band_of(whole.water, *section)}, path));
   };
   solve(solved.water.start, "water");
   for (std::size_t k = 0; k < solved.water.situations.size(); ++k) {

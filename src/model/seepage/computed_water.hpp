@@ -5,6 +5,7 @@
 #include "model/parts/model.hpp"
 #include "model/seepage/flow_surface.hpp"
 #include "model/seepage/free_surface.hpp"
+#include "model/seepage/walls.hpp"
 
 #include <optional>
 #include <span>
@@ -15,10 +16,12 @@ namespace terp {
 
 /// The soil of a case at t = 0 as water sees it.
 struct SeepageSection {
+  WalledMesh walled;  ///< the mesh of the flow
   std::vector<BodyOutline> outlines;
   std::vector<FlowMaterial> materials;        ///< by outline
   std::vector<std::vector<Side>> sides = {};  ///< by outline
   std::vector<SoilEdge> edges;                ///< surface of the soil
+  std::vector<Side> walls = {};               ///< that let no water through
   Real left = 0.0, right = 0.0;               ///< ends of the soil [m]
   Real cell = 0.0;                            ///< typical size [m]
 
@@ -83,7 +86,7 @@ ComputedWater compute_water(const Mesh<2>& mesh, const SeepageSection& section, 
     const WaterOptions& options, const std::string& path);
 
 /// A situation takes over what was computed for it.
-void set_computed(WaterSituation& situation, const SharedMesh& mesh, const ComputedWater& water);
+void set_computed(WaterSituation& situation, const SeepageSection& section, const ComputedWater& water);
 
 /// The phreatic line of heads at nodes, with the levels of free water [m].
 std::vector<Vec<2>> table_of(

@@ -167,33 +167,6 @@ Stretch reach_of_river(Stretch from, const Elevations& ground)
   return left ? Stretch{0, highest(0, n - 1)} : Stretch{highest(0, n - 1), n - 1};
 }
 
-/// Free water stands where it is drawn above the drawn ground, and beside that as far as the ground has come down below
-/// its level. A sloping line has the level of its lowest place there. Minus infinity: none.
-Elevations free_water(const Elevations& level, const Elevations& drawn_ground, const Elevations& ground)
-{
-  const auto n = static_cast<Index>(level.size());
-  Elevations free(level.size(), nowhere);
-  const auto is_drawn = [&](Index k) { return level[k] > drawn_ground[k] + least_free_depth; };
-  for (Index a = 0; a < n; ++a) {
-    if (!is_drawn(a)) continue;
-    Index b = a;
-    Real lowest = level[a];
-    for (; b + 1 < n && is_drawn(b + 1); ++b) lowest = std::min(lowest, level[b + 1]);
-    const Stretch reach = reach_of_river({a, b}, ground);
-    const auto enter = [&](Index k, Real at) {
-      if (k < reach.first || k > reach.last || !(ground[k] < at)) return false;
-      free[k] = std::max(free[k], at);
-      return true;
-    };
-    for (Index k = a; k <= b; ++k) enter(k, level[k]);
-    for (Index k = b + 1; k < n && enter(k, lowest);) ++k;
-    for (Index k = a; k-- > 0 && enter(k, lowest);) {
-    }
-    a = b;
-  }
-  return free;
-}
-
 /// What the columns have, at the nodes: from the middles of the two columns that hold soil, or water, on both sides.
 CarriedWater at_nodes(const Mesh<2>& mesh, const Columns& columns, const SoilColumns& soil, const Elevations& share,
     const Elevations& table, const Elevations& ground)
@@ -335,9 +308,10 @@ CarriedWater see(const Model& model, const StepState& state, const WaterState& w
     if (at.inside && wet > 0.0)
       points.push_back({x, at.cell, wet * volume, model.description.materials[block.material].permeability});
   });
-  carried.head = frozen_heads(*model.mesh, points, above,
-      side_conditions(
-          *model.mesh, *model.nodal_water->section(), between(from.seepage, to.seepage, way.share), "water"));
+  const SeepageSection& section = *model.nodal_water->section();
+  const Mesh<2>& mesh = *section.walled.mesh;
+  carried.head = section.walled.joined(frozen_heads(
+      mesh, points, above, side_conditions(mesh, section, between(from.seepage, to.seepage, way.share), "water")));
   for (std::size_t i = 0; i < carried.head.size(); ++i)
     if (std::isnan(carried.head[i])) carried.head[i] = carried.table[i];
   return carried;
@@ -345,9 +319,35 @@ CarriedWater see(const Model& model, const StepState& state, const WaterState& w
 
 }  // namespace
 
+std::vector<Real> free_water(
+    const std::vector<Real>& level, const std::vector<Real>& drawn_ground, const std::vector<Real>& ground)
+{
+  const auto n = static_cast<Index>(level.size());
+  Elevations free(level.size(), nowhere);
+  const auto is_drawn = [&](Index k) { return level[k] > drawn_ground[k] + least_free_depth; };
+  for (Index a = 0; a < n; ++a) {
+    if (!is_drawn(a)) continue;
+    Index b = a;
+    Real lowest = level[a];
+    for (; b + 1 < n && is_drawn(b + 1); ++b) lowest = std::min(lowest, level[b + 1]);
+    const Stretch reach = reach_of_river({a, b}, ground);
+    const auto enter = [&](Index k, Real at) {
+      if (k < reach.first || k > reach.last || !(ground[k] < at)) return false;
+      free[k] = std::max(free[k], at);
+      return true;
+    };
+    for (Index k = a; k <= b; ++k) enter(k, level[k]);
+    for (Index k = b + 1; k < n && enter(k, lowest);) ++k;
+    for (Index k = a; k-- > 0 && enter(k, lowest);) {
+    }
+    a = b;
+  }
+  return free;
+}
+
 void look_at_soil(const Model& model, StepState& state)
 {
-  if (!model.nodal_water || model.nodal_water->drawn() == nullptr) return;
+  if (!model.nodal_water || !model.nodal_water->follows_soil()) return;
   const bool first = !state.with.water;
   WaterState& water = state.with.water.made();
   if (!first && state.step < water.next) return;

@@ -32,8 +32,8 @@ NodalWater::NodalWater(const Model& model)
                            const BodyCase& body) { return body.placed == now || body.removed == now; };
   if (std::ranges::any_of(model.description.bodies, changes))
     sections_[1] = section_of(Overburden::before_stage(model), has_weight);
-  if (water_.follow_soil && overburden.is_known()) drawn_ = draw_water(overburden);
-  if (drawn_ && water_.kind == WaterKind::seepage)
+  if (overburden.is_known()) drawn_ = draw_water(overburden);
+  if (follows_soil() && water_.kind == WaterKind::seepage)
     section_ = std::make_shared<const SeepageSection>(
         seepage_section(model.whole ? *model.whole : model.description, model.mesh));
   for (std::size_t k = 0; k <= water_.situations.size(); ++k) fields_.push_back(field_of(situation_of(water_, k), 0.0));
@@ -90,7 +90,7 @@ NodalWater::Field NodalWater::field_of(const WaterSituation& situation, Real tim
   for (std::size_t i = 0; i < mesh_->nodes.size(); ++i) {
     const Vec<2>& x = mesh_->nodes[i];
     field.at_node.push_back(unlimited_pressure(water_, situation, x, time));
-    if (drawn_)
+    if (follows_soil())
       field.heads.push_back(situation.formula ? Head{x[1] + field.at_node.back() / water_.unit_weight, 0.0}
                                               : WaterColumn(situation, x[0]).head_with_table(x[1]));
     for (std::size_t k = 0; k < sections_.size() && !sections_[k].ground.empty(); ++k) {

@@ -32,8 +32,10 @@ class NodalWater : public WaterModel {
   void set(const WaterMoment& moment, std::span<const Real> loads, Real bodies, const WaterState* carried,
       std::int64_t step, bool anew, PorePressure& pore) const override;
 
-  /// The section as the stage draws it; nullptr: the water does not follow the soil.
+  /// The section as the stage draws it; nullptr: points of files leave it open.
   const DrawnWater* drawn() const { return drawn_ ? &*drawn_ : nullptr; }
+
+  bool follows_soil() const { return drawn_ && water_.follow_soil; }
 
   /// The section as computed water sees it; nullptr: the water is drawn, or does not follow the soil.
   const SeepageSection* section() const { return section_.get(); }

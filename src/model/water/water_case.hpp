@@ -64,6 +64,14 @@ struct SideHead {
   bool operator==(const SideHead&) const = default;
 };
 
+/// Lets no water through.
+struct WallCase {
+  std::string name;
+  std::vector<Vec<2>> line;  ///< along sides of cells [m]
+
+  bool operator==(const WallCase&) const = default;
+};
+
 /// What flowing water is computed from. Ground where no water stands is a seepage face; what has no head has no flow.
 struct SeepageCase {
   std::optional<RiverCase> river;
@@ -107,6 +115,7 @@ struct LevelSeries {
 struct WaterCase {
   WaterKind kind = WaterKind::lines;
   Real suction_band = 0.0;                 ///< height over which soil dries above computed water [m]; 0: half a cell
+  std::vector<WallCase> walls;             ///< in computed water
   Real unit_weight = 9810.0;               ///< of water [N/m^3]
   Real suction = 0.0;                      ///< largest tension in the water above the phreatic line [Pa]
   std::optional<LevelSeries> series = {};  ///< that the situations in time follow from

@@ -46,6 +46,9 @@ const CommonField common_fields[] = {
 constexpr QuantityInfo pore_pressure{"pore_pressure", "Pa", "pore pressure",
     "pressure of the water at the point, in the soil or around it; suction is negative"};
 
+constexpr QuantityInfo head{
+    "head", "m", "head", "head of computed water, y + pore_pressure/unit_weight; NaN where the soil is dry"};
+
 /// "current cohesion" of "current cohesion, Eq. (5)".
 std::string label_of(std::string_view meaning) { return std::string(meaning.substr(0, meaning.find(','))); }
 
@@ -93,13 +96,19 @@ void add(FrameField field, F read, std::vector<FrameField>& fields)
 }
 
 /// As the forces of the present step have it.
-void add_pore_pressure(const Model& model, const State& state, std::vector<FrameField>& fields)
+void add_water(const Model& model, const State& state, std::vector<FrameField>& fields)
 {
   const auto pore = std::make_shared<PorePressure>(water_at(model, state));
   const auto read = [&model, pore](const PointBlock<2>& block, Index lane, Real* out) {
     *out = pore_pressure_at(model, *pore, block, lane);
   };
   add(field_of(CommonField{pore_pressure, 1, nullptr}), read, fields);
+  if (model.description.water.kind != WaterKind::seepage) return;
+  const auto read_head = [&model, pore](const PointBlock<2>& block, Index lane, Real* out) {
+    const Real pressure = pore_pressure_at(model, *pore, block, lane);
+    *out = pressure > 0.0 ? block.row(Rows::x + 1)[lane] + pressure / model.description.water.unit_weight : nan;
+  };
+  add(field_of(CommonField{head, 1, nullptr}), read_head, fields);
 }
 
 /// NaN at points whose material does not have the row.
@@ -136,7 +145,7 @@ std::vector<FrameField> frame_fields(const Model& model, const State& state)
     };
     add(field_of(common), read, fields);
   }
-  if (model.with.water) add_pore_pressure(model, state, fields);
+  if (model.with.water) add_water(model, state, fields);
   for (const SoilMaterial& of : model.materials)
     for (const DerivedInfo& info : of.type->derived)
       if (!has(fields, info.name)) add_derived(model, info, fields);
@@ -161,7 +170,7 @@ std::vector<FrameField> all_frame_fields()
   for (const RowInfo& row : any_point.entries())
     if (row.shown) fields.push_back(field_of(row));
   for (const CommonField& common : common_fields) fields.push_back(field_of(common));
-  fields.push_back(field_of(CommonField{pore_pressure, 1, nullptr}));
+  for (const QuantityInfo& info : {pore_pressure, head}) fields.push_back(field_of(CommonField{info, 1, nullptr}));
   fields.push_back(field_of(row_of_excess_pressure()));
   for (const MaterialType* law : all_materials())
     for (FrameField& field : frame_fields_of(*law))

@@ -1,6 +1,7 @@
 // The numbers that remain of a run: what summary.json holds.
 #pragma once
 
+#include "run/report/run_findings.hpp"
 #include "math/quantity.hpp"
 #include "run/measure/crest.hpp"
 #include "run/measure/slip_surface.hpp"
@@ -120,6 +121,7 @@ struct Summary {
   std::vector<StageSummary> stages;
   std::vector<StrengthWater> strength_water;         ///< of strengths that follow from the effective stress
   std::map<std::string, Real, std::less<>> numbers;  ///< of followers, under the names that they declare; NaN: none
+  std::vector<RunFinding> findings;                  ///< what the numbers say against themselves
   Real v_999 = 0.0;  ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]
 };
 

@@ -10,6 +10,7 @@ export const DUTCH: Record<string, string> = {
   su_ratio: "resterende sterkte t.o.v. begin",
   pressure: "gemiddelde spanning, trek positief",
   pore_pressure: "waterspanning",
+  head: "stijghoogte",
   excess_pressure: "wateroverspanning",
   velocity: "snelheid",
   displacement: "verplaatsing",

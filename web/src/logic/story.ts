@@ -12,9 +12,6 @@ const HARDLY_MOVED = 0.01; // share of the volume
 const STILL_MOVING = 0.01; // kinetic energy at the end over its largest
 // Limits of the warnings of the program, src/cli/run.cpp and simulation/softening_scales.cpp
 const MUCH_UNEXPLAINED = 0.02; // of the energy from outside
-const MUCH_DAMPING = 7; // times what the factor promises
-const MUCH_DAMPED = 0.05; // of the energy exchanged
-const LEAST_CELLS = 2; // in a softening length
 
 interface StageOfSummary {
   name: string;
@@ -23,12 +20,6 @@ interface StageOfSummary {
   at_rest?: boolean;
   fastest_node?: number | null;
   known_for?: number; // s; 0: the verdict did not end it
-}
-
-interface ReachedSide {
-  side: string;
-  time: number;
-  rose: boolean;
 }
 
 interface StrengthWater {
@@ -80,30 +71,15 @@ export function byColumns({ cell }: RunMeta): string {
   return cell ? say("by_columns", { column: withUnit(cell, "m", 2) }) : "";
 }
 
-/** That the last stage, or the run, was to end at rest and did not, or that soil under a verdict still moves. */
-export function restDoubt({ meta }: Run): string[] {
-  const stages = listOf<StageOfSummary>(meta, "stages");
-  const last = stages[stages.length - 1];
-  const flood = meta.events?.flood;
-  const speed = last && isRestless(last) ? last.fastest_node : flood?.still_moves ? flood.fastest_node : null;
-  if (typeof speed !== "number") return [];
-  const values = { speed: withUnit(speed, "m/s", 2), stage: flood?.stage_moving ?? "" };
-  return [say(flood && movedBefore(flood) ? "note_rest_stage" : "note_rest", values)];
-}
-
 /** Soil still moved where a stage ended, and later ones do not show what it would have done. */
 export function movedBefore({ still_moves: moves, stage_moving: moving, stage }: Flood): boolean {
   return Boolean(moves && moving) && moving !== stage;
 }
 
-function isRestless({ end, at_rest: rest, fastest_node: fastest }: StageOfSummary): boolean {
-  return end !== null && !rest && typeof fastest === "number";
-}
-
-/** That soil came to sides of the mesh. */
-export function sideDoubts({ meta }: Run): string[] {
-  return listOf<ReachedSide>(meta, "reached_sides").map(({ side, time, rose }) =>
-    say(rose ? "note_side_rose" : "note_side", { side, time: seconds(time) }));
+/** What the program says against the numbers of a run. id: of one kind alone. */
+export function findingsOf({ meta }: Run, id?: string): string[] {
+  return listOf<{ id: string; en: string; nl: string }>(meta, "findings").filter((finding) => !id || finding.id === id)
+    .map((finding) => finding[currentLanguage()].replace(/`([^`]*)`/g, "“$1”"));
 }
 
 /** "on the land's side"; empty where all slides go to the right and no river says more. */
@@ -305,35 +281,11 @@ export function listChecks(run: Run): Check[] {
   ];
 }
 
-/** What the program said at the end of the run: no rest, sides that were reached, damping, a short softening length, a
- * strength below zero. */
-function warnOfSoil(run: Run): string[] {
-  const restless = listOf<StageOfSummary>(run.meta, "stages").filter(isRestless);
-  const rest = restless.map(({ name, end, fastest_node: fastest }) =>
-    say(name ? "warn_rest" : "warn_rest_run", { name, end: seconds(end), speed: withUnit(fastest, "m/s", 2) }));
-  const damping = numberOf(run, "damping_over_promised");
-  const cells = numberOf(run, "softening_length_over_cell");
-  const strength = numberOf(run, "lowest_library_strength");
-  const texts = [...rest, ...sideDoubts(run),
-    strength < 0 ? say("warn_strength", { strength: withUnit(strength, "Pa", 3) }) : "",
-    damping > MUCH_DAMPING && numberOf(run, "damping_fraction") > MUCH_DAMPED
-      ? say("warn_damping", { factor: numberText(damping, 2) }) : "",
-    cells > 0 && cells < LEAST_CELLS * (1 - 1e-9) ? say("warn_length", { cells: numberText(cells, 3) }) : ""];
-  return texts.filter(Boolean);
-}
-
 /** What the reader must know before trusting the numbers, of the program and of the numbers themselves. */
 export function listWarnings(run: Run): string[] {
   const { meta } = run;
-  const error = unexplainedOf(run);
-  const warnings: string[] = [];
-  if (!meta.finished) warnings.push(say("warn_unfinished", { time: withUnit(lastTime(run), "s", 3) }));
-  if (meta.events) {
-    if (error > MUCH_UNEXPLAINED) warnings.push(say("warn_energy", { percent: withUnit(100 * error, "%", 2) }));
-    warnings.push(...warnOfSoil(run));
-    for (const [key, column] of [["warn_clamped", "clamped_points"], ["warn_left", "points_left"]] as const)
-      if (numberOf(run, column) > 0) warnings.push(say(key, { n: numberOf(run, column) }));
-  }
+  const warnings = meta.finished ? [] : [say("warn_unfinished", { time: withUnit(lastTime(run), "s", 3) })];
+  if (meta.events) warnings.push(...findingsOf(run));
   const told = new Set([say("check_end"), say("check_energy"), say("check_clamped")]);
   const failed = listChecks(run).filter((check) => !check.passed && !told.has(check.name));
   return [...warnings, ...(meta.warnings[currentLanguage()] ?? []), ...(meta.doubts?.[currentLanguage()] ?? []),

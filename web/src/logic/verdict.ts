@@ -3,7 +3,7 @@
 import type { Flood } from "../data/format";
 import type { Run } from "../data/run";
 import { fixed, metres } from "./numbers";
-import { restDoubt, sideDoubts } from "./story";
+import { findingsOf } from "./story";
 import { currentLanguage, say } from "./texts";
 
 export type Kind = "running" | "none" | "stands" | "damaged" | "still_moving" | "near" | "floods";
@@ -22,13 +22,10 @@ export function kindOf({ meta: { events, finished } }: Run): Kind {
 
 /** What the verdict must not be read without. */
 export function doubts(run: Run): string[] {
-  const margin = run.meta.events?.flood?.margin;
   const changed = run.meta.changed?.[currentLanguage()]?.length ?? 0;
-  const unsaid = kindOf(run) === "still_moving" ? [] : restDoubt(run); // the verdict says so itself
-  return [turnsOn(run), ...unsaid, ...sideDoubts(run), changed > 0 ? say("note_changed", { n: changed }) : "",
-    ravelled(run),
-    typeof margin === "number" ? say("note_margin", { margin: metres(margin) }) : ""]
-    .filter(Boolean);
+  const unsaid = kindOf(run) === "still_moving" ? [] : findingsOf(run, "rest"); // the verdict says so itself
+  return [turnsOn(run), ...unsaid, ...findingsOf(run, "side"), changed > 0 ? say("note_changed", { n: changed }) : "",
+    ravelled(run), ...findingsOf(run, "margin")].filter(Boolean);
 }
 
 function ravelled({ meta: { events } }: Run): string {
