@@ -48,6 +48,8 @@ export const DUTCH: Record<string, string> = {
   boundary_work: "arbeid van de randen",
   clamp_work: "arbeid van de begrenzing",
   water_work: "arbeid van het water",
+  water_supply: "energie van het vrije water",
+  water_volume: "energie van het water in geopende grond",
   load_work: "arbeid van de belastingen",
   balance_work: "arbeid van het drukverloop in de cellen",
   relaxation_work: "arbeid van de relaxatie",
