@@ -56,12 +56,28 @@ void doubt_levels(const Study& study, std::vector<Problem>& doubts)
         ""});
 }
 
+/// The same parameter of two soils, one of which is strong where the other is weak.
+void doubt_correlations(const Study& study, std::vector<Problem>& doubts)
+{
+  const auto parameter = [](const std::string& key) {  // without the name of the material; empty: none
+    const auto at = key.starts_with("material.") ? key.find('.', 9) : std::string::npos;
+    return at == std::string::npos ? std::string() : key.substr(at);
+  };
+  for (const StudyCorrelation& c : study.settings.correlations)
+    if (c.value < 0.0 && c.a != c.b && !parameter(c.a).empty() && parameter(c.a) == parameter(c.b))
+      doubts.push_back({join_path(c.path, "value"), fmt::format("`{}` and `{}` go against each other", c.a, c.b),
+          fmt::format(
+              "Got {:g}. Layers of one section vary together, or on their own: such correlations are 0 to 1.", c.value),
+          ""});
+}
+
 }  // namespace
 
 void doubt_distributions(const Study& study, std::vector<Problem>& doubts)
 {
   doubt_numbers(study, doubts);
   doubt_levels(study, doubts);
+  doubt_correlations(study, doubts);
 }
 
 }  // namespace terp

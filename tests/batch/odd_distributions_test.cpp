@@ -46,4 +46,20 @@ TEST(OddDistributions, LevelsBesideTheLoad)
   EXPECT_THAT(of("1000", "20"), ElementsAre("fragility.distribution: the load hardly reaches the first level"));
 }
 
+TEST(OddDistributions, LayersThatGoAgainstEachOther)
+{
+  const auto doubts = [](const char* second, double value) {
+    Study study;
+    study.settings.correlations = {{"material.clay.su_peak", second, "correlation[0]", value}};
+    std::vector<Problem> found;
+    doubt_distributions(study, found);
+    return found;
+  };
+  EXPECT_THAT(doubts("material.peat.su_peak", -0.5),
+      ElementsAre(told("correlation[0].value",
+          "`material.clay.su_peak` and `material.peat.su_peak` go against each other", HasSubstr("Got -0.5."))));
+  EXPECT_THAT(doubts("material.peat.su_peak", 0.5), IsEmpty());
+  EXPECT_THAT(doubts("material.clay.density", -0.5), IsEmpty());
+}
+
 }  // namespace odd_distributions_test

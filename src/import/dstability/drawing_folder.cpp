@@ -48,6 +48,7 @@ CaseFolder drawing_folder_of(
   drawing.regions = part_of(whole.regions, part);
   std::erase_if(drawing.regions, [](const DrawnRegion& r) { return r.polygon.empty(); });
   const SectionLayout layout = layout_of(drawing.regions, {}, {.cell = options.cell});
+  check_cell(layout, options.cell);
   CleaningOptions cleaning = cleaning_for(layout.cell);
   cleaning.snap = drawing.snap;
   const CleanSection clean = clean_regions(drawing.regions, {}, cleaning);

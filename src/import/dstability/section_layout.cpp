@@ -180,6 +180,18 @@ SectionLayout layout_of(
   return layout;
 }
 
+void check_cell(const SectionLayout& layout, Real asked_for)
+{
+  const Real most = std::max(0.5 * layout.height, 0.25 * (layout.top - layout.low[1]));
+  if (!(asked_for > most)) return;
+  throw InputError({"", fmt::format("cells of {:g} m are too large for this section", asked_for),
+      fmt::format(
+          "Its soil is {:.3g} m thick, and its crest {:.3g} m high. Give at most {:.3g} m with --cell, or leave "
+          "it out: some {:.2g} m.",
+          layout.top - layout.low[1], layout.height, std::floor(100.0 * most) / 100.0, 0.1 * layout.height),
+      ""});
+}
+
 std::vector<Vec<2>> places_in(const CleanRegion& region, Real step)
 {
   const BoundingBox box = box_around(region.polygon);

@@ -32,6 +32,10 @@ struct LayoutWishes {
 SectionLayout layout_of(
     const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations, const LayoutWishes& wishes);
 
+/// Throws InputError if the cells that the user asks for [m] are larger than half of the height and a quarter of the
+/// soil; 0: none are asked for.
+void check_cell(const SectionLayout& layout, Real asked_for);
+
 /// Limits of the soil [m].
 BoundingBox box_around(const std::vector<DrawnRegion>& drawn);
 

@@ -76,6 +76,23 @@ void check_volume_change(const Case& values, const MaterialCase& material, const
       std::string(law.name), false, {material_path(material)}});
 }
 
+/// Soil whose skeleton hardly changes its volume, as only pore water that cannot leave makes it; and K far beyond that.
+void check_compression(const Case& values, const MaterialCase& material, const MaterialType& law, Findings& findings)
+{
+  constexpr Real most_drained = 10.0, most = 1000.0;  // K over G
+  const Real nu = parameter_of(material, law, "poisson_ratio"), stiffness = bulk_from_poisson(1.0, nu);
+  const bool drained = values.water.is_given() && parameter_of(material, law, "friction_angle") > 0.0 &&
+                       material.drainage != Drainage::undrained;
+  if (!(stiffness > (drained ? most_drained : most))) return;
+  findings.warnings.push_back({join_path(material_path(material), "poisson_ratio"),
+      drained ? fmt::format("`{}` is drained, and hardly changes its volume", material.name)
+              : fmt::format("`{}` takes far shorter steps than its results need", material.name),
+      fmt::format("poisson_ratio = {:g} makes K = {:.3g} G. {}", nu, stiffness,
+          drained ? "Drained soil: 0.2 to 0.35, where K is 1.3 to 3 G."
+                  : "Undrained soil: 0.45 to 0.495, where K is 10 to 100 G."),
+      std::string(law.name), false, {material_path(material)}});
+}
+
 void check_water_stiffness(
     const Node& root, const Case& values, const MaterialCase& material, const MaterialType& law, Findings& findings)
 {
@@ -159,6 +176,7 @@ void check_drainage(const Node& root, const Case& values, Findings& findings)
     check_law(material, *law, findings);
     if (!law->total_stress) check_water_stiffness(root, values, material, *law, findings);
     check_volume_change(values, material, *law, findings);
+    check_compression(values, material, *law, findings);
     check_friction(values, material, *law, findings);
     check_axes(values, material, *law, findings);
   }

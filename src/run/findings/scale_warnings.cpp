@@ -27,12 +27,13 @@ constexpr Real greatest_without_strength = 4e4;               // of G / (rho g H
 constexpr Real greatest_over_friction = 1e5;                  // G over rho g H/2 tan(phi); soil: 50 to 2000
 constexpr Real greatest_strength_over_weight = 8.0;           // soil: 0.02 to 5
 constexpr Real least_strength_over_weight = 1.0 / 300.0;      // a heap of slurry flows at 0.05
-constexpr Real band_over_length = 3.07;                       // width of a band (docs/softening_length.md)
-constexpr Real little_soil = 1.2;                             // density over that of water: pores of 88 % and more
-constexpr Real stiff = 3e6;                                   // [Pa]; peat, which is as light, hardly has it
-constexpr Real greatest_speed = 3.0;                          // of a body over sqrt(g H); a fall from H ends at 1.4
-constexpr Real greatest_push = 0.1;                           // of a side or footing over sqrt(g H); pushes are slow
-constexpr Real least_motion = 1e-5;                           // of a footing in the whole run, over H
+constexpr Real least_with_friction = 0.03;  // of c + rho g H/2 tan(phi) over rho g H; 5 degrees: 0.044
+constexpr Real band_over_length = 3.07;     // width of a band (docs/softening_length.md)
+constexpr Real little_soil = 1.2;           // density over that of water: pores of 88 % and more
+constexpr Real stiff = 3e6;                 // [Pa]; peat, which is as light, hardly has it
+constexpr Real greatest_speed = 3.0;        // of a body over sqrt(g H); a fall from H ends at 1.4
+constexpr Real greatest_push = 0.1;         // of a side or footing over sqrt(g H); pushes are slow
+constexpr Real least_motion = 1e-5;         // of a footing in the whole run, over H
 
 /// What `terp stability` divides, which has no default.
 bool is_strength(const ParameterInfo& info)
@@ -105,12 +106,29 @@ class MaterialScales {
             number(ratio), weight_text(), shear > 0.0 ? "1e4" : "1e5"));
   }
 
-  /// G against the strength that friction gives at mid-height.
+  /// Cohesion, of a law with friction [Pa].
+  Real cohesion() const
+  {
+    for (std::size_t k = 0; k < values_.parameters.size(); ++k)
+      if (material_.type->parameters[k].reduction == Reduction::divide) return values_.parameters[k];
+    return 0.0;
+  }
+
+  /// The strength that friction gives at mid-height, against the weight and G.
   void check_friction()
   {
     const Real shear = material_.law->shear_modulus(), angle = friction_angle();
     const Real strength = 0.5 * weight() * std::tan(angle * std::numbers::pi / 180.0);
-    if (!(angle > 0.0) || !(strength > 0.0) || shear <= greatest_over_friction * strength) return;
+    if (!(angle > 0.0) || !(strength > 0.0)) return;
+    if (const Real share = (strength + cohesion()) / weight(); share < least_with_friction && values_.fields.empty())
+      warnings_.push_back({fmt::format("material.\"{}\".friction_angle", values_.name),
+          fmt::format("`{}` has hardly any strength", values_.name),
+          fmt::format(
+              "With {:.3g} degrees and a cohesion of {} Pa it has {:.2g} of {} at mid-height. Usual: 0.1 to 0.5. "
+              "Angles are in\ndegrees, neither in radians nor as tangents: 0.52 rad is 30 degrees.",
+              angle, number(cohesion()), share, weight_text()),
+          std::string(values_.model), false, {fmt::format("material.\"{}\"", values_.name), "body"}});
+    if (shear <= greatest_over_friction * strength) return;
     warn(stiffness_name(), fmt::format("`{}` is very stiff beside its friction", values_.name),
         fmt::format("G = {} Pa is {} times rho g H/2 tan(phi) = {} Pa, its strength at mid-height (H = {} m of soil).\n"
                     "Usual: 20 to 2000 times.",
@@ -308,6 +326,7 @@ void check_speeds(const Model& model, const SoilSize& soil, Problems& warnings)
 {
   const Case& c = model.description;
   const std::vector<Real> speeds = speeds_of_bodies(model);
+  const Overburden overburden(model);
   for (std::size_t b = 0; b < c.bodies.size(); ++b)
     warn_of_speed({fmt::format("body[{}].velocity", b), called(c.bodies[b], b), speeds[b]}, soil, warnings);
   for (const SideCondition& side : c.sides)
@@ -319,6 +338,14 @@ void check_speeds(const Model& model, const SoilSize& soil, Problems& warnings)
     const std::string key = fmt::format("footing[{}].velocity", k);
     if (warn_of_speed({key, fmt::format("the footing `{}`", f.name), size(f.velocity)}, soil, warnings)) continue;
     warn_of_inertia(key, f, model, warnings);
+    const Real middle = 0.5 * (f.low[0] + f.high[0]);
+    if (f.velocity[1] > 0.0 && overburden.ground(middle).value_or(-INFINITY) <= f.high[1])
+      warnings.push_back({key, fmt::format("the footing `{}` is pulled off the soil", f.name),
+          fmt::format(
+              "Got {:g} m/s along y, which is upwards, and no soil lies on it. A footing that is pushed down has "
+              "a negative one.",
+              f.velocity[1]),
+          "footing.velocity"});
     if (f.ramp > c.time.end)
       warnings.push_back(
           {fmt::format("footing[{}].ramp", k), fmt::format("the footing `{}` never has its velocity", f.name),

@@ -13,6 +13,7 @@
 #include "model/meshes/setup_mesh.hpp"
 #include "model/bodies/setup_points.hpp"
 #include "model/loads/side_shape.hpp"
+#include "model/soils/overburden.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -376,12 +377,34 @@ void find_undermined_soil(const Model& model, Problems& warnings)
   }
 }
 
+/// A load all of whose ground falls to one side: its x, or the ground, is of another frame.
+void find_loads_on_slopes(const Model& model, Problems& warnings)
+{
+  constexpr Real steep = 1.0 / 6.0;
+  const Overburden overburden(model);
+  const auto& loads = model.description.loads;
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Real half = 0.5 * (loads[k].to - loads[k].from), middle = loads[k].from + half;
+    const auto left = overburden.ground(loads[k].from + 1e-3 * half), mid = overburden.ground(middle),
+               right = overburden.ground(loads[k].to - 1e-3 * half);
+    if (!left || !mid || !right || !(loads[k].pressure > 0.0)) continue;
+    const Real first = (*mid - *left) / half, second = (*right - *mid) / half;
+    if (!(std::min(first, second) > steep) && !(std::max(first, second) < -steep)) continue;
+    warnings.push_back({fmt::format("load[{}].from", k), fmt::format("the load `{}` stands on a slope", loads[k].name),
+        fmt::format("The ground lies at {:.4g} m at its left end and at {:.4g} m at its right one, {:.3g} m apart. "
+                    "Traffic and fills stand on\nlevel ground: are `from` and `to` in the frame of the section?",
+            *left, *right, 2.0 * half),
+        "load.from", false, {fmt::format("load[{}]", k), "body"}});
+  }
+}
+
 }  // namespace
 
 void find_odd_places(const Model& model, Problems& warnings)
 {
   SectionCheck(model).check(warnings);
   find_undermined_soil(model, warnings);
+  find_loads_on_slopes(model, warnings);
 }
 
 }  // namespace terp

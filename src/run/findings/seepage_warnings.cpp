@@ -85,6 +85,14 @@ void find_odd_levels(
     const SideHead& head = of.seepage.boundary[k];
     const Real thickness = head.to - head.from;
     if (head.side == SectionSide::bottom || !(head.leakage_length > 0.0) || !std::isfinite(thickness)) continue;
+    constexpr Real most = 1000.0;  // of the width of the section
+    if (const Real width = section.right - section.left; head.leakage_length > most * width)
+      warnings.push_back({fmt::format("{}.boundary[{}]", path, k), "the leakage length lets no water through",
+          fmt::format("Got {:g} m beside a section of {:.4g} m: its head does nothing. It is sqrt(k D c) in m, usually "
+                      "tens to thousands: of the\nlayer with permeability k and thickness D, c the resistance of its "
+                      "cover in s.",
+              head.leakage_length, width),
+          "water.boundary"});
     if (head.leakage_length >= thickness) continue;
     warnings.push_back(
         {fmt::format("{}.boundary[{}]", path, k), "the leakage length is shorter than the layer is thick",

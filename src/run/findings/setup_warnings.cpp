@@ -12,6 +12,7 @@
 #include "model/parts/setup_history.hpp"
 #include "model/meshes/setup_mesh.hpp"
 #include "model/soils/softening_scales.hpp"
+#include "run/findings/contrast_warnings.hpp"
 #include "run/findings/field_warnings.hpp"
 #include "run/findings/flood_warnings.hpp"
 #include "run/findings/library_warnings.hpp"
@@ -126,6 +127,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_odd_water(model, state, warnings);
   find_odd_seepage(model, warnings);
   find_odd_scales(model, state, warnings);
+  find_odd_contrasts(model, state, warnings);
   find_odd_softening_lengths(model, state, warnings);
   find_shared_layers(model, state, warnings);
   find_known_limits(model, state, warnings);

@@ -14,6 +14,7 @@ namespace {
 
 struct WaveSpeeds {
   Real fastest = 0.0, slowest = INFINITY;  ///< of compression, of shear [m/s]
+  Real stiffest = 0.0;                     ///< the fastest of shear [m/s]
 };
 
 WaveSpeeds wave_speeds(const Model& model)
@@ -24,6 +25,7 @@ WaveSpeeds wave_speeds(const Model& model)
     if (!is_used(model, soil.name) || shear == 0.0) continue;
     speeds.fastest = std::max(speeds.fastest, std::sqrt(soil.law->p_wave_modulus() / soil.density));
     speeds.slowest = std::min(speeds.slowest, std::sqrt(shear / soil.density));
+    speeds.stiffest = std::max(speeds.stiffest, std::sqrt(shear / soil.density));
   }
   return speeds;
 }
@@ -82,6 +84,30 @@ void find_sudden_stages(
   }
 }
 
+/// The run ends before the quickest shear wave has crossed the soil, or a stage takes hours for what comes in some
+/// swings. A run of a step or two is asked for its start.
+void find_other_time_scales(const Model& model, const Case& whole, const SoilSize& soil, const WaveSpeeds& speeds,
+    std::vector<Problem>& warnings)
+{
+  constexpr Real most_swings = 500.0, few_steps = 10.0;
+  const Real end = whole.time.end, crossing = soil.height / speeds.stiffest, swing = 4.0 * soil.height / speeds.slowest;
+  if (speeds.fastest == 0.0 || soil.g == 0.0) return;
+  if (end > few_steps * model.dt && end < crossing)
+    warnings.push_back({"time.end", "the run ends before a shear wave has crossed the soil",
+        fmt::format("It takes {:.3g} s; the quickest one needs {:.3g} s through {:.3g} m of soil. Times are "
+                    "in s: a slide\ntakes some seconds.",
+            end, crossing, soil.height),
+        "time.end", false, {"stage"}});
+  for (std::size_t k = 0; k < whole.stages.size(); ++k)
+    if (const StageCase& stage = whole.stages[k]; stage.ramp > most_swings * swing)
+      warnings.push_back({fmt::format("stage[{}].ramp", k),
+          fmt::format("the ramp of the stage `{}` is far longer than the soil needs", stage.name),
+          fmt::format("It takes {:.4g} s; a shear wave swings through {:.3g} m of soil in {:.3g} s, and a ramp of ten "
+                      "such times is slow.\nTimes of a run are those of a slide: hours of a river are some 10 s.",
+              stage.ramp, soil.height, swing),
+          "stage.ramp", false, {fmt::format("stage[{}]", k)}});
+}
+
 /// Damping against the mean of a force over several swings acts on what lasts, and hardly ends.
 void find_long_averaging(
     const Model& model, const SoilSize& soil, const WaveSpeeds& speeds, Real longest, std::vector<Problem>& warnings)
@@ -95,21 +121,31 @@ void find_long_averaging(
       "forces.damping.averaging_time", false, {"forces.damping"}});
 }
 
-void find_output_of_all_steps(const Model& model, std::vector<Problem>& warnings)
+/// Intervals of the output far below the time step, or far beyond the end: a run that is cut short keeps those that it
+/// has, and the last checkpoint is there in any case. Of rare rows in a case with [flood] another warning speaks.
+void find_odd_intervals(const Model& model, std::vector<Problem>& warnings)
 {
-  constexpr Real far_below = 0.1;  // of the time step
-  const OutputCase& output = (model.whole ? *model.whole : model.description).output;
-  const OutputCase defaults;
-  const auto check = [&](const char* key, const char* what, Real every, Real by_default) {
-    if (!(every > 0.0) || every == by_default || !(every < far_below * model.dt)) return;
-    warnings.push_back({key, fmt::format("{} is written in each time step", what),
-        fmt::format("Got {:.3g} s; the step is {:.3g} s, and the run takes {} steps.", every, model.dt, model.n_steps),
-        key});
+  constexpr Real far_below = 0.1, far_beyond = 10.0;  // of the time step, of the end
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const OutputCase &output = whole.output, defaults;
+  const auto check = [&](const char* key, const char* what, Real every, Real by_default, bool is_needed) {
+    if (!(every > 0.0) || every == by_default) return;
+    if (every < far_below * model.dt)
+      warnings.push_back({key, fmt::format("a {} is written in each time step", what),
+          fmt::format(
+              "Got {:.3g} s; the step is {:.3g} s, and the run takes {} steps.", every, model.dt, model.n_steps),
+          key});
+    else if (is_needed && whole.time.end > 0.0 && every > far_beyond * whole.time.end)
+      warnings.push_back({key, fmt::format("no {} is written between start and end", what),
+          fmt::format("Got {:.4g} s; the run takes {:.4g} s at most. Give less; 0 writes the first and the last alone.",
+              every, whole.time.end),
+          key, false, {"time.end", "stage"}});
   };
-  check("output.fields.every", "a frame", output.fields_every, defaults.fields_every);
-  check("output.ledger.every", "a row of the ledger", output.ledger_every, defaults.ledger_every);
-  check("output.history.every", "a row of the named points", output.history_every, defaults.history_every);
-  check("output.checkpoint.every", "a checkpoint", output.checkpoint_every, defaults.checkpoint_every);
+  check("output.fields.every", "frame", output.fields_every, defaults.fields_every, true);
+  check("output.ledger.every", "row of the ledger", output.ledger_every, defaults.ledger_every, !whole.flood.asks());
+  check("output.history.every", "row of the named points", output.history_every, defaults.history_every,
+      !output.history_points.empty());
+  check("output.checkpoint.every", "checkpoint", output.checkpoint_every, defaults.checkpoint_every, false);
 }
 
 }  // namespace
@@ -123,7 +159,8 @@ void find_odd_times(const Model& model, const State& state, std::vector<Problem>
   find_long_relaxation(model, soil, speeds, whole.time.end, warnings);
   find_long_averaging(model, soil, speeds, whole.time.end, warnings);
   find_sudden_stages(whole, soil, speeds, warnings);
-  find_output_of_all_steps(model, warnings);
+  find_other_time_scales(model, whole, soil, speeds, warnings);
+  find_odd_intervals(model, warnings);
 }
 
 }  // namespace terp

@@ -70,6 +70,15 @@ TEST(SectionLayout, RefusesCellsThatAreTooManyBeforeItMakesThem)
   EXPECT_EQ(layout(box, {.cell = 0.05}).cell, 0.05);
 }
 
+TEST(SectionLayout, RefusesCellsThatAreLargeBesideHeightAndSoil)
+{
+  const SectionLayout low = layout(over_level_base({{0, 0}, {20, 0}, {24, 2}, {28, 2}, {32, 0}, {60, 0}}));
+  EXPECT_THAT(problems_of([&] { check_cell(low, 50.0); }),
+      ElementsAre(told("", "cells of 50 m are too large for this section", HasSubstr("Give at most 3 m with --cell"))));
+  check_cell(low, 3.0);
+  check_cell(low, 0.0);
+}
+
 TEST(BaseFill, FillsBelowTheBaseAndNoAirAboveTheGround)
 {
   // A slab that rises from 0 to 5 m and is 3 m thick: a triangle of 20 m by 5 m is below it.
