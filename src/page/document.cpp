@@ -19,8 +19,8 @@ nlohmann::ordered_json PageDocument::table(const std::vector<PageColumn>& column
 
 Payload PageDocument::payload(const std::string& kind, const std::string& written, const std::string& language) const
 {
-  const nlohmann::ordered_json document{{"format", 1}, {"kind", kind}, {"terp", TERP_VERSION}, {"written", written},
-      {"language", language}, {"data", data}};
+  const nlohmann::ordered_json document{{"format", report_format}, {"kind", kind}, {"terp", TERP_VERSION},
+      {"written", written}, {"language", language}, {"data", data}};
   return {.json = text_for_a_page(document.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)),
       .chunks = chunks_,
       .notes = {},

@@ -2,7 +2,7 @@
 
 import type { AttachedMeta, FieldMeta, QuantisedMeta, RunMeta } from "./format";
 import { Chunks } from "./chunks";
-import { decodeFrames, FULL, Quantised, valueOf } from "./quantised";
+import { decodeFrames, distances, FULL, Quantised, valueOf } from "./quantised";
 import { Table } from "./table";
 
 export type Polyline = Float32Array; // x, y, x, y, ... [m]; NaN, NaN between polylines
@@ -49,6 +49,7 @@ export class Run {
       this.quantity(y),
     ]);
     this.ids = await chunks.numbers(meta.ids.chunk);
+    for (let p = 1; p < this.ids.length; p++) this.ids[p]! += this.ids[p - 1]!;
     if (meta.outline) this.outline = await chunks.floats(meta.outline.chunk);
     if (meta.mesh) this.edges = await chunks.floats(meta.mesh.edges.chunk);
     if (meta.surfaces) this.surfaces = await chunks.floats(meta.surfaces.chunk);
@@ -115,10 +116,11 @@ export class Run {
   }
 
   private async quantity(meta: QuantisedMeta): Promise<Quantised> {
+    if (meta.chunk === null) return new Quantised(meta, distances(this.x, this.y, meta));
     let q = this.decoded.get(meta.chunk);
     if (!q) {
       q = this.chunks.bytes(meta.chunk).then((bytes) =>
-        decodeFrames(bytes, meta.static ? 1 : meta.frames, meta.points));
+        decodeFrames(bytes, meta.static ? 1 : meta.frames, meta.points, meta.layout!));
       this.decoded.set(meta.chunk, q);
     }
     return new Quantised(meta, await q);

@@ -26,6 +26,11 @@ export function numberText(value: number | null | undefined, digits = 4): string
   return part ? decimalSign(`${grouped}.${part}`) : grouped;
 }
 
+/** No more decimals than steps of that size tell apart. */
+export function toSteps(value: number, step: number): number {
+  return Number(value.toFixed(Math.min(12, Math.max(0, Math.ceil(-Math.log10(step) - 1e-6)))));
+}
+
 /** Numbers beside each other, with as many digits as tell them apart. */
 export function tickTexts(ticks: readonly number[]): string[] {
   for (let digits = 4; ; digits += 2) {
