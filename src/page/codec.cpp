@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 namespace terp {
@@ -135,6 +136,34 @@ Packing best_packing(std::span<const Codes> frames)
                     by_point = gzip(encode_frames(sample, Layout::by_point)).size();
   return {by_frame <= by_point ? Layout::by_frame : Layout::by_point,
       static_cast<std::size_t>(static_cast<double>(std::min(by_frame, by_point)) / share)};
+}
+
+std::string pack_words(std::string_view bytes)
+{
+  const std::size_t n = bytes.size() / 4;
+  std::string packed(bytes.size(), '\0');
+  std::uint32_t before = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, &bytes[4 * k], 4);
+    for (std::size_t byte = 0; byte < 4; ++byte)
+      packed[byte * n + k] = static_cast<char>((word - before) >> 8 * byte & 0xff);
+    before = word;
+  }
+  return packed;
+}
+
+std::string unpack_words(std::string_view packed)
+{
+  const std::size_t n = packed.size() / 4;
+  std::string bytes(packed.size(), '\0');
+  std::uint32_t word = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t byte = 0; byte < 4; ++byte)
+      word += std::uint32_t{static_cast<unsigned char>(packed[byte * n + k])} << 8 * byte;
+    std::memcpy(&bytes[4 * k], &word, 4);
+  }
+  return bytes;
 }
 
 }  // namespace terp

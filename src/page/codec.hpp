@@ -1,4 +1,4 @@
-// Values of all points in all frames as few bytes: 16 bits each, differences from frame to frame
+// Values of all points in all frames as few bytes, 16 bits each, and tables and lines, 32 bits each
 // (docs/report_format.md). Not for: which values, and how exact (payload).
 #pragma once
 
@@ -51,5 +51,9 @@ struct Packing {
   std::size_t bytes = 0;
 };
 Packing best_packing(std::span<const Codes> frames);
+
+/// Numbers of 32 bits, given as their bytes, as differences of their bits: all low bytes first, all high ones last.
+std::string pack_words(std::string_view bytes);
+std::string unpack_words(std::string_view bytes);
 
 }  // namespace terp

@@ -1,6 +1,7 @@
 #include "page/document.hpp"
 
 #include "io/files/compress.hpp"
+#include "page/codec.hpp"
 
 namespace terp {
 
@@ -12,7 +13,7 @@ nlohmann::ordered_json PageDocument::table(const std::vector<PageColumn>& column
     list.push_back({{"name", column.name}, {"label", column.label}, {"unit", column.unit}});
     for (const Real value : column.values) numbers.push_back(static_cast<float>(value));
   }
-  chunks_.push_back(base64(gzip(bytes_of(std::span<const float>(numbers)))));
+  chunks_.push_back(base64(gzip(pack_words(bytes_of(std::span<const float>(numbers))))));
   return {{"columns", std::move(list)}, {"chunk", chunks_.size() - 1},
       {"rows", columns.empty() ? 0 : columns.front().values.size()}};
 }

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -49,7 +48,7 @@ class Chunks {
   template <class T>
   std::int64_t add(const std::vector<T>& values)
   {
-    return add(bytes_of(std::span<const T>(values)));
+    return add(pack_words(bytes_of(std::span<const T>(values))));
   }
   std::vector<std::string> take() { return std::move(chunks_); }
 
@@ -409,9 +408,7 @@ Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   Json json = head_json(source, shown);
   json["bounds"] = bounds_of(source, shown);
   json["materials"] = materials_json(source);
-  std::vector<std::uint32_t> gaps = shown.ids;
-  std::adjacent_difference(gaps.begin(), gaps.end(), gaps.begin());
-  json["ids"] = {{"chunk", chunks.add(gaps)}};
+  json["ids"] = {{"chunk", chunks.add(shown.ids)}};
   json["positions"] = places_json(chunks, shown);
   json["fields"] = fields_json(chunks, shown);
   json["mesh"]["edges"] = {{"chunk", chunks.add(edges)}, {"count", edges.size() / 4}};

@@ -21,6 +21,7 @@ namespace {
 // sees if that is more, but never more than a tenth of the distance.
 constexpr Real finest_per_spacing = 50.0, coarsest_per_spacing = 10.0, fine_enough = 0.002;  // m
 constexpr std::size_t light_bytes = 2'000'000;  // of codes: with them a page still goes by mail
+constexpr Real on_log_scale = 400.0;            // colours: more of them than of a field that is drawn on a linear scale
 constexpr Real strained = 0.06;  // strain of soil by which a range of colours ends: a matter of the picture alone
 
 constexpr Real softened_to = 0.9, few_softened = 0.01;  // of the first strength; share of the points: of colours alone
@@ -46,8 +47,9 @@ std::vector<Recipe> all_recipes(const Frames& frames)
 {
   using Take = Recipe::Take;
   std::vector<Recipe> recipes = {
-      {"eps_eq_p", "eps_eq_p", "ε_eq,p", "equivalent plastic strain", "-", "sequential"},
-      {"eps_deviatoric", "eps_deviatoric", "ε_dev", "", "-", "sequential"},
+      {"eps_eq_p", "eps_eq_p", "ε_eq,p", "equivalent plastic strain", "-", "sequential", 1.0, Take::value,
+          on_log_scale},
+      {"eps_deviatoric", "eps_deviatoric", "ε_dev", "", "-", "sequential", 1.0, Take::value, on_log_scale},
       {"su", "su", "S_u", "undrained shear strength", "kPa", "sequential", 1e-3},
       {"pressure", "stress", "p", "mean stress, tension positive", "kPa", "diverging", 1e-3, Take::mean_stress, 100.0},
       {"pore_pressure", "pore_pressure", "p_w", "", "kPa", "sequential", 1e-3},

@@ -81,4 +81,12 @@ TEST(Codec, TheBestPackingIsThatOfAllPoints)
   EXPECT_EQ(best_packing(of_cells).layout, Layout::by_point);
 }
 
+TEST(Codec, WordsAreDifferencesByBytes)
+{
+  const std::vector<std::uint32_t> words{0x01020304, 0x01020303, 0x01020305};
+  const std::string packed = pack_words(bytes_of(std::span<const std::uint32_t>(words)));
+  EXPECT_EQ(packed, std::string("\x04\xff\x02\x03\xff\x00\x02\xff\x00\x01\xff\x00", 12));
+  EXPECT_EQ(unpack_words(packed), bytes_of(std::span<const std::uint32_t>(words)));
+}
+
 }  // namespace codec_test

@@ -22,7 +22,7 @@ struct PayloadTest : testing::Test {
   }
   std::vector<float> floats(const json& part) const
   {
-    const std::string bytes = chunk(part);
+    const std::string bytes = unpack_words(chunk(part));
     std::vector<float> values(bytes.size() / sizeof(float));
     std::memcpy(values.data(), bytes.data(), bytes.size());
     return values;

@@ -49,7 +49,6 @@ export class Run {
       this.quantity(y),
     ]);
     this.ids = await chunks.numbers(meta.ids.chunk);
-    for (let p = 1; p < this.ids.length; p++) this.ids[p]! += this.ids[p - 1]!;
     if (meta.outline) this.outline = await chunks.floats(meta.outline.chunk);
     if (meta.mesh) this.edges = await chunks.floats(meta.mesh.edges.chunk);
     if (meta.surfaces) this.surfaces = await chunks.floats(meta.surfaces.chunk);

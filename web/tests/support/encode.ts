@@ -33,11 +33,16 @@ export class ChunkWriter {
   }
 
   floats(values: ArrayLike<number>): number {
-    return this.add(new Uint8Array(Float32Array.from(values).buffer));
+    return this.words(new Uint32Array(Float32Array.from(values).buffer));
   }
 
   numbers(values: ArrayLike<number>): number {
-    return this.add(new Uint8Array(Uint32Array.from(values).buffer));
+    return this.words(Uint32Array.from(values));
+  }
+
+  private words(words: Uint32Array): number {
+    const changes = words.map((word, k) => word - (k === 0 ? 0 : words[k - 1]!));
+    return this.add(Uint8Array.from([0, 8, 16, 24].flatMap((shift) => Array.from(changes, (d) => (d >>> shift) & 0xff))));
   }
 
   /** values[f][p]; null: absent, 65535 in the file. */

@@ -61,7 +61,7 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
     machine: "a machine, 2 processors", threads: 2, wall_seconds: 83.4, finished: true,
     n_points: n, n_shown: n, n_frames_in_run: FRAMES, times, position_precision: 1e-4,
     bounds: [0, 0, 8, 6], point_size: WIDTH / side, materials: [{ id: 0, name: "clay" }, { id: 1, name: "sand" }],
-    positions: { x, y }, ids: { chunk: writer.numbers(start.map((_, p) => (p === 0 ? 0 : 1))) },
+    positions: { x, y }, ids: { chunk: writer.numbers(start.map((_, p) => p)) },
     fields: [
       field("eps_eq_p", "equivalent plastic strain", "-", "sequential", strain),
       field("velocity", "velocity", "m/s", "sequential", speed.map((row) => row.map((v) => Math.max(v, 1e-4))), true),
