@@ -1,4 +1,4 @@
-// Values of all points in all frames as few bytes: 16 bits each, differences from frame to frame
+// Values of all points in all frames as few bytes, 16 bits each, and tables and lines, 32 bits each
 // (docs/report_format.md). Not for: which values, and how exact (payload).
 #pragma once
 
@@ -35,11 +35,25 @@ Codes quantise(std::span<const Real> values, const Scale& scale);
 /// The codes on a scale whose steps are `factor` times as long.
 void coarsen(Codes& codes, int factor);
 
-/// Frames after each other: N low bytes, then N high bytes, of q in the first frame and of its change (mod 65536) in
-/// the others.
-std::string encode_frames(std::span<const Codes> frames);
+/// How the codes of an array lie in its bytes (docs/report_format.md). By frame: what a code changed by, less what that
+/// of the point before changed by, which is little where neighbours move alike. By point: the codes themselves, which
+/// repeat where the points of a cell have one value.
+enum class Layout { by_frame, by_point };
 
-/// What encode_frames was given. Throws std::invalid_argument if the length is not that of whole frames.
-std::vector<Codes> decode_frames(std::string_view bytes, std::size_t n_points);
+std::string encode_frames(std::span<const Codes> frames, Layout layout);
+
+/// What encode_frames was given. Throws std::invalid_argument if the length is not that of these frames.
+std::vector<Codes> decode_frames(std::string_view bytes, std::size_t n_frames, std::size_t n_points, Layout layout);
+
+/// The layout that gzip makes the smallest, and how small, from a part of the points if there are many.
+struct Packing {
+  Layout layout = Layout::by_frame;
+  std::size_t bytes = 0;
+};
+Packing best_packing(std::span<const Codes> frames);
+
+/// Numbers of 32 bits, given as their bytes, as differences of their bits: all low bytes first, all high ones last.
+std::string pack_words(std::string_view bytes);
+std::string unpack_words(std::string_view bytes);
 
 }  // namespace terp

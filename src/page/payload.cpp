@@ -48,7 +48,7 @@ class Chunks {
   template <class T>
   std::int64_t add(const std::vector<T>& values)
   {
-    return add(bytes_of(std::span<const T>(values)));
+    return add(pack_words(bytes_of(std::span<const T>(values))));
   }
   std::vector<std::string> take() { return std::move(chunks_); }
 
@@ -117,6 +117,23 @@ Source open_source(const std::string& folder, const std::string& name)
   return source;
 }
 
+/// Times of which the page has pictures, or marks on its bar [s].
+std::vector<Real> moments_of(const Summary& summary)
+{
+  std::vector<Real> moments;
+  for (const SlideSummary& slide : summary.slides) {
+    moments.insert(moments.end(), {slide.slide.begins, slide.slip.time});
+    if (slide.slide.stops) moments.push_back(*slide.slide.stops);
+  }
+  for (const StageSummary& stage : summary.stages)
+    moments.insert(moments.end(), {stage.record.start, stage.record.end});
+  if (summary.flood)
+    for (const auto& time : {summary.flood->first_time_damaged, summary.flood->first_time_below})
+      if (time) moments.push_back(*time);
+  std::erase_if(moments, [](Real time) { return std::isnan(time); });
+  return moments;
+}
+
 /// What the page shows of the points. Frames that turn out to be damaged while they are read are left out.
 ShownRun read_points(Source& source, std::int64_t most_points)
 {
@@ -133,6 +150,7 @@ ShownRun read_points(Source& source, std::int64_t most_points)
   ShownRun shown = read();
   const auto& left_out = source.frames.warnings();
   source.warnings.insert(source.warnings.end(), left_out.begin(), left_out.end());
+  shown.moments = moments_of(source.run.summary.values);
   return shown;
 }
 
@@ -168,30 +186,36 @@ Json table_json(Chunks& chunks, const Table& table)
   return {{"columns", std::move(columns)}, {"chunk", add_table(chunks, table)}, {"rows", table.n_rows()}};
 }
 
-Json array_json(std::int64_t chunk, const std::vector<Codes>& frames, const Scale& scale)
+Json array_json(Chunks& chunks, const std::vector<Codes>& frames, const Scale& scale)
 {
-  return {{"chunk", chunk}, {"lo", scale.lo}, {"hi", scale.hi()}, {"log", false}, {"frames", frames.size()},
-      {"points", frames[0].size()}, {"bits", 16}, {"static", frames.size() == 1}};
+  const Layout layout = best_packing(frames).layout;
+  return {{"chunk", chunks.add(encode_frames(frames, layout))},
+      {"layout", layout == Layout::by_frame ? "frame" : "point"}, {"lo", scale.lo}, {"hi", scale.hi()}, {"log", false},
+      {"frames", frames.size()}, {"points", frames[0].size()}, {"static", frames.size() == 1}};
 }
 
 Json places_json(Chunks& chunks, const ShownRun& shown)
 {
-  Json x = array_json(chunks.add(encode_frames(shown.x_codes)), shown.x_codes, shown.x);
-  Json y = array_json(chunks.add(encode_frames(shown.y_codes)), shown.y_codes, shown.y);
-  return {{"x", std::move(x)}, {"y", std::move(y)}};
+  return {{"x", array_json(chunks, shown.x_codes, shown.x)}, {"y", array_json(chunks, shown.y_codes, shown.y)}};
+}
+
+Json data_json(Chunks& chunks, const ShownRun& shown, const ShownField& field)
+{
+  if (!field.of_places) return array_json(chunks, field.frames, field.scale);
+  return {{"chunk", nullptr}, {"lo", field.scale.lo}, {"hi", field.scale.hi()}, {"log", false},
+      {"frames", shown.frames.size()}, {"points", shown.ids.size()}, {"static", false}};
 }
 
 Json fields_json(Chunks& chunks, const ShownRun& shown)
 {
-  std::vector<std::int64_t> chunk_of;
   Json fields = Json::array();
   for (const ShownField& field : shown.fields) {
-    const bool own = field.shares < 0;
-    const auto& frames = own ? field.frames : shown.fields[static_cast<std::size_t>(field.shares)].frames;
-    chunk_of.push_back(own ? chunks.add(encode_frames(frames)) : chunk_of[static_cast<std::size_t>(field.shares)]);
+    Json data = field.shares < 0 ? data_json(chunks, shown, field) : fields[field.shares]["data"];
+    if (field.shares >= 0) data["lo"] = field.scale.lo, data["hi"] = field.scale.hi();
     fields.push_back({{"name", field.name}, {"symbol", field.symbol}, {"label", field.label}, {"unit", field.unit},
         {"kind", field.kind}, {"log", field.name.starts_with("eps_")}, {"range", {field.low, field.high}},
-        {"precision", field.scale.step}, {"data", array_json(chunk_of.back(), frames, field.scale)}});
+        {"precision", field.of_places ? std::max(shown.x.step, shown.y.step) : field.scale.step},
+        {"data", std::move(data)}});
   }
   return fields;
 }
@@ -245,9 +269,13 @@ SurfaceColumns columns_of(const Source& source, const ShownRun& shown)
 
 LinesOfFrames surfaces_of(const Source& source, const ShownRun& shown)
 {
+  const Real step = std::exp2(std::floor(std::log2(shown.x.step)));  // bits of nothing but rounding cost much
   LinesOfFrames surfaces;
-  for (const std::size_t k : shown.frames)
-    surfaces.add(surface_line(source.frames.places(k), columns_of(source, shown)));
+  for (const std::size_t k : shown.frames) {
+    std::vector<float> line = surface_line(source.frames.places(k), columns_of(source, shown));
+    for (float& v : line) v = static_cast<float>(std::round(v / step) * step);
+    surfaces.add(line);
+  }
   return surfaces;
 }
 
@@ -448,7 +476,7 @@ Payload make_payload(const std::vector<std::string>& folders, const ReportOption
 
   Payload payload;
   Chunks chunks;
-  Json document{{"format", 1}, {"kind", "run"}, {"terp", TERP_VERSION}, {"written", options.written},
+  Json document{{"format", report_format}, {"kind", "run"}, {"terp", TERP_VERSION}, {"written", options.written},
       {"language", options.language}, {"runs", Json::array()}};
   for (std::size_t k = 0; k < sources.size(); ++k) {
     document["runs"].push_back(run_json(chunks, sources[k], shown[k]));

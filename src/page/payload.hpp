@@ -10,6 +10,8 @@
 
 namespace terp {
 
+inline constexpr int report_format = 2;  ///< of the document; one that an old page would misread is another
+
 inline constexpr std::array<const char*, 2> report_languages{"en", "nl"};
 
 struct ReportOptions {

@@ -5,7 +5,7 @@
 
 #include "page/shown.hpp"
 
-#include "io/files/compress.hpp"
+#include "page/thin.hpp"
 #include "run/report/frame_fields.hpp"
 
 #include <algorithm>
@@ -17,8 +17,11 @@
 namespace terp {
 namespace {
 
-constexpr Real places_per_spacing = 50.0;  // steps of a place between two neighbouring points, at first
-constexpr Real outliers = 0.001;           // share of the values that this range leaves out at each end
+// Steps of a place at first: a fiftieth of the distance of two neighbouring points, or what a reader of centimetres
+// sees if that is more, but never more than a tenth of the distance.
+constexpr Real finest_per_spacing = 50.0, coarsest_per_spacing = 10.0, fine_enough = 0.002;  // m
+constexpr std::size_t light_bytes = 2'000'000;  // of codes: with them a page still goes by mail
+constexpr Real on_log_scale = 400.0;            // colours: more of them than of a field that is drawn on a linear scale
 constexpr Real strained = 0.06;  // strain of soil by which a range of colours ends: a matter of the picture alone
 
 constexpr Real softened_to = 0.9, few_softened = 0.01;  // of the first strength; share of the points: of colours alone
@@ -30,7 +33,7 @@ struct Recipe {
   std::string name, source, symbol, label, unit, kind;
   Real factor = 1.0;  ///< shown over stored
   enum class Take { value, size, mean_stress } take = Recipe::Take::value;
-  Real steps = 4096.0;  ///< in the range that most values lie in, at first; noisy fields, which cost most, have fewer
+  Real colours = 200.0;  ///< that the scale is made of, at least; noisy fields, which cost most, have fewer
 };
 
 std::string label_of_field(const std::string& name)
@@ -44,14 +47,15 @@ std::vector<Recipe> all_recipes(const Frames& frames)
 {
   using Take = Recipe::Take;
   std::vector<Recipe> recipes = {
-      {"eps_eq_p", "eps_eq_p", "ε_eq,p", "equivalent plastic strain", "-", "sequential"},
-      {"eps_deviatoric", "eps_deviatoric", "ε_dev", "", "-", "sequential"},
+      {"eps_eq_p", "eps_eq_p", "ε_eq,p", "equivalent plastic strain", "-", "sequential", 1.0, Take::value,
+          on_log_scale},
+      {"eps_deviatoric", "eps_deviatoric", "ε_dev", "", "-", "sequential", 1.0, Take::value, on_log_scale},
       {"su", "su", "S_u", "undrained shear strength", "kPa", "sequential", 1e-3},
-      {"pressure", "stress", "p", "mean stress, tension positive", "kPa", "diverging", 1e-3, Take::mean_stress, 1024.0},
+      {"pressure", "stress", "p", "mean stress, tension positive", "kPa", "diverging", 1e-3, Take::mean_stress, 100.0},
       {"pore_pressure", "pore_pressure", "p_w", "", "kPa", "sequential", 1e-3},
       {"head", "head", "h", "", "m", "sequential"},
-      {"excess_pressure", "excess_pressure", "u_e", "", "kPa", "diverging", 1e-3, Take::value, 1024.0},
-      {"velocity", "velocity", "|v|", "speed", "m/s", "sequential", 1.0, Take::size, 1024.0},
+      {"excess_pressure", "excess_pressure", "u_e", "", "kPa", "diverging", 1e-3, Take::value, 100.0},
+      {"velocity", "velocity", "|v|", "speed", "m/s", "sequential", 1.0, Take::size, 100.0},
       {"displacement", "displacement", "|u|", "", "m", "sequential", 1.0, Take::size},
       {"material", "material", "", "", "-", "category"},
   };
@@ -142,20 +146,29 @@ void set_colour_range(ShownField& field, const Values& values, const std::vector
   }
 }
 
-ShownField make_field(const Recipe& recipe, const Values& values)
+/// The longest of the steps 1, 2 and 5 times a power of ten that is not longer than `most`.
+Real round_step(Real most)
+{
+  const Real power = std::pow(10.0, std::floor(std::log10(most)));
+  const Real lead = most / power * (1.0 + 1e-9);
+  return (lead >= 5.0 ? 5.0 : lead >= 2.0 ? 2.0 : 1.0) * power;
+}
+
+/// high: end of the colour scale; none: of what the values are.
+ShownField make_field(const Recipe& recipe, const Values& values, std::optional<Real> high = std::nullopt)
 {
   ShownField field{
       .name = recipe.name, .symbol = recipe.symbol, .label = recipe.label, .unit = recipe.unit, .kind = recipe.kind};
-  const std::vector<float> sorted = sorted_sample(values);
-  set_colour_range(field, values, sorted);
+  set_colour_range(field, values, sorted_sample(values));
+  if (high) field.high = *high;
   Real lo = std::numeric_limits<Real>::infinity(), hi = -lo;
   for (const auto& frame : values)
     for (const float v : frame)
       if (std::isfinite(v)) lo = std::min(lo, Real{v}), hi = std::max(hi, Real{v});
   if (lo > hi) lo = hi = 0.0;
-  const Real most = quantile(sorted, 1.0 - outliers) - quantile(sorted, outliers);
-  const Real step = recipe.kind == "category" ? 1.0 : std::max(most, 1e-3 * (hi - lo)) / recipe.steps;
-  field.scale = make_scale(lo, hi, step > 0.0 ? step : 1.0);
+  const Real end = std::max(std::abs(field.low), std::abs(field.high));
+  const Real step = recipe.kind == "category" ? 1.0 : round_step(end / recipe.colours);
+  field.scale = make_scale(step * std::floor(lo / step), hi, step);  // from a round number: a hover shows whole steps
   for (const auto& frame : values) {
     const std::vector<Real> wide(frame.begin(), frame.end());
     field.frames.push_back(quantise(wide, field.scale));
@@ -268,7 +281,8 @@ void read_places(const Frames& frames, ShownRun& shown)
       b = {std::min(b[0], px), std::min(b[1], py), std::max(b[2], px), std::max(b[3], py)};
     }
   }
-  const Real step = shown.point_size / places_per_spacing;
+  const Real step =
+      std::max(shown.point_size / finest_per_spacing, std::min(fine_enough, shown.point_size / coarsest_per_spacing));
   shown.x = make_scale(shown.bounds[0], shown.bounds[2], step);
   shown.y = make_scale(shown.bounds[1], shown.bounds[3], step);
   for (std::size_t f = 0; f < x.size(); ++f) {
@@ -277,19 +291,39 @@ void read_places(const Frames& frames, ShownRun& shown)
   }
 }
 
+/// Whether a point has gone as far as it is from where the first frame has it, to the rounding of places.
+bool follows_from_places(const ShownRun& shown, const Values& displacements)
+{
+  const Real most = 1.5 * std::max(shown.x.step, shown.y.step);
+  const Codes &x0 = shown.x_codes[0], &y0 = shown.y_codes[0];
+  for (std::size_t f = 0; f < shown.frames.size(); ++f)
+    for (std::size_t p = 0; p < shown.ids.size(); ++p) {
+      const std::uint16_t x = shown.x_codes[f][p], y = shown.y_codes[f][p];
+      const bool is_there = x != no_value || y != no_value, began = x0[p] != no_value || y0[p] != no_value;
+      if (!is_there) continue;
+      const Real gone = std::hypot(shown.x.step * (x - x0[p]), shown.y.step * (y - y0[p]));
+      if (!began || !(std::abs(gone - displacements[f][p]) <= most)) return false;
+    }
+  return true;
+}
+
 void read_fields(const Frames& frames, ShownRun& shown)
 {
   for (const Recipe& recipe : all_recipes(frames)) {
     Values values;
     for (const std::size_t k : shown.frames) values.push_back(read_values(frames, recipe, k, shown.ids));
-    std::vector<Codes>& codes = shown.fields.emplace_back(make_field(recipe, values)).frames;
-    const bool never_changes = std::ranges::all_of(codes, [&](const Codes& c) { return c == codes[0]; });
-    if (recipe.kind == "category" && never_changes) codes.resize(1);
-    if (recipe.name == "su") {
-      ShownField ratio = strength_ratio(shown.fields.back(), static_cast<int>(shown.fields.size()) - 1, values);
-      if (const auto end = end_of_strength_scale(values)) shown.fields.back().high = *end;
-      shown.fields.push_back(std::move(ratio));
+    const auto high = recipe.name == "su" ? end_of_strength_scale(values) : std::nullopt;
+    ShownField& field = shown.fields.emplace_back(make_field(recipe, values, high));
+    const bool never_changes = std::ranges::all_of(field.frames, [&](const Codes& c) { return c == field.frames[0]; });
+    if (recipe.kind == "category" && never_changes) field.frames.resize(1);
+    if (recipe.name == "displacement" && follows_from_places(shown, values)) {
+      field.of_places = true;
+      field.frames.clear();
+      const auto& b = shown.bounds;
+      field.scale = make_scale(0.0, std::hypot(b[2] - b[0], b[3] - b[1]), std::max(shown.x.step, shown.y.step));
     }
+    if (recipe.name == "su")
+      shown.fields.push_back(strength_ratio(field, static_cast<int>(shown.fields.size()) - 1, values));
   }
 }
 
@@ -300,14 +334,15 @@ void for_each_array(
     f(run, run.x_codes, &run.x, true);
     f(run, run.y_codes, &run.y, true);
     for (ShownField& field : run.fields)
-      if (field.shares < 0) f(run, field.frames, field.kind == "category" ? nullptr : &field.scale, false);
+      if (!field.frames.empty()) f(run, field.frames, field.kind == "category" ? nullptr : &field.scale, false);
   }
 }
 
 void coarsen_arrays(std::vector<ShownRun>& runs, bool places)
 {
-  for_each_array(runs, [&](ShownRun&, std::vector<Codes>& frames, Scale* scale, bool is_place) {
+  for_each_array(runs, [&](ShownRun& run, std::vector<Codes>& frames, Scale* scale, bool is_place) {
     if (is_place != places || scale == nullptr) return;
+    if (places && 2.0 * coarsest_per_spacing * scale->step > run.point_size) return;
     for (Codes& codes : frames) coarsen(codes, 2);
     scale->step *= 2.0;
   });
@@ -317,24 +352,21 @@ void coarsen_arrays(std::vector<ShownRun>& runs, bool places)
 }
 
 template <class T>
-void keep_every_second(std::vector<T>& values)
+void keep(std::vector<T>& values, const std::vector<std::size_t>& kept)
 {
-  const std::size_t last = values.size() - 1;
-  std::vector<T> kept;
-  for (std::size_t k = 0; k <= last; ++k)
-    if (k % 2 == 0 || k == last) kept.push_back(std::move(values[k]));
-  values = std::move(kept);
+  std::vector<T> some;
+  for (const std::size_t k : kept) some.push_back(std::move(values[k]));
+  values = std::move(some);
 }
 
 void leave_out_frames(std::vector<ShownRun>& runs)
 {
   for (ShownRun& run : runs) {
-    keep_every_second(run.frames);
-    keep_every_second(run.times);
+    std::vector<std::size_t> kept;
+    for (std::size_t k = 0; k < run.frames.size(); ++k)
+      if (k % 2 == 0 || k + 1 == run.frames.size()) kept.push_back(k);
+    keep_frames(run, kept);
   }
-  for_each_array(runs, [](ShownRun&, std::vector<Codes>& frames, Scale*, bool) {
-    if (frames.size() > 1) keep_every_second(frames);
-  });
 }
 
 /// halving: how often that was done before.
@@ -377,44 +409,50 @@ ShownRun read_shown(const Frames& frames, std::int64_t n_most)
   return shown;
 }
 
+void keep_frames(ShownRun& run, const std::vector<std::size_t>& kept)
+{
+  keep(run.frames, kept);
+  keep(run.times, kept);
+  keep(run.x_codes, kept);
+  keep(run.y_codes, kept);
+  for (ShownField& field : run.fields)
+    if (field.frames.size() > 1) keep(field.frames, kept);
+}
+
 std::size_t estimate_bytes(const std::vector<ShownRun>& runs)
 {
-  constexpr std::size_t part = 512, every = 4096;  // neighbours stay together, as gzip finds them
   std::size_t bytes = 0;
-  for_each_array(
-      const_cast<std::vector<ShownRun>&>(runs), [&](ShownRun& run, std::vector<Codes>& frames, Scale*, bool) {
-        const std::size_t n = run.ids.size();
-        if (n < 4 * every) return void(bytes += gzip(encode_frames(frames)).size());
-        std::vector<Codes> sample;
-        for (const Codes& codes : frames) {
-          Codes some;
-          for (std::size_t p = 0; p < n; ++p)
-            if (p % every < part) some.push_back(codes[p]);
-          sample.push_back(std::move(some));
-        }
-        const double share = static_cast<double>(sample[0].size()) / static_cast<double>(n);
-        bytes += static_cast<std::size_t>(static_cast<double>(gzip(encode_frames(sample)).size()) / share);
-      });
+  for (const ShownRun& run : runs) {
+    bytes += best_packing(run.x_codes).bytes + best_packing(run.y_codes).bytes;
+    for (const ShownField& field : run.fields)
+      if (!field.frames.empty()) bytes += best_packing(field.frames).bytes;
+  }
   return bytes;
 }
 
 void fit(std::vector<ShownRun>& runs, std::size_t most_bytes)
 {
+  std::size_t bytes = estimate_bytes(runs);
+  if (bytes > light_bytes) {
+    leave_out_unmissed_frames(runs);
+    bytes = estimate_bytes(runs);
+  }
   int halvings = 0;
-  for (int round = 0; round < 16 && estimate_bytes(runs) > most_bytes; ++round) {
+  for (int round = 0; round < 16 && bytes > most_bytes; ++round) {
     const std::size_t n_frames = fewest_frames(runs);
-    if (round < 3)
-      coarsen_arrays(runs, false);  // to 512 steps: more than a colour scale or a hover shows
-    else if (round < 5)
-      coarsen_arrays(runs, true);  // to an eighth or so of the distance of two points
+    if (round < 1)
+      coarsen_arrays(runs, false);  // to 100 colours, of noisy fields 50
+    else if (round < 3)
+      coarsen_arrays(runs, true);
     else if (n_frames > 60)
       leave_out_frames(runs);
-    else if (round < 8)
+    else if (round < 5)
       coarsen_arrays(runs, false);
     else if (n_frames > 20)
       leave_out_frames(runs);
     else
       leave_out_points(runs, halvings++);
+    bytes = estimate_bytes(runs);
   }
 }
 

@@ -18,6 +18,7 @@ struct ShownField {
   Scale scale = {};
   std::vector<Codes> frames = {};  ///< one if it never changes
   int shares = -1;                 ///< the field whose codes it has, with another scale; -1: its own
+  bool of_places = false;          ///< it has no codes: the page measures how far a point is from its first place
 };
 
 struct ShownRun {
@@ -26,6 +27,7 @@ struct ShownRun {
   std::size_t n_frames_in_run = 0;
   std::vector<std::size_t> frames = {};           ///< which of them are shown
   std::vector<Real> times = {};                   ///< of those [s]
+  std::vector<Real> moments = {};                 ///< whose frames are not left out to save bytes [s]
   Scale x = {}, y = {};                           ///< [m]
   std::vector<Codes> x_codes = {}, y_codes = {};  ///< by frame; `no_value` in both: there is no soil of the point
   std::vector<ShownField> fields = {};            ///< the first is shown first
@@ -39,7 +41,11 @@ ShownRun read_shown(const Frames& frames, std::int64_t n_most);
 /// Size of the codes of the runs after gzip, from a part of the points [bytes].
 std::size_t estimate_bytes(const std::vector<ShownRun>& runs);
 
-/// Coarsens values, then leaves out frames, then points, as little as brings the codes to `most_bytes`.
+/// Leaves out all other frames. kept: ascending.
+void keep_frames(ShownRun& run, const std::vector<std::size_t>& kept);
+
+/// Leaves out frames that nobody misses where the codes are more than a light page has. Then coarsens values, leaves
+/// out frames and points, as little as brings the codes to `most_bytes`.
 void fit(std::vector<ShownRun>& runs, std::size_t most_bytes);
 
 }  // namespace terp

@@ -1,4 +1,5 @@
 #include "page/codec.hpp"
+#include "io/files/compress.hpp"
 #include "support/random.hpp"
 
 namespace codec_test {
@@ -36,10 +37,18 @@ TEST(Codec, CoarseCodesAreTheNearestOfLongerSteps)
   EXPECT_THAT(codes, ElementsAre(0, 0, 1, 1, 1, 16384, no_value));
 }
 
-TEST(Codec, FramesAreLowBytesThenHighBytesOfTheChanges)
+// Changes of three points: 258, 258, -1, then 1, 0, 0. Less those of the point before: 258, 0, -259, then 1, -1, 0.
+// Folded: 516, 0, 517, then 2, 1, 0. In two bits, the first lowest: 3, 0, 3, 2 and 1, 0; listed: 513, 514.
+TEST(Codec, FramesAreChangesLessThoseOfTheNeighbour)
 {
-  const std::vector<Codes> frames{{0x0102, 0xfffe}, {0x0101, 0x0001}};  // changes: -1, +3
-  EXPECT_EQ(encode_frames(frames), std::string("\x02\xfe\x01\xff\xff\x03\xff\x00", 8));
+  const std::vector<Codes> frames{{258, 258, no_value}, {259, 258, no_value}};
+  EXPECT_EQ(encode_frames(frames, Layout::by_frame), std::string("\xb3\x01\x01\x02\x02\x02", 6));
+}
+
+TEST(Codec, OrCodesPointByPoint)
+{
+  const std::vector<Codes> frames{{0x0102, 0x00ff}, {0x0001, 0xff04}};
+  EXPECT_EQ(encode_frames(frames, Layout::by_point), std::string("\x02\x01\xff\x04\x01\x00\x00\xff", 8));
 }
 
 TEST(Codec, FramesComeBack)
@@ -48,8 +57,36 @@ TEST(Codec, FramesComeBack)
   std::vector<Codes> frames(5, Codes(101));
   for (Codes& codes : frames)
     for (auto& q : codes) q = static_cast<std::uint16_t>(random.below(65536));
-  EXPECT_EQ(decode_frames(encode_frames(frames), 101), frames);
-  EXPECT_THROW(decode_frames("abc", 1), std::invalid_argument);
+  for (const Layout layout : {Layout::by_frame, Layout::by_point}) {
+    EXPECT_EQ(decode_frames(encode_frames(frames, layout), 5, 101, layout), frames);
+    EXPECT_THROW(decode_frames("abc", 5, 101, layout), std::invalid_argument);
+  }
+}
+
+TEST(Codec, TheBestPackingIsThatOfAllPoints)
+{
+  Random random(7);
+  std::vector<Codes> smooth(9, Codes(40000)), of_cells = smooth, histories(9, Codes(50));
+  for (std::size_t f = 0; f < 9; ++f) {
+    for (auto& q : histories[f]) q = static_cast<std::uint16_t>(random.below(65535));
+    for (std::size_t p = 0; p < 40000; ++p) {
+      smooth[f][p] = static_cast<std::uint16_t>(random.below(2) + p / 100 * f);
+      of_cells[f][p] = histories[f][p * p % 50];
+    }
+  }
+  const Packing packing = best_packing(smooth);
+  EXPECT_EQ(packing.layout, Layout::by_frame);
+  const auto all = static_cast<double>(gzip(encode_frames(smooth, Layout::by_frame)).size());
+  EXPECT_NEAR(static_cast<double>(packing.bytes), all, 0.15 * all);
+  EXPECT_EQ(best_packing(of_cells).layout, Layout::by_point);
+}
+
+TEST(Codec, WordsAreDifferencesByBytes)
+{
+  const std::vector<std::uint32_t> words{0x01020304, 0x01020303, 0x01020305};
+  const std::string packed = pack_words(bytes_of(std::span<const std::uint32_t>(words)));
+  EXPECT_EQ(packed, std::string("\x04\xff\x02\x03\xff\x00\x02\xff\x00\x01\xff\x00", 12));
+  EXPECT_EQ(unpack_words(packed), bytes_of(std::span<const std::uint32_t>(words)));
 }
 
 }  // namespace codec_test

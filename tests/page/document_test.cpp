@@ -11,7 +11,7 @@ TEST(PageDocument, HasItsKindItsHeadAndTablesColumnByColumn)
   const Payload payload = page.payload("study", "2026-01-02T03:04:05Z", "nl");
   EXPECT_THAT(payload.json, Not(HasSubstr("<")));
   const auto document = nlohmann::json::parse(payload.json);
-  EXPECT_EQ(document["format"], 1);
+  EXPECT_EQ(document["format"], 2);
   EXPECT_EQ(document["kind"], "study");
   EXPECT_EQ(document["written"], "2026-01-02T03:04:05Z");
   EXPECT_EQ(document["language"], "nl");

@@ -22,7 +22,7 @@ struct PayloadTest : testing::Test {
   }
   std::vector<float> floats(const json& part) const
   {
-    const std::string bytes = chunk(part);
+    const std::string bytes = unpack_words(chunk(part));
     std::vector<float> values(bytes.size() / sizeof(float));
     std::memcpy(values.data(), bytes.data(), bytes.size());
     return values;
@@ -31,7 +31,7 @@ struct PayloadTest : testing::Test {
 
 TEST_F(PayloadTest, NamesItsFormatAndItsRuns)
 {
-  EXPECT_EQ(document["format"], 1);
+  EXPECT_EQ(document["format"], 2);
   EXPECT_EQ(document["kind"], "run");
   EXPECT_EQ(document["terp"], TERP_VERSION);
   EXPECT_EQ(document["written"], "2026-11-21T10:00:00Z");
@@ -51,8 +51,9 @@ TEST_F(PayloadTest, PlacesDecodeToThoseOfTheRun)
 {
   const json& run = document["runs"][0];
   const json& x = run["positions"]["x"];
-  const auto frames = decode_frames(chunk(x), x["points"].get<std::size_t>());
-  ASSERT_EQ(frames.size(), x["frames"].get<std::size_t>());
+  const auto frames = decode_frames(chunk(x), x["frames"].get<std::size_t>(), x["points"].get<std::size_t>(),
+      x["layout"] == "frame" ? Layout::by_frame : Layout::by_point);
+  ASSERT_EQ(frames.size(), 3);
   const Real lo = x["lo"], hi = x["hi"];
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t p = 0; p < 5; ++p)

@@ -45,7 +45,7 @@ const ShownField& field_of(const ShownRun& run, const std::string& name)
   return *std::find_if(run.fields.begin(), run.fields.end(), [&](const ShownField& f) { return f.name == name; });
 }
 
-TEST(Shown, HasThePlacesToAFiftiethOfTheSpacing)
+TEST(Shown, HasThePlacesToAFiftiethOfTheSpacingOrToTwoMillimetres)
 {
   const ShownRun run = Folder(6, 3).shown();
   EXPECT_NEAR(run.point_size, 0.1, 0.1 * 6e-8);  // from volumes, which frames hold in single precision
@@ -159,6 +159,58 @@ TEST(Shown, TheScaleOfStrengthIsThatOfSoilThatSoftens)
   EXPECT_NEAR(field_of(run, "cohesion").high, 2.0, 1e-9);
 }
 
+/// Two frames of a row of points, 10 cm apart, that go by 3 m and 4 m. displacement_off: what the file has more of it
+/// [m].
+ShownRun moved(Real displacement_off, bool one_comes_later = false)
+{
+  const ScratchFolder scratch;
+  const std::string path = write_run(scratch.path() + "/run");
+  std::filesystem::remove_all(path_in(path, frames_folder));
+  PointFrameWriter results({path, point_frames, "0123456789abcdef"});
+  for (int k = 0; k < 2; ++k) {
+    Frame frame{.time = 0.1 * k,
+        .step = k,
+        .x = {},
+        .fields = {{"displacement", "m", 3, {}}, {"volume", "m^2", 1, {}}, {"material", "-", 1, {}}}};
+    for (int p = 0; p < 20; ++p) {
+      const bool there = k == 1 || p > 0 || !one_comes_later;
+      const Real gone = there ? 1.0 * k : 0.0;
+      frame.x.insert(frame.x.end(), {0.1 * p + 3.0 * gone, 4.0 * gone});
+      for (const Real u : {3.0 * gone + displacement_off * k, 4.0 * gone, 0.0}) frame.fields[0].values.push_back(u);
+      frame.fields[1].values.push_back(there ? 0.01 : 0.0);
+      frame.fields[2].values.push_back(there ? 0.0 : -1.0);
+    }
+    results.append(frame);
+  }
+  return read_shown(Frames(path), 1000);
+}
+
+TEST(Shown, TheDisplacementIsWhatThePlacesSayIfTheyDo)
+{
+  const ShownRun run = moved(0.0);
+  EXPECT_TRUE(field_of(run, "displacement").of_places);
+  EXPECT_TRUE(field_of(run, "displacement").frames.empty());
+  EXPECT_EQ(field_of(run, "displacement").scale.step, run.x.step);
+  EXPECT_EQ(field_of(run, "displacement").high, 5.0);
+
+  for (const ShownRun& other : {moved(0.02), moved(0.0, true)}) {
+    EXPECT_FALSE(field_of(other, "displacement").of_places);
+    EXPECT_EQ(field_of(other, "displacement").frames.size(), 2);
+  }
+}
+
+TEST(Shown, StepsAreRoundAndAFewHundredMakeTheScale)
+{
+  const ShownRun run = Folder(6, 3).shown();
+  for (const auto& [name, high, step] :
+      {std::tuple{"su", 8.0, 0.02}, {"pressure", 6.0, 0.05}, {"velocity", 10.0, 0.1}}) {
+    const ShownField& field = field_of(run, name);
+    EXPECT_EQ(field.high, high) << name;
+    EXPECT_NEAR(field.scale.step, step, 1e-12) << name;
+    EXPECT_NEAR(std::remainder(field.scale.lo, step), 0.0, 1e-9) << name;
+  }
+}
+
 TEST(Shown, MorePointsThanAllowedAreSampledTheSameWayEachTime)
 {
   const Folder folder(2000, 2);
@@ -190,7 +242,7 @@ TEST(Fit, CoarsensFieldsFirstThenPlacesThenLeavesOutFramesAndKeepsTheLast)
   EXPECT_NEAR(value(runs[0].fields[0], 64, 3), value(full.fields[0], 64, 3), full.fields[0].scale.step + 1e-9);
   EXPECT_EQ(runs[0].fields[1].frames.size(), runs[0].fields[1].shares < 0 ? 65 : 0);
 
-  fit(runs, estimate_bytes({full}) / 6);
+  fit(runs, estimate_bytes({full}) / 3);
   EXPECT_GT(runs[0].x.step, full.x.step);
   EXPECT_LT(runs[0].frames.size(), 65);
   EXPECT_EQ(runs[0].ids.size(), 200);

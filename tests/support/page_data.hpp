@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/files/compress.hpp"
+#include "page/codec.hpp"
 #include "page/payload.hpp"
 
 #include <cstring>
@@ -29,7 +30,7 @@ inline nlohmann::json data_of(const Payload& payload) { return nlohmann::json::p
 /// A column of a table of the document.
 inline std::vector<float> column_of(const Payload& payload, const nlohmann::json& table, const std::string& name)
 {
-  const std::string bytes = gunzip(from_base64(payload.chunks.at(table.at("chunk").get<std::size_t>())));
+  const std::string bytes = unpack_words(gunzip(from_base64(payload.chunks.at(table.at("chunk").get<std::size_t>()))));
   std::vector<float> values(table.at("rows").get<std::size_t>());
   for (std::size_t c = 0; c < table.at("columns").size(); ++c)
     if (table["columns"][c]["name"] == name)

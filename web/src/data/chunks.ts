@@ -27,11 +27,18 @@ export class Chunks {
   }
 
   async floats(chunk: number): Promise<Float32Array<ArrayBuffer>> {
-    return new Float32Array((await this.bytes(chunk)).buffer);
+    return new Float32Array((await this.numbers(chunk)).buffer);
   }
 
   async numbers(chunk: number): Promise<Uint32Array<ArrayBuffer>> {
-    return new Uint32Array((await this.bytes(chunk)).buffer);
+    const bytes = await this.bytes(chunk); // differences of their bits: all low bytes first, all high ones last
+    const n = bytes.length / 4;
+    const words = new Uint32Array(n);
+    for (let k = 0; k < n; k++) {
+      const change = bytes[k]! | (bytes[n + k]! << 8) | (bytes[2 * n + k]! << 16) | (bytes[3 * n + k]! << 24);
+      words[k] = (k === 0 ? 0 : words[k - 1]!) + change;
+    }
+    return words;
   }
 }
 

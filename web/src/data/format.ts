@@ -1,14 +1,17 @@
-// The JSON of a report, format 1, as src/report of the C++ program writes it. SI units, unless a `unit` says otherwise.
+// The JSON of a report, format 2, as src/page of the C++ program writes it. SI units, unless a `unit` says otherwise.
+
+/** Numbers frame by frame, each from that of the frame and of the point before; or point by point, as they are. */
+export type Layout = "frame" | "point";
 
 /** A quantity per frame and point, 16 bits each; see data/quantised.ts. */
 export interface QuantisedMeta {
-  chunk: number;
+  chunk: number | null; // null: the distance of a point from its place in the first frame
+  layout?: Layout; // of the bytes of the chunk
   lo: number;
   hi: number;
   log: boolean;
   frames: number;
   points: number;
-  bits: 16;
   static: boolean;
 }
 

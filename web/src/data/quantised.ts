@@ -1,29 +1,47 @@
-// A quantity per frame and point in 16 bits. Bytes of frame f: n low bytes, then n high bytes, of d[f], where d[0] =
-// q[0] and d[f] = (q[f] - q[f-1]) mod 65536. Value: lo + (hi - lo) q / 65535, or lo (hi/lo)^(q/65535) if `log`. The
+// A quantity per frame and point in 16 bits, q. Value: lo + (hi - lo) q / 65535, or lo (hi/lo)^(q/65535) if `log`. The
 // last q means "no value": in a field that a material does not have, and in all of a point of which there is no soil.
-// The other half of this codec is the C++ writer; tests/unit/cpp_codec.test.ts holds bytes that it wrote.
+// How the q lie in the bytes: docs/report_format.md. The other half of this codec is the C++ writer;
+// tests/unit/cpp_codec.test.ts holds bytes that it wrote.
 
-import type { QuantisedMeta } from "./format";
+import type { Layout, QuantisedMeta } from "./format";
 
 export const FULL = 65535;
 
+const LISTED = 3; // of two bits: the number stands in the list
+
 /** q of all frames, shape [frames, points]. */
-export function decodeFrames(bytes: Uint8Array, frames: number, points: number): Uint16Array<ArrayBuffer> {
-  if (bytes.length !== 2 * frames * points) {
-    throw new Error(
-      `${frames} frames of ${points} points need ${2 * frames * points} bytes, but there are ${bytes.length}.`);
-  }
+export function decodeFrames(bytes: Uint8Array, frames: number, points: number,
+  layout: Layout): Uint16Array<ArrayBuffer> {
+  const packed = layout === "frame" ? Math.ceil((frames * points) / 4) : 0;
+  const n = (bytes.length - packed) / 2; // numbers of 16 bits: low bytes, then high bytes
+  const listed = (k: number) => bytes[packed + k]! | (bytes[packed + n + k]! << 8);
   const q = new Uint16Array(frames * points);
-  for (let f = 0; f < frames; f++) {
-    const low = 2 * f * points;
-    const high = low + points;
-    const now = f * points;
-    if (f === 0) {
-      for (let p = 0; p < points; p++) q[p] = bytes[low + p]! | (bytes[high + p]! << 8);
-    } else {
-      const before = now - points;
-      for (let p = 0; p < points; p++) q[now + p] = q[before + p]! + (bytes[low + p]! | (bytes[high + p]! << 8));
+  let next = 0;
+  if (layout === "point") {
+    for (let p = 0; p < points; p++) for (let f = 0; f < frames; f++) q[f * points + p] = listed(next++);
+  } else {
+    for (let k = 0, change = 0; k < q.length; k++) {
+      if (k % points === 0) change = 0;
+      const bits = (bytes[k >> 2]! >> (2 * (k & 3))) & 3;
+      const folded = bits === LISTED ? LISTED + listed(next++) : bits;
+      change += (folded >> 1) ^ -(folded & 1);
+      q[k] = (k < points ? 0 : q[k - points]!) + change;
     }
+  }
+  if (next !== n)
+    throw new Error(`${frames} frames of ${points} points do not need ${bytes.length} bytes: the data is damaged.`);
+  return q;
+}
+
+/** How far points are from where they are in the first frame, which has all that there ever are. */
+export function distances(x: Quantised, y: Quantised, meta: QuantisedMeta): Uint16Array<ArrayBuffer> {
+  const q = new Uint16Array(meta.frames * meta.points);
+  const step = (of: Quantised) => (of.meta.hi - of.meta.lo) / (meta.hi - meta.lo);
+  const [sx, sy] = [step(x), step(y)];
+  for (let k = 0; k < q.length; k++) {
+    const p = k % meta.points;
+    const isThere = x.q[k] !== FULL || y.q[k] !== FULL;
+    q[k] = isThere ? Math.round(Math.hypot(sx * (x.q[k]! - x.q[p]!), sy * (y.q[k]! - y.q[p]!))) : NONE;
   }
   return q;
 }

@@ -4,7 +4,7 @@ import type { Comparison, ReportMeta } from "./format";
 import { Chunks, type ChunkText } from "./chunks";
 import { Run } from "./run";
 
-export const FORMAT = 1;
+export const FORMAT = 2;
 
 /** What a run may leave out. */
 const ABSENT = { mesh: null, outline: null, surfaces: null, water: null, layers: [], loads: [], slip_planes: [],

@@ -2,7 +2,7 @@
 
 import type { AttachedMeta, FieldMeta, QuantisedMeta, RunMeta } from "./format";
 import { Chunks } from "./chunks";
-import { decodeFrames, FULL, Quantised, valueOf } from "./quantised";
+import { decodeFrames, distances, FULL, Quantised, valueOf } from "./quantised";
 import { Table } from "./table";
 
 export type Polyline = Float32Array; // x, y, x, y, ... [m]; NaN, NaN between polylines
@@ -115,10 +115,11 @@ export class Run {
   }
 
   private async quantity(meta: QuantisedMeta): Promise<Quantised> {
+    if (meta.chunk === null) return new Quantised(meta, distances(this.x, this.y, meta));
     let q = this.decoded.get(meta.chunk);
     if (!q) {
       q = this.chunks.bytes(meta.chunk).then((bytes) =>
-        decodeFrames(bytes, meta.static ? 1 : meta.frames, meta.points));
+        decodeFrames(bytes, meta.static ? 1 : meta.frames, meta.points, meta.layout!));
       this.decoded.set(meta.chunk, q);
     }
     return new Quantised(meta, await q);

@@ -26,6 +26,11 @@ export function numberText(value: number | null | undefined, digits = 4): string
   return part ? decimalSign(`${grouped}.${part}`) : grouped;
 }
 
+/** Rounded so that a step changes the last decimal by two at most. */
+export function toSteps(value: number, step: number): number {
+  return Number(value.toFixed(Math.min(12, Math.max(0, Math.round(-Math.log10(step))))));
+}
+
 /** Numbers beside each other, with as many digits as tell them apart. */
 export function tickTexts(ticks: readonly number[]): string[] {
   for (let digits = 4; ; digits += 2) {

@@ -7,7 +7,7 @@ import { element } from "../shell/element";
 import { quantityLabel } from "../logic/quantities";
 import { soilName } from "../logic/labels";
 import { say } from "../logic/texts";
-import { fixed, numberText, withUnit } from "../logic/numbers";
+import { fixed, numberText, toSteps, withUnit } from "../logic/numbers";
 
 /** Name, value and unit of fields of a point (by default all); "…" while a field is being decoded. */
 export function pointValues(run: Run, frame: number, point: number, fields = run.meta.fields): { name: string;
@@ -18,7 +18,8 @@ export function pointValues(run: Run, frame: number, point: number, fields = run
     if (field) {
       const number = field.value(frame, point);
       const material = run.meta.materials.find((m) => m.id === Math.round(number));
-      value = meta.kind === "category" && material ? soilName(material.name) : withUnit(number, meta.unit, 3);
+      value = meta.kind === "category" && material ? soilName(material.name)
+        : withUnit(toSteps(number, meta.precision), meta.unit, 3);
     } else {
       void run.field(meta.name);
     }

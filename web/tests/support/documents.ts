@@ -18,7 +18,7 @@ function tableOf(writer: ChunkWriter, columns: Columns, units: Record<string, st
 }
 
 const made = (kind: DocumentMeta["kind"], data: unknown, writer: ChunkWriter, language = "en"): MadeDocument =>
-  ({ document: { format: 1, kind, terp: "0", written: "2026-01-02T03:04:05Z", language, data }, chunks: writer.texts });
+  ({ document: { format: 2, kind, terp: "0", written: "2026-01-02T03:04:05Z", language, data }, chunks: writer.texts });
 
 export const event = (happened: number, solved: number, failed = 0): EventMeta =>
   ({ probability: happened / solved, low: 0.5 * happened / solved, high: Math.min(1, 1.5 * happened / solved + 0.01), happened, solved, failed, beta: 1 });

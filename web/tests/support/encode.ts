@@ -1,21 +1,27 @@
 // The writer's half of the codec, for tests alone: what src/report does in C++.
 
 import { gzipSync } from "node:zlib";
-import type { QuantisedMeta } from "../../src/data/format";
+import type { Layout, QuantisedMeta } from "../../src/data/format";
 import { FULL } from "../../src/data/quantised";
 
 /** q of all frames, shape [frames, points], as the bytes of a chunk before gzip. */
-export function encodeFrames(q: Uint16Array, frames: number, points: number): Uint8Array {
-  const bytes = new Uint8Array(2 * frames * points);
-  for (let f = 0; f < frames; f++) {
-    for (let p = 0; p < points; p++) {
-      const before = f === 0 ? 0 : q[(f - 1) * points + p]!;
-      const d = (q[f * points + p]! - before) & 0xffff;
-      bytes[2 * f * points + p] = d & 0xff;
-      bytes[2 * f * points + points + p] = d >> 8;
-    }
-  }
-  return bytes;
+export function encodeFrames(q: Uint16Array, frames: number, points: number, layout: Layout): Uint8Array {
+  if (layout === "point") return numbers(Array.from(q, (_, k) => q[(k % frames) * points + Math.floor(k / frames)]!));
+  const packed = new Uint8Array(Math.ceil((frames * points) / 4));
+  const list: number[] = [];
+  const change = (k: number) => q[k]! - (k < points ? 0 : q[k - points]!);
+  q.forEach((_, k) => {
+    const d = ((change(k) - (k % points === 0 ? 0 : change(k - 1))) << 16) >> 16;
+    const folded = d < 0 ? -2 * d - 1 : 2 * d;
+    packed[k >> 2]! |= Math.min(3, folded) << (2 * (k % 4));
+    if (folded >= 3) list.push(folded - 3);
+  });
+  return Uint8Array.from([...packed, ...numbers(list)]);
+}
+
+/** Low bytes, then high bytes. */
+function numbers(values: number[]): Uint8Array {
+  return Uint8Array.from([...values.map((v) => v & 0xff), ...values.map((v) => v >> 8)]);
 }
 
 export class ChunkWriter {
@@ -27,11 +33,16 @@ export class ChunkWriter {
   }
 
   floats(values: ArrayLike<number>): number {
-    return this.add(new Uint8Array(Float32Array.from(values).buffer));
+    return this.words(new Uint32Array(Float32Array.from(values).buffer));
   }
 
   numbers(values: ArrayLike<number>): number {
-    return this.add(new Uint8Array(Uint32Array.from(values).buffer));
+    return this.words(Uint32Array.from(values));
+  }
+
+  private words(words: Uint32Array): number {
+    const changes = words.map((word, k) => word - (k === 0 ? 0 : words[k - 1]!));
+    return this.add(Uint8Array.from([0, 8, 16, 24].flatMap((shift) => Array.from(changes, (d) => (d >>> shift) & 0xff))));
   }
 
   /** values[f][p]; null: absent, 65535 in the file. */
@@ -46,7 +57,8 @@ export class ChunkWriter {
       const part = v === null ? 1 : log ? Math.log(Math.max(v, lo) / lo) / Math.log(hi / lo) : (v - lo) / (hi - lo);
       q[f * points + p] = Math.round(part * FULL);
     }));
-    return { chunk: this.add(encodeFrames(q, frames, points)), lo, hi, log, frames, points, bits: 16, static: false };
+    const layout = frames % 2 ? "frame" : "point";
+    return { chunk: this.add(encodeFrames(q, frames, points, layout)), layout, lo, hi, log, frames, points, static: false };
   }
 }
 

@@ -16,7 +16,7 @@ interface Made {
 export function exampleReport(side = 40, runs = 2, writer = new ChunkWriter()): Made {
   const schemes = ["mpm_mixed", "mpm_gp", "standard_mpm"];
   const report: ReportMeta = {
-    format: 1, terp: "0.1.0", written: "2026-01-02T10:00:00Z",
+    format: 2, terp: "0.1.0", written: "2026-01-02T10:00:00Z",
     runs: Array.from({ length: runs }, (_, k) => exampleRun(writer, side, k, schemes[k % 3]!)),
     comparison: runs < 2 ? null : {
       columns: ["example_mpm_mixed", "example_mpm_gp"],

@@ -33,6 +33,7 @@ describe("a report of the C++ program", () => {
     expect([...run!.outline.filter((v) => Number.isFinite(v))].sort((a, b) => a - b)).toEqual(expect.arrayContaining([0, 2]));
     expect(run!.edges.length / 4).toBe(run!.meta.mesh!.edges.count);
     for (let f = 0; f < run!.frames; f++) expect(run!.surface(f).length).toBeGreaterThan(0);
-    expect(run!.surface(0).filter((_, k) => k % 2 === 1).every((y) => Math.abs(y - 1.875) < 1e-6)).toBe(true); // highest row of points
+    expect(run!.surface(0).filter((_, k) => k % 2 === 1).every((y) =>
+      Math.abs(y - (1.875 + run!.meta.point_size / 2)) < run!.meta.position_precision)).toBe(true); // highest row of points
   });
 });

@@ -3,7 +3,7 @@ import { advance, allTimes, frameAt, speeds, stepTime } from "../../src/logic/ti
 import { bestColumns, fit, pan, toScreen, toWorld, zoomAt } from "../../src/logic/camera";
 import { barTicks, categoryTable, CATEGORIES, mapNamed, placeOnBar, rgb, symmetric, table, validRange } from "../../src/logic/colour";
 import { slipAt } from "../../src/logic/slides";
-import { durationText, niceLength, niceTicks, numberText, readableUnit, timeDecimals, withUnit } from "../../src/logic/numbers";
+import { durationText, niceLength, niceTicks, numberText, readableUnit, timeDecimals, toSteps, withUnit } from "../../src/logic/numbers";
 import { heightsAt, places } from "../../src/logic/surface";
 import { runLabels } from "../../src/logic/labels";
 import { Store } from "../../src/logic/store";
@@ -105,6 +105,11 @@ describe("colours", () => {
 });
 
 describe("numbers as text", () => {
+  it("have no more decimals than their steps", () => {
+    expect([[1.23456, 0.01], [1.23456, 0.02], [1.23456, 0.005], [-0.06, 0.2], [1234.5, 100], [0.00123, 1e-9]]
+      .map(([v, step]) => toSteps(v!, step!))).toEqual([1.23, 1.23, 1.23, -0.1, 1235, 0.00123]);
+  });
+
   it("have a few digits, groups and powers", () => {
     expect([13.392, 0.00213, 40000, 1234.56, -0.5, 0, 1.234e-5, NaN].map((v) => numberText(v))).toEqual(["13.39", "0.00213", "40\u202f000", "1235", "−0.5", "0", "1.23·10⁻⁵", "–"]);
     expect(numberText(2500000, 9)).toBe("2\u202f500\u202f000");

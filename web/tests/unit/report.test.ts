@@ -65,7 +65,7 @@ describe("a report", () => {
 
   it("of another format is refused", () => {
     const { report } = exampleReport(10);
-    expect(() => new Report({ ...report, format: 2 }, () => null)).toThrow("reads reports of format 1, but the data in it has format 2");
+    expect(() => new Report({ ...report, format: 1 }, () => null)).toThrow("reads reports of format 2, but the data in it has format 1");
   });
 
   it("that was cut short says which part is missing", async () => {
