@@ -47,6 +47,8 @@ VACUUM = -101e3        # [Pa]: no u_2 is lower
 DEEPEST = 1000.0       # [m]
 TOP_OF_VALUES = 1.0    # [m] below the ground: from a lower one on a note says so
 STEEPEST = 45.0        # [degrees]: rods that incline more are a fault of the file
+LEAST_BETWEEN_ROWS = 2e-3      # [m]
+LEAST_UNIT_WEIGHT = 10e3       # [N/m3] of soil with its water
 
 
 @dataclasses.dataclass(frozen=True)
@@ -280,6 +282,16 @@ def notes_of(test: Sounding, levels: Reals) -> list[str]:
         notes.append("no area ratio of the cone: q_t was taken as q_c")
     elif n_void:
         notes.append(f"{n_void} of {len(test.depth)} rows have no u_2: there q_t was taken as q_c")
+    depth = test.depth[np.isfinite(test.depth)]
+    between = np.ptp(depth) / max(len(depth) - 1, 1)
+    if between < LEAST_BETWEEN_ROWS:
+        notes.append(f"rows are {1e3 * between:.2g} mm of depth apart, usually 10 to 20 mm: is the unit of the depth "
+                     "another one?")
+    below = test.corrected() < LEAST_UNIT_WEIGHT * test.depth
+    for odd, what in ((below, "q_t is less than the weight of the soil above"),
+                      (test.pressure > test.cone, "u_2 is above q_c")):
+        if 2 * np.count_nonzero(odd) > len(test.depth):
+            notes.append(f"in {np.count_nonzero(odd)} of {len(test.depth)} rows {what}: is its unit another one?")
     if test.level - levels[0] > TOP_OF_VALUES:
         notes.append(f"the highest value lies {test.level - levels[0]:.2f} m below the ground at {test.level:.2f} m; "
                      "above it a case takes that value")

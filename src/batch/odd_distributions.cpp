@@ -37,8 +37,19 @@ void doubt_numbers(const Study& study, std::vector<Problem>& doubts)
 void doubt_levels(const Study& study, std::vector<Problem>& doubts)
 {
   constexpr Real most_beyond = 0.1, least_within = 1e-6;
+  constexpr Real little = 1e-3;  // of the largest level
   const auto& load = study.settings.fragility;
-  if (!load || !load->distribution) return;
+  if (!load) return;
+  for (std::size_t k = 1; k < load->levels.size(); ++k) {
+    const Real low = load->levels[k - 1], high = load->levels[k];
+    if (high - low >= little * std::max(std::abs(load->levels.front()), std::abs(load->levels.back()))) continue;
+    doubts.push_back({"fragility.levels", "two levels hardly differ",
+        fmt::format("Got {:.10g} and {:.10g}. Each is solved with all samples: give levels between which P changes.",
+            low, high),
+        ""});
+    break;
+  }
+  if (!load->distribution) return;
   const Real first = load->levels.front(), last = load->levels.back(),
              beyond = 1.0 - load->distribution->probability(last),
              within = 1.0 - load->distribution->probability(first);

@@ -98,6 +98,38 @@ std::string file_of(const std::string& material)
   return name + ".csv";
 }
 
+/// Numbers in another unit than Pa and 1, told by what the soil does and by its stiffness.
+void doubt_path(const ElementCommand& command, const ElementAtPlace& start, const ElementOnPage& element)
+{
+  constexpr Real none = 1e-6, all = 1.0, least = 3e-5, most = 1.0, little = 0.1;
+  const auto largest = [&](const char* prefix) {
+    Real found = 0.0;
+    for (const ElementColumn& column : element.result.columns)
+      if (column.name.starts_with(prefix))
+        for (const Real value : column.values) found = std::max(found, std::abs(value));
+    return found;
+  };
+  const Real strain = largest("strain_"), pressure = -start.stress[1],
+             share = pressure / start.soil.law->shear_modulus();
+  const auto is_far_less = [&](const std::string& load) {
+    return std::abs(stress_of("--load", load)) < little * pressure;
+  };
+  const auto doubt = [&](bool is_odd, const std::string& what, const char* cure) {
+    if (is_odd) say(stderr, "{}", printable(fmt::format("warning: {}: {}\n  {}\n", element.material, what, cure)));
+  };
+  doubt(strain > all, fmt::format("a strain of {:.3g}", strain), "Strains are parts: 10 % is 0.1.");
+  doubt(element.result.fault.empty() && strain < none, fmt::format("a largest strain of {:.2g}", strain),
+      "Strains are parts, and stresses in Pa: 10 % is 0.1, 100 kPa is 100e3.");
+  doubt(pressure > 0.0 && (share < least || share > most),
+      fmt::format("a pressure of {:.4g} Pa at the start is {:.2g} times G", pressure, share),
+      "Stresses are in Pa: 100 kPa is 100e3, or \"100 kPa\". Usual: 0.001 to 0.1 times.");
+  doubt(!command.load.empty() && std::ranges::all_of(command.load, is_far_less),
+      fmt::format("all loads are far below the {:.4g} Pa of the start", pressure),
+      "Stresses are in Pa: 100 kPa is 100e3, or \"100 kPa\".");
+  doubt(std::ranges::adjacent_find(command.strain) != command.strain.end(), "two turning points are the same",
+      "Between them nothing happens: --strain 0.1,0,0.2 goes there and back.");
+}
+
 void print_table(const std::vector<ElementOnPage>& elements)
 {
   say("  {:<20} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "material", "largest q", "at strain", "p at end",
@@ -127,6 +159,7 @@ int test_elements(const ElementCommand& command)
       const ElementAtPlace start = start_of(command, file.values, *material);
       elements.push_back({material->name, material->model,
           follow_path(start.soil, path_of(command, start.stress), command.void_ratio.value_or(std::nan("")))});
+      doubt_path(command, start, elements.back());
     }
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));

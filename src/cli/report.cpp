@@ -86,8 +86,23 @@ int report_runs(const ReportCommand& command)
   return solved;
 }
 
+/// Options of the other kind of export would do nothing.
+void refuse_idle_options(const ExportCommand& command)
+{
+  const bool is_section = !command.dxf.empty() || !command.profile.empty() || !command.stix.empty();
+  const bool of_frames = !command.fields.empty() || !command.frames.empty() || !command.folder.empty();
+  if (is_section && of_frames)
+    throw CaseError(
+        "error: --field, --frames and -o have no effect beside --dxf, --profile and --stix\n  These write the section "
+        "at the end. Export the frames by a command of their own.\n");
+  if (command.stix.empty() && command.tolerance > 0.0)
+    throw CaseError(
+        "error: --tolerance has no effect without --stix\n  It is that of the outlines in the D-Stability file.\n");
+}
+
 int export_run(const ExportCommand& command)
 {
+  refuse_idle_options(command);
   if (!command.stix.empty()) {
     write_stix(command);
     if (command.dxf.empty() && command.profile.empty()) return solved;

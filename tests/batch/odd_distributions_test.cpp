@@ -46,6 +46,20 @@ TEST(OddDistributions, LevelsBesideTheLoad)
   EXPECT_THAT(of("1000", "20"), ElementsAre("fragility.distribution: the load hardly reaches the first level"));
 }
 
+TEST(OddDistributions, LevelsThatHardlyDiffer)
+{
+  const auto doubts = [](std::vector<Real> levels) {
+    Study study;
+    study.settings.fragility = FragilityLoad{.levels = std::move(levels)};
+    std::vector<Problem> found;
+    doubt_distributions(study, found);
+    return found;
+  };
+  EXPECT_THAT(doubts({3.0, 3.001, 4.0}),
+      ElementsAre(told("fragility.levels", "two levels hardly differ", HasSubstr("Got 3 and 3.001."))));
+  EXPECT_THAT(doubts({3.0, 3.1, 4.0}), IsEmpty());
+}
+
 TEST(OddDistributions, LayersThatGoAgainstEachOther)
 {
   const auto doubts = [](const char* second, double value) {

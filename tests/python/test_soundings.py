@@ -55,6 +55,19 @@ class Soundings(unittest.TestCase):
         self.assertEqual(list(levels), [0.75])
         self.assertAlmostEqual(values[0], ((310e3 - 8.00e3) + (350e3 - 8.64e3)) / 2 / 15.0, places=6)
 
+    def test_quantities_in_another_unit_than_the_file_says_are_named(self):
+        rows = "".join(f"{0.02 * k:.2f} {0.4 + 0.01 * k:.3f} {0.02 * k:.2f} 0.03 !\n" for k in range(1, 200))
+        head = GEF.split("#EOH=\n")[0] + "#EOH=\n"
+
+        def notes(old="", new="", of=rows):
+            test = from_gef(head.replace(old, new) + of, "s.gef")
+            return [note for note in notes_of(test, test.strength()[0]) if "another one" in note]
+
+        self.assertEqual(notes(), [])
+        self.assertIn("rows are 0.2 mm of depth apart", notes("m, corrected", "cm, corrected")[0])
+        self.assertIn("199 rows q_t is less than the weight", notes("MPa, cone", "kPa, cone")[0])
+        self.assertIn("in 199 of 199 rows u_2 is above q_c", notes(of=rows.replace(" 0.03 !", " 30 !"))[0])
+
     def test_bro_gives_the_same(self):
         test = from_bro(bro([(0.5, 0.3, 0.04), (0.9, 0.4, -999999)]), "s.xml")
         self.assertEqual((test.name, test.level), ("CPT000000001", -0.5))

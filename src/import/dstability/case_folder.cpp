@@ -138,18 +138,13 @@ class FolderMaker {
   {
     if (!options_.has_films) return;
     films_ = films_of(section_, first_, {layout_.low[0], layout_.high[0]}, layout_.cell);
-    const auto cut_at_base = [&] {
-      for (Film& film : films_)
-        for (Vec<2>& x : film.outline) x[1] = std::max(x[1], layout_.low[1]);
-      std::erase_if(films_, [](const Film& film) { return std::abs(signed_area(film.outline)) < 1e-6; });
-    };
     const std::optional<Real> base =
         options_.base || films_.empty() ? std::nullopt : base_with_row_at(films_, layout_.low[1], layout_.cell);
-    if (!base) return cut_at_base();
+    if (!base) return cut_at(films_, layout_.low[1]);
     take(part_of(drawn_, {.between = {layout_.low[0], layout_.high[0]}, .base = *base}));
     layout_ = layout_of(drawn_, pits_, wishes_for(layout_.cell));
     geometry_.push_back(fmt::format("The base is z = {:.3f} m, so that a row of cells begins at the film.", *base));
-    cut_at_base();
+    cut_at(films_, layout_.low[1]);
   }
 
   /// Regions of which nothing is left have no corners.

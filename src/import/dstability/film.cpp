@@ -164,6 +164,14 @@ std::optional<Real> base_with_row_at(const std::vector<Film>& films, Real low, R
   return base;
 }
 
+void cut_at(std::vector<Film>& films, Real base)
+{
+  constexpr Real nothing = 1e-6;  // [m^2]
+  for (Film& film : films)
+    for (Vec<2>& x : film.outline) x[1] = std::max(x[1], base);
+  std::erase_if(films, [](const Film& film) { return std::abs(signed_area(film.outline)) < nothing; });
+}
+
 Vec<2> with_uplift(const StixSection& section, const std::string& river, Vec<2> between)
 {
   const BoundingBox box = box_around(section.stage().layers);

@@ -26,6 +26,9 @@ std::vector<Film> films_of(const StixSection& now, const StixSection& first, Vec
 /// does so from `low`, or the film lies no row above it.
 std::optional<Real> base_with_row_at(const std::vector<Film>& films, Real low, Real row);
 
+/// Films end at the base [m]; one that lies on it or below is left out.
+void cut_at(std::vector<Film>& films, Real base);
+
 /// Two x [m] moved apart until 20 m of the section lie beyond ground that lifts, with less than 1 kPa of effective
 /// stress on such a border; not at the end of the river, "left" or "right".
 Vec<2> with_uplift(const StixSection& section, const std::string& river, Vec<2> between);

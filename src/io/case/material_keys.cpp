@@ -83,6 +83,7 @@ std::vector<KeyInfo> material_keys()
       {.path = "material.NAME.k0",
           .field = [](Case& c, std::size_t i) { return &c.materials[i].k0; },
           .range = between(0.0, 10.0),
+          .usual = {0.2, 4.0},
           .meaning = "horizontal over vertical effective stress of this material, for initial.stress = \"k0\" or "
                      "\"equilibrium\"",
           .default_text = "the value of initial.k0"},

@@ -78,11 +78,10 @@ void find_swapped_soils(const Model& model, std::vector<Problem>& warnings)
         if (std::ranges::find(warnings, key, &Problem::key) != warnings.end()) continue;  // beside another soil
         const Real low = contrast.value(less, cases[a]), high = contrast.value(more, cases[b]);
         if (!(low > contrast.factor * high) || !(high > 0.0)) continue;
-        warnings.push_back(
-            {parameter_key(cases[a], contrast.key), fmt::format("`{}` {} `{}`", less.name, contrast.what, more.name),
-                fmt::format("Got {:.4g} {} beside {:.4g} {}. Are the two swapped, or is a name another soil's?", low,
-                    contrast.unit, high, contrast.unit),
-                "material", false, {parameter_key(cases[b], contrast.key)}});
+        warnings.push_back({key, fmt::format("`{}` {} `{}`", less.name, contrast.what, more.name),
+            fmt::format("Got {:.4g} {} beside {:.4g} {}. Are the two swapped, or is a name another soil's?", low,
+                contrast.unit, high, contrast.unit),
+            "material", false, {parameter_key(cases[b], contrast.key)}});
       }
 }
 

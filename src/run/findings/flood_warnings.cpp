@@ -126,6 +126,23 @@ std::optional<Problem> find_raised_strength(const Model& model)
       "at_strength", false, {"stage"}};
 }
 
+/// A stage may seek rest with much damping; that of the verdict is slowed by it.
+std::optional<Problem> find_damped_end(const Model& model)
+{
+  constexpr Real much = 0.5;
+  const Case& whole = model.whole ? *model.whole : model.description;
+  if (whole.stages.empty() || !whole.stages.back().changed) return std::nullopt;
+  const Real alpha = whole.stages.back().changed->forces.local_damping;
+  if (!(alpha > much) || whole.forces.local_damping > much) return std::nullopt;  // that is told of the case
+  return Problem{fmt::format("stage[{}].set", whole.stages.size() - 1),
+      fmt::format("local damping of {} slows the slide of the last stage", alpha),
+      fmt::format(
+          "Soil falls with {:.2g} of gravity, and a failure is as much too slow. Usual: 0.02 to 0.1 in the stage "
+          "of the verdict.",
+          1.0 - alpha),
+      "forces.damping.local", false, {"stage"}};
+}
+
 /// The ground that holds the water, drawn narrower at its top than two cells.
 std::optional<Problem> find_narrow_crest(const Model& model, const Columns& columns, ColumnRange range, Real height)
 {
@@ -185,7 +202,7 @@ std::vector<Problem> find_flood_warnings(const Model& model, const State& state)
   if (heights.empty()) return {};
   std::vector<Problem> warnings;
   for (auto doubt : {find_low_flood(model), find_other_water(model), find_idle_head(model), find_raised_strength(model),
-           find_narrow_crest(model, columns_of_section(*model.mesh), range, barrier.height)})
+           find_damped_end(model), find_narrow_crest(model, columns_of_section(*model.mesh), range, barrier.height)})
     if (doubt) warnings.push_back(std::move(*doubt));
   const auto warn = [&](const char* key, std::string what, std::string detail) {
     warnings.push_back({std::string("flood.") + key, std::move(what), std::move(detail), std::string("flood.") + key});

@@ -108,6 +108,22 @@ void find_other_time_scales(const Model& model, const Case& whole, const SoilSiz
           "stage.ramp", false, {fmt::format("stage[{}]", k)}});
 }
 
+/// The last stage ends as its water or loads are there in full: what they do comes after.
+void find_short_end(const Case& whole, const SoilSize& soil, const WaveSpeeds& speeds, std::vector<Problem>& warnings)
+{
+  const Real swing = 4.0 * soil.height / speeds.slowest;
+  if (whole.stages.empty() || !std::isfinite(speeds.slowest)) return;
+  const StageCase& last = whole.stages.back();
+  const Real longest = last.until == Until::end ? last.duration : last.at_most;
+  if (!(last.ramp > 0.0) || !(longest > 0.0) || longest - last.ramp >= 0.25 * swing) return;
+  warnings.push_back({fmt::format("stage[{}].ramp", whole.stages.size() - 1),
+      fmt::format("the stage `{}` ends as its ramp does", last.name),
+      fmt::format("The ramp takes {:.4g} s of {:.4g} s, and the soil swings once in {:.3g} s: it has no time to fail "
+                  "under what is then\nthere in full. Give the stage some seconds more.",
+          last.ramp, longest, swing),
+      "stage.ramp", false, {fmt::format("stage[{}]", whole.stages.size() - 1)}});
+}
+
 /// Damping against the mean of a force over several swings acts on what lasts, and hardly ends.
 void find_long_averaging(
     const Model& model, const SoilSize& soil, const WaveSpeeds& speeds, Real longest, std::vector<Problem>& warnings)
@@ -159,6 +175,7 @@ void find_odd_times(const Model& model, const State& state, std::vector<Problem>
   find_long_relaxation(model, soil, speeds, whole.time.end, warnings);
   find_long_averaging(model, soil, speeds, whole.time.end, warnings);
   find_sudden_stages(whole, soil, speeds, warnings);
+  find_short_end(whole, soil, speeds, warnings);
   find_other_time_scales(model, whole, soil, speeds, warnings);
   find_odd_intervals(model, warnings);
 }
