@@ -17,8 +17,10 @@ import numpy.typing as npt
 from matplotlib import patheffects
 from matplotlib.animation import FuncAnimation, writers
 from matplotlib.cm import ScalarMappable
-from matplotlib.collections import PolyCollection
+from matplotlib.collections import PathCollection, PolyCollection
 from matplotlib.colors import Normalize
+from matplotlib.markers import MarkerStyle
+from matplotlib.transforms import Affine2D
 
 from terp import style
 from terp.errors import RunError, unknown
@@ -240,11 +242,58 @@ def squares(panel: Any, frame: Frame, name: str, norm: Normalize) -> None:
     spacing = lattice_spacing(frame.run.first_places)
     values, x = frame.scalar(name)[frame.soil], frame.x[frame.soil]
     here = np.isfinite(values)
-    look = {"marker": "s", "linewidths": 0, "antialiased": False, "rasterized": True, "zorder": 2}
-    for side in np.array(SIDES) * spacing * points_per_metre(panel):
-        if not here.all():
-            panel.scatter(*x[~here].T, s=side**2, color=style.NO_VALUE, **look)
-        panel.scatter(*x[here].T, s=side**2, c=values[here], cmap=style.COLOUR_MAP, norm=norm, **look)
+    coloured = Squares(panel, x[here], spacing, cmap=style.COLOUR_MAP, norm=norm)
+    coloured.set_array(values[here])
+    grey = Squares(panel, x[~here], spacing, facecolors=[style.NO_VALUE])
+    for drawn in [coloured] if here.all() else [grey, coloured]:
+        panel.add_collection(drawn, autolim=False)
+    if len(x):
+        panel.update_datalim([x.min(axis=0), x.max(axis=0)])
+        panel.autoscale_view()
+
+
+class Squares(PathCollection):  # type: ignore[misc]
+    """Squares in the order of SIDES, as one image of the pixels of the panel: matplotlib draws so many one by one."""
+
+    def __init__(self, panel: Any, x: npt.NDArray[np.float64], spacing: float, **look: Any) -> None:
+        sides = np.array(SIDES) * spacing * points_per_metre(panel)
+        super().__init__([MarkerStyle("s").get_path()], sides[:1]**2, offsets=x, offset_transform=panel.transData,
+                         linewidths=0, zorder=2, **look)
+        self.spacing = spacing
+
+    def draw(self, renderer: Any) -> None:
+        if not self.get_visible() or not len(self.get_offsets()):
+            return
+        self.update_scalarmappable()
+        box, pixels = self.axes.bbox, renderer.get_image_magnification()
+        to_pixels = self.get_offset_transform() + Affine2D().translate(-box.x0, -box.y0).scale(pixels)
+        places = to_pixels.transform(self.get_offsets())
+        spacing = self.spacing * abs(to_pixels.transform([(1.0, 0.0)]) - to_pixels.transform([(0.0, 0.0)]))[0, 0]
+        colours = (255 * self.get_facecolor()).round().astype(np.uint8).view(np.uint32)[:, 0]  # one, or of each
+        image = np.zeros((round(box.height * pixels), round(box.width * pixels)), np.uint32)
+        for side in SIDES:
+            _stamp(image, places, colours, max(1, round(side * spacing)))
+        context = renderer.new_gc()
+        self._set_gc_clip(context)
+        renderer.draw_image(context, round(box.x0), round(box.y0), image.view(np.uint8).reshape(*image.shape, 4))
+        context.restore()
+        self.stale = False
+
+
+def _stamp(image: npt.NDArray[np.uint32], places: npt.NDArray[np.float64], colours: npt.NDArray[np.uint32],
+           side: int) -> None:
+    """Squares of `side` pixels around places; a pixel has the colour of a place that is near."""
+    height, width = image.shape
+    corner = np.floor(places - (side - 1) / 2).astype(int) + side
+    inside = ((corner >= 0) & (corner < (width + side, height + side))).all(axis=1)
+    padded = np.zeros((height + 2 * side, width + 2 * side), np.uint32)
+    padded[side:-side, side:-side] = image
+    first = corner[inside] @ (1, padded.shape[1])
+    colours = colours[inside] if len(colours) > 1 else colours
+    offsets = np.stack(np.meshgrid(range(side), range(side)), axis=-1).reshape(-1, 2)
+    for offset in offsets[np.argsort(-np.abs(offsets - (side - 1) / 2).max(axis=1), kind="stable")]:
+        padded.reshape(-1)[first + offset @ (1, padded.shape[1])] = colours
+    image[:] = padded[side:-side, side:-side]
 
 
 def points_per_metre(panel: Any) -> float:
@@ -371,8 +420,17 @@ def lattice_spacing(x: npt.NDArray[np.float64]) -> float:
     if len(x) < 2:
         return 0.02
     sample = x[np.linspace(0, len(x) - 1, min(SAMPLE, len(x))).astype(int)]
-    distances = [np.partition(np.hypot(*(x - place).T), 1)[1] for place in sample]
-    return float(np.median(distances))
+    x = x[np.argsort(x[:, 0])]
+    reach = 4.0 * np.sqrt(np.prod(np.ptp(x, axis=0)) / len(x))  # some spacings: further points are looked at if need be
+    return float(np.median([_to_nearest(x, place, reach) for place in sample]))
+
+
+def _to_nearest(x: npt.NDArray[np.float64], place: npt.NDArray[np.float64], reach: float) -> float:
+    """Distance of the point at `place` to the nearest other of x, which ascends along its first column."""
+    first, last = np.searchsorted(x[:, 0], (place[0] - reach, place[0] + reach))
+    distances = np.hypot(*(x[first:last] - place).T)
+    nearest = np.partition(distances, 1)[1] if last - first > 1 else np.inf
+    return float(nearest) if nearest <= reach else float(np.partition(np.hypot(*(x - place).T), 1)[1])
 
 
 def places_at(run: Results, time: float, names: Iterable[str]) -> list[tuple[str, float, float]]:

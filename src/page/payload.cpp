@@ -14,6 +14,7 @@
 #include "page/failure_json.hpp"
 #include "page/layers.hpp"
 #include "page/shown.hpp"
+#include "page/thin.hpp"
 #include "io/results/compare.hpp"
 #include "io/results/import_changes.hpp"
 #include "model/meshes/setup_mesh.hpp"
@@ -63,6 +64,7 @@ struct Source {
   std::optional<CaseFile> case_read;  ///< none if the case can no longer be read
   std::optional<Mesh<2>> mesh;
   std::vector<Sentence> warnings;
+  std::vector<std::vector<float>> surfaces;  ///< by frame of the run
 };
 
 constexpr SentenceForm no_case{
@@ -104,8 +106,13 @@ Source open_source(const std::string& folder, const std::string& name)
 {
   RunResults run = read_run(folder);
   Frames frames = run.frames();
-  Source source{
-      .run = std::move(run), .frames = std::move(frames), .name = name, .case_read = {}, .mesh = {}, .warnings = {}};
+  Source source{.run = std::move(run),
+      .frames = std::move(frames),
+      .name = name,
+      .case_read = {},
+      .mesh = {},
+      .warnings = {},
+      .surfaces = {}};
   try {
     source.case_read = read_case(path_in(folder, case_file));
     source.mesh = build_mesh(source.case_read->values);
@@ -117,34 +124,28 @@ Source open_source(const std::string& folder, const std::string& name)
   return source;
 }
 
-/// Times of which the page has pictures, or marks on its bar [s].
-std::vector<Real> moments_of(const Summary& summary)
+SurfaceColumns columns_of(const Source& source, const ShownRun& shown)
 {
-  std::vector<Real> moments;
-  for (const SlideSummary& slide : summary.slides) {
-    moments.insert(moments.end(), {slide.slide.begins, slide.slip.time});
-    if (slide.slide.stops) moments.push_back(*slide.slide.stops);
-  }
-  for (const StageSummary& stage : summary.stages)
-    moments.insert(moments.end(), {stage.record.start, stage.record.end});
-  if (summary.flood)
-    for (const auto& time : {summary.flood->first_time_damaged, summary.flood->first_time_below})
-      if (time) moments.push_back(*time);
-  std::erase_if(moments, [](Real time) { return std::isnan(time); });
-  return moments;
+  const Real share = static_cast<Real>(shown.ids.size()) / static_cast<Real>(std::max<std::int64_t>(1, shown.n_points));
+  return {source.mesh ? typical_cell_size(*source.mesh) : 4.0 * shown.point_size,
+      0.5 * shown.point_size * std::sqrt(share)};
 }
 
 /// What the page shows of the points. Frames that turn out to be damaged while they are read are left out.
 ShownRun read_points(Source& source, std::int64_t most_points)
 {
+  const auto look = [&](const ShownRun& shown, const std::vector<Real>& places) {
+    source.surfaces.push_back(surface_line(places, columns_of(source, shown)));
+  };
   const auto read = [&] {
     try {
-      return read_shown(source.frames, most_points);
+      return read_shown(source.frames, most_points, look);
     } catch (const FileError&) {
       const std::size_t n = source.frames.times().size();
       source.frames.leave_out_damaged();
       if (source.frames.times().size() == n) throw;
-      return read_shown(source.frames, most_points);
+      source.surfaces.clear();
+      return read_shown(source.frames, most_points, look);
     }
   };
   ShownRun shown = read();
@@ -260,19 +261,12 @@ struct LinesOfFrames {
   Json json(Chunks& chunks) const { return {{"chunk", chunks.add(places)}, {"offsets", offsets}}; }
 };
 
-SurfaceColumns columns_of(const Source& source, const ShownRun& shown)
-{
-  const Real share = static_cast<Real>(shown.ids.size()) / static_cast<Real>(std::max<std::int64_t>(1, shown.n_points));
-  return {source.mesh ? typical_cell_size(*source.mesh) : 4.0 * shown.point_size,
-      0.5 * shown.point_size * std::sqrt(share)};
-}
-
 LinesOfFrames surfaces_of(const Source& source, const ShownRun& shown)
 {
   const Real step = std::exp2(std::floor(std::log2(shown.x.step)));  // bits of nothing but rounding cost much
   LinesOfFrames surfaces;
   for (const std::size_t k : shown.frames) {
-    std::vector<float> line = surface_line(source.frames.places(k), columns_of(source, shown));
+    std::vector<float> line = source.surfaces[k];
     for (float& v : line) v = static_cast<float>(std::round(v / step) * step);
     surfaces.add(line);
   }

@@ -91,8 +91,8 @@ std::vector<float> read_values(
   return values;
 }
 
-/// Finite values of every frame, about a million of them, ascending.
-std::vector<float> sorted_sample(const Values& values)
+/// Finite values of every frame, about a million of them.
+std::vector<float> sample_of(const Values& values)
 {
   const std::size_t total = values.size() * values[0].size(), stride = total / 1'000'000 + 1;
   std::vector<float> sample;
@@ -100,13 +100,16 @@ std::vector<float> sorted_sample(const Values& values)
   for (const auto& frame : values)
     for (const float v : frame)
       if (k++ % stride == 0 && std::isfinite(v)) sample.push_back(v);
-  std::ranges::sort(sample);
   return sample;
 }
 
-Real quantile(const std::vector<float>& sorted, Real part)
+/// Brings values into another order.
+Real quantile(std::vector<float>& values, Real part)
 {
-  return sorted.empty() ? 0.0 : sorted[static_cast<std::size_t>(part * static_cast<Real>(sorted.size() - 1))];
+  if (values.empty()) return 0.0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<Real>(values.size() - 1));
+  std::ranges::nth_element(values, at);
+  return *at;
 }
 
 /// The next number of the kind a colour scale ends well with.
@@ -126,20 +129,20 @@ Real end_of_strain_scale(const Values& values)
   std::vector<float> sheared;
   for (const float v : values.back())
     if (v > strained) sheared.push_back(v);
-  std::ranges::sort(sheared);
   return round_up(sheared.empty() ? strained : quantile(sheared, 0.75));
 }
 
-void set_colour_range(ShownField& field, const Values& values, const std::vector<float>& sorted)
+void set_colour_range(ShownField& field, const Values& values)
 {
-  const Real low = quantile(sorted, 0.01), high = quantile(sorted, 0.99);
+  std::vector<float> sample = sample_of(values);
+  const Real low = quantile(sample, 0.01), high = quantile(sample, 0.99);
   if (field.name.starts_with("eps_")) {
     field.high = end_of_strain_scale(values);
   } else if (field.kind == "diverging") {
     field.high = round_up(std::max(std::abs(low), std::abs(high)));
     field.low = -field.high;
   } else if (field.kind == "category") {
-    field.high = sorted.empty() ? 0.0 : sorted.back();
+    field.high = sample.empty() ? 0.0 : *std::ranges::max_element(sample);
   } else {
     field.high = round_up(high);
     field.low = low < 0.0 ? -round_up(-low) : 0.0;
@@ -159,7 +162,7 @@ ShownField make_field(const Recipe& recipe, const Values& values, std::optional<
 {
   ShownField field{
       .name = recipe.name, .symbol = recipe.symbol, .label = recipe.label, .unit = recipe.unit, .kind = recipe.kind};
-  set_colour_range(field, values, sorted_sample(values));
+  set_colour_range(field, values);
   if (high) field.high = *high;
   Real lo = std::numeric_limits<Real>::infinity(), hi = -lo;
   for (const auto& frame : values)
@@ -195,7 +198,6 @@ std::optional<Real> end_of_strength_scale(const Values& values)
   for (std::size_t p = 0; p < first.size(); ++p)
     if (values.back()[p] < softened_to * first[p]) softened.push_back(first[p]);
   if (static_cast<Real>(softened.size()) < few_softened * static_cast<Real>(first.size())) return std::nullopt;
-  std::ranges::sort(softened);
   return round_up(quantile(softened, 0.99));
 }
 
@@ -263,13 +265,14 @@ Real spacing_of(const Frames& frames, const std::vector<std::uint32_t>& ids)
   return std::sqrt(area / static_cast<Real>(std::max<std::ptrdiff_t>(1, n)));
 }
 
-void read_places(const Frames& frames, ShownRun& shown)
+void read_places(const Frames& frames, ShownRun& shown, const LookAtPlaces& look)
 {
   std::vector<std::vector<Real>> x, y;
   Real inf = std::numeric_limits<Real>::infinity();
   shown.bounds = {inf, inf, -inf, -inf};
   for (const std::size_t k : shown.frames) {
     const auto places = frames.places(k);
+    look(shown, places);
     x.emplace_back();
     y.emplace_back();
     for (const std::size_t id : shown.ids) {
@@ -291,19 +294,32 @@ void read_places(const Frames& frames, ShownRun& shown)
   }
 }
 
-/// Whether a point has gone as far as it is from where the first frame has it, to the rounding of places.
-bool follows_from_places(const ShownRun& shown, const Values& displacements)
+/// How far the points are from where the first frame has them [m]; NaN where one of both has no soil.
+std::vector<float> distances(const ShownRun& shown, std::size_t f)
 {
+  std::vector<float> gone(shown.ids.size(), std::numeric_limits<float>::quiet_NaN());
+  const Codes &x = shown.x_codes[f], &y = shown.y_codes[f], &x0 = shown.x_codes[0], &y0 = shown.y_codes[0];
+  for (std::size_t p = 0; p < gone.size(); ++p)
+    if (x[p] != no_value && x0[p] != no_value)
+      gone[p] = static_cast<float>(std::hypot(shown.x.step * (x[p] - x0[p]), shown.y.step * (y[p] - y0[p])));
+  return gone;
+}
+
+/// Whether displacements are these distances, to the rounding of places: in a few frames, as bodies are all that there
+/// is from the start.
+bool follow_from_places(const Frames& frames, const Recipe& recipe, const ShownRun& shown)
+{
+  for (const Codes& x : shown.x_codes)
+    for (std::size_t p = 0; p < x.size(); ++p)
+      if (x[p] != no_value && shown.x_codes[0][p] == no_value) return false;
   const Real most = 1.5 * std::max(shown.x.step, shown.y.step);
-  const Codes &x0 = shown.x_codes[0], &y0 = shown.y_codes[0];
-  for (std::size_t f = 0; f < shown.frames.size(); ++f)
-    for (std::size_t p = 0; p < shown.ids.size(); ++p) {
-      const std::uint16_t x = shown.x_codes[f][p], y = shown.y_codes[f][p];
-      const bool is_there = x != no_value || y != no_value, began = x0[p] != no_value || y0[p] != no_value;
-      if (!is_there) continue;
-      const Real gone = std::hypot(shown.x.step * (x - x0[p]), shown.y.step * (y - y0[p]));
-      if (!began || !(std::abs(gone - displacements[f][p]) <= most)) return false;
-    }
+  const std::size_t last = shown.frames.size() - 1;
+  for (const std::size_t f : {last, last / 2}) {
+    const std::vector<float> stored = read_values(frames, recipe, shown.frames[f], shown.ids),
+                             gone = distances(shown, f);
+    for (std::size_t p = 0; p < gone.size(); ++p)
+      if (!std::isnan(gone[p]) && !(std::abs(gone[p] - stored[p]) <= most)) return false;
+  }
   return true;
 }
 
@@ -311,12 +327,14 @@ void read_fields(const Frames& frames, ShownRun& shown)
 {
   for (const Recipe& recipe : all_recipes(frames)) {
     Values values;
-    for (const std::size_t k : shown.frames) values.push_back(read_values(frames, recipe, k, shown.ids));
+    const bool of_places = recipe.name == "displacement" && follow_from_places(frames, recipe, shown);
+    for (std::size_t f = 0; f < shown.frames.size(); ++f)
+      values.push_back(of_places ? distances(shown, f) : read_values(frames, recipe, shown.frames[f], shown.ids));
     const auto high = recipe.name == "su" ? end_of_strength_scale(values) : std::nullopt;
     ShownField& field = shown.fields.emplace_back(make_field(recipe, values, high));
     const bool never_changes = std::ranges::all_of(field.frames, [&](const Codes& c) { return c == field.frames[0]; });
     if (recipe.kind == "category" && never_changes) field.frames.resize(1);
-    if (recipe.name == "displacement" && follows_from_places(shown, values)) {
+    if (of_places) {
       field.of_places = true;
       field.frames.clear();
       const auto& b = shown.bounds;
@@ -396,7 +414,7 @@ std::size_t fewest_frames(const std::vector<ShownRun>& runs)
 
 }  // namespace
 
-ShownRun read_shown(const Frames& frames, std::int64_t n_most)
+ShownRun read_shown(const Frames& frames, std::int64_t n_most, const LookAtPlaces& look)
 {
   ShownRun shown{.n_points = frames.n_points(),
       .ids = choose_points(frames.n_points(), n_most),
@@ -404,7 +422,7 @@ ShownRun read_shown(const Frames& frames, std::int64_t n_most)
       .times = frames.times()};
   for (std::size_t k = 0; k < shown.n_frames_in_run; ++k) shown.frames.push_back(k);
   shown.point_size = spacing_of(frames, shown.ids);
-  read_places(frames, shown);
+  read_places(frames, shown, look);
   read_fields(frames, shown);
   return shown;
 }

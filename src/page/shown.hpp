@@ -5,6 +5,7 @@
 #include "page/codec.hpp"
 #include "io/results/run_results.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,12 @@ struct ShownRun {
   std::array<Real, 4> bounds{};  ///< of the points shown in all frames: low x, low y, high x, high y [m]
 };
 
+/// Called with the places of all points, frame after frame, once the points that are shown are chosen.
+using LookAtPlaces = std::function<void(const ShownRun&, const std::vector<Real>& places)>;
+
 /// Reads what is shown. n_most: points, by chance but always the same, if the run has more.
-ShownRun read_shown(const Frames& frames, std::int64_t n_most);
+ShownRun read_shown(
+    const Frames& frames, std::int64_t n_most, const LookAtPlaces& look = [](const auto&, const auto&) {});
 
 /// Size of the codes of the runs after gzip, from a part of the points [bytes].
 std::size_t estimate_bytes(const std::vector<ShownRun>& runs);

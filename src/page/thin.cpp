@@ -65,6 +65,22 @@ std::vector<std::size_t> missed(const std::vector<const ShownRun*>& runs)
 
 }  // namespace
 
+std::vector<Real> moments_of(const Summary& summary)
+{
+  std::vector<Real> moments;
+  for (const SlideSummary& slide : summary.slides) {
+    moments.insert(moments.end(), {slide.slide.begins, slide.slip.time});
+    if (slide.slide.stops) moments.push_back(*slide.slide.stops);
+  }
+  for (const StageSummary& stage : summary.stages)
+    moments.insert(moments.end(), {stage.record.start, stage.record.end});
+  if (summary.flood)
+    for (const auto& time : {summary.flood->first_time_damaged, summary.flood->first_time_below})
+      if (time) moments.push_back(*time);
+  std::erase_if(moments, [](Real time) { return std::isnan(time); });
+  return moments;
+}
+
 void leave_out_unmissed_frames(std::vector<ShownRun>& runs)
 {
   std::vector<bool> done(runs.size());

@@ -7,6 +7,8 @@ import unittest
 import support
 
 import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 from terp import curves, figures, geometry, plot, sections, style
 from terp.pairs import read_pair
 
@@ -124,12 +126,22 @@ class Sections(unittest.TestCase):
             self.assertAlmostEqual(ticks[1], step)
             self.assertAlmostEqual(ticks[-1], end)
 
-    def test_squares_are_about_as_wide_as_the_lattice(self):
-        figure, _ = self.draw(pair_of())
-        panel = figure.axes[0]
-        metre = panel.get_position().width * figure.get_size_inches()[0] * 72.0 / panel.get_xlim()[1]  # [pt]
-        below, above = (np.sqrt(squares.get_sizes()[0]) / (0.1 * metre) for squares in panel.collections)
-        self.assertTrue(1.0 <= above < 1.5 <= below <= 2.0, (above, below))
+    def test_squares_are_about_as_wide_as_the_lattice_and_reach_over_gaps(self):
+        figure = Figure(figsize=(1.0, 1.0), dpi=100)
+        panel = figure.add_axes([0, 0, 1, 1])
+        panel.set(xlim=(0, 10), ylim=(0, 10))  # 10 pixels per metre
+        panel.set_axis_off()
+        x = np.array([(2.0, 5.0), (3.0, 5.0), (7.0, 5.0)])
+        panel.add_collection(plot.Squares(panel, x, 1.0, facecolors=["red", "blue", "lime"]))
+        canvas = FigureCanvasAgg(figure)
+        canvas.draw()
+        row = np.asarray(canvas.buffer_rgba())[49, :, :3].tolist()
+        of = {name: [k for k, pixel in enumerate(row) if pixel == colour] for name, colour in
+              (("red", [255, 0, 0]), ("blue", [0, 0, 255]), ("lime", [0, 255, 0]))}
+        for name, left, right in (("red", 10, 25), ("blue", 25, 40), ("lime", 60, 80)):
+            self.assertEqual(len(of[name]), of[name][-1] - of[name][0] + 1, f"{name} is in one piece")
+            self.assertAlmostEqual(of[name][0], left, delta=1, msg=name)
+            self.assertAlmostEqual(of[name][-1] + 1, right, delta=1, msg=name)
 
     def test_lattice_spacing_is_the_distance_of_neighbours(self):
         self.assertAlmostEqual(plot.lattice_spacing(pair_of().gp.field("position", 0)), 0.1)

@@ -63,7 +63,7 @@ class Pictures(unittest.TestCase):
                 self.assertGreater(np.mean(last != np.array(image.convert("RGB"))), 0.01)
         section, bar = film._fig.axes
         self.assertEqual(section.get_title(), "$t$ = 4.00 s")
-        self.assertEqual(len(section.collections), 2, "the squares of one frame, in two sizes")
+        self.assertEqual(len(section.collections), 1, "the squares of one frame")
         self.assertIn("plastic deviatoric strain", bar.get_xlabel())
 
     def test_a_film_of_some_frames_shows_itself_in_a_notebook(self):

@@ -48,18 +48,21 @@ struct SoilSign {
 };
 constexpr SoilSign soil_signs[] = {{"material", true}, {"cell", true}, {"volume", false}};
 
-/// NaN where there is no soil. A frame without any of those fields does not tell: all of it counts as soil.
-void leave_out_absent(const Hdf5File& file, std::vector<Real>& rows)
+/// NaN where there is no soil; false if there is soil everywhere. A frame without any of those fields does not tell:
+/// all of it counts as soil.
+bool leave_out_absent(const Hdf5File& file, std::vector<Real>& rows)
 {
   for (const auto& [field, holds_zero] : soil_signs) {
     const std::string name = point_data + "/" + field;
     if (!file.exists(name)) continue;
     const std::vector<Real> sign = file.read<Real>(name);
     const std::size_t n = rows.size() / std::max<std::size_t>(1, sign.size());
+    bool any = false;
     for (std::size_t p = 0; p < sign.size(); ++p)
-      if (!(sign[p] > 0.0 || (holds_zero && sign[p] == 0.0))) std::fill_n(&rows[n * p], n, nan);
-    return;
+      if (!(sign[p] > 0.0 || (holds_zero && sign[p] == 0.0))) any = true, std::fill_n(&rows[n * p], n, nan);
+    return any;
   }
+  return false;
 }
 
 }  // namespace
@@ -118,6 +121,7 @@ void Frames::add_frame(std::int64_t number)
 
 void Frames::leave_out_damaged()
 {
+  all_soil_.clear();
   for (std::size_t k = 0; k < numbers_.size();) {
     const std::string path = path_in(folder_, frame_file(point_frames, numbers_[k]));
     try {
@@ -167,7 +171,8 @@ std::vector<Real> Frames::read_rows(const std::string& name, int n_components, s
   if (std::ssize(rows) != n_points_ * n_components)
     throw FileError(fmt::format("cannot read {} in {}: it has {} values, {} points of {} are due", name, path,
         rows.size(), n_points_, n_components));
-  leave_out_absent(file, rows);
+  all_soil_.resize(numbers_.size());
+  if (!all_soil_[k]) all_soil_[k] = !leave_out_absent(file, rows);
   return rows;
 }
 

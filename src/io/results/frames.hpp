@@ -63,6 +63,7 @@ class Frames {
   std::vector<std::int64_t> steps_;
   std::vector<ResultField> fields_;
   std::vector<Sentence> warnings_;
+  mutable std::vector<bool> all_soil_;  ///< whether a reading of a frame has seen so
 };
 
 /// Whether there is soil of point p. places: of a frame.
