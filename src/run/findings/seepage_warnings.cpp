@@ -31,13 +31,23 @@ std::array<Real, 2> heights_of(const SeepageSection& section, EdgeKind kind)
   return range;
 }
 
-/// Free water that ends over ground which lies below its level would run off.
+/// Highest place of a wall at an x [m]; minus infinity: none stands there.
+Real wall_at(const SeepageSection& section, Real x)
+{
+  Real top = -std::numeric_limits<Real>::infinity();
+  for (const Side& wall : section.walls)
+    if (std::min(wall.a[0], wall.b[0]) <= x && x <= std::max(wall.a[0], wall.b[0]))
+      top = std::max({top, wall.a[1], wall.b[1]});
+  return top;
+}
+
+/// Free water that ends over ground which lies below its level would run off, if no wall holds it.
 void find_open_end(
     const SeepageSection& section, const PondCase& pond, const std::string& key, std::vector<Problem>& warnings)
 {
   constexpr Real little = 0.05;  // of levels that are drawn by hand [m]
   for (const Real x : {pond.from, pond.to}) {
-    const Real ground = ground_over(section, x);
+    const Real ground = std::max(ground_over(section, x), wall_at(section, x));
     const bool is_end = x < section.left + section.cell || x > section.right - section.cell;
     if (is_end || !std::isfinite(ground) || pond.level <= ground + little) continue;
     warnings.push_back({key, "the pond ends where the ground lies below its level",
