@@ -10,13 +10,14 @@
 #include "mpm/step/workspace.hpp"
 #include "os/say.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 
 namespace terp {
 namespace {
 
-constexpr std::int64_t fewest_trial_steps = 20;
+constexpr std::int64_t fewest_steps = 5, most_needed = 20;  // of a trial: as many as points move a million times
 constexpr double failing = 1.2;  // steps of a run over those of its trial: soil that fails returns to the yield surface
 
 }  // namespace
@@ -28,13 +29,15 @@ double time_a_step(Simulation& s, double trial_seconds)
     if (const StepsMade made = make_steps(s.model, s.state, s.work, policy); made.end == LoopEnd::fault)
       throw RunError(made.fault);
   };
-  make({.most_steps = 5});  // warm caches, wake threads
+  make({.most_steps = 2});  // warm caches, wake threads
+  const std::int64_t needed = std::clamp<std::int64_t>(
+      1'000'000 / std::max<std::int64_t>(s.state.points.n_points(), 1), fewest_steps, most_needed);
   const auto start = Clock::now();
   double seconds = 0.0;
   std::int64_t n = 0;
   make({.most_steps = s.model.n_steps, .after_step = [&] {
           seconds = std::chrono::duration<double>(Clock::now() - start).count();
-          return ++n < fewest_trial_steps || seconds < trial_seconds;
+          return ++n < needed || seconds < trial_seconds;
         }});
   return seconds / static_cast<double>(n);
 }

@@ -7,7 +7,7 @@ namespace terp {
 
 /// Time of a step [s], mean over about `seconds` of steps actually made. Throws RunError if the run stops itself in
 /// them.
-double time_a_step(Simulation& simulation, double seconds = 1.0);
+double time_a_step(Simulation& simulation, double seconds = 0.2);
 
 /// Time of the run with its output [s]; 0 where its first steps already fail.
 double expected_seconds(Simulation& simulation, double trial_seconds);

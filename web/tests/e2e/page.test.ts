@@ -384,13 +384,13 @@ describe("the page", () => {
       Object.assign(run!.events!.flood!, { verdict: "stands", first_time_damaged: null }); // as an older terp wrote it
       run!.events!.slides = [];
       run!.events!.moved_fraction = 0;
-      run!.summary.reached_sides = [{ side: "right", time: 2, rose: false }];
+      run!.summary.findings = [{ id: "side", en: "Soil came to the side `right`.", nl: "Grond bereikte de rand `right`.", see: "" }];
     }));
     expect(await page.getByRole("heading", { name: "No verdict yet: not at its end" }).count()).toBe(1);
     expect(await page.locator("article.verdict").getAttribute("class")).toContain("running");
     const words = await page.locator("main").innerText();
     expect(words).toContain("so far, to 3.00");
-    expect(words).toContain("Soil came to the side “right” of the mesh at 2.00");
+    expect(words).toContain("Soil came to the side “right”.");
     expect(words).not.toMatch(/stands\b.*at the end|The soil holds/);
     expect(await state<string>(page, "field")).toBe("material");
     await page.context().close();
