@@ -342,16 +342,20 @@ void add_followers(Measures& all, const std::vector<RunResults>& runs)
           const auto found = std::ranges::find(there, name, &FootingSummary::name);
           return found == there.end() || summary_is_behind(run) ? std::nullopt : finite(1e-3 * found->largest);
         }});
+  const auto known = [](Run run, std::string_view name) -> Value {
+    const auto found = run.summary.values.numbers.find(name);
+    const bool is_known = found != run.summary.values.numbers.end() && !summary_is_behind(run);
+    return is_known ? finite(found->second) : std::nullopt;
+  };
   for (const FollowerType* type : all_followers())
-    for (const QuantityInfo& info : type->summary)
+    for (const QuantityInfo& info : type->summary) {
+      const auto has_none = [&](Run run) { return !known(run, info.name); };
+      if (!runs.empty() && std::ranges::all_of(runs, has_none)) continue;  // such as water in a dry case
       all.push_back({.name = info.is_input ? "" : std::string(info.name),
           .label = std::string(info.label),
           .unit = std::string(info.unit),
-          .value = [name = info.name](Run run) -> Value {
-            const auto found = run.summary.values.numbers.find(name);
-            const bool is_known = found != run.summary.values.numbers.end() && !summary_is_behind(run);
-            return is_known ? finite(found->second) : std::nullopt;
-          }});
+          .value = [known, name = info.name](Run run) { return known(run, name); }});
+    }
 }
 
 void add_cost(Measures& all)
