@@ -20,6 +20,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <tuple>
 
 namespace terp {
 
@@ -98,6 +99,12 @@ void refuse_idle_options(const ExportCommand& command)
   if (command.stix.empty() && command.tolerance > 0.0)
     throw CaseError(
         "error: --tolerance has no effect without --stix\n  It is that of the outlines in the D-Stability file.\n");
+  const auto form_of = [](const std::string& path) { return path.substr(std::min(path.rfind('.'), path.size())); };
+  for (const auto& [option, path, form] : {std::tuple{"--dxf", command.dxf, ".dxf"},
+           std::tuple{"--profile", command.profile, ".csv"}, std::tuple{"--stix", command.stix, ".stix"}})
+    for (const char* other : {".dxf", ".csv", ".stix"})
+      if (form_of(path) == other && other != std::string_view(form))
+        throw CaseError(fmt::format("error: {} writes a file *{}, not {}\n", option, form, printable(path)));
 }
 
 int export_run(const ExportCommand& command)
