@@ -414,7 +414,13 @@ class SectionDrawing : SectionWater {
 
 std::string draw_section(const Model& model, const State& state, const SectionOverlay& overlay)
 {
-  return SectionDrawing(model, state, overlay).draw();
+  SectionOverlay::Curves walls{.colour = std::string(ink), .words = "wall that lets no water through"};
+  for (const WallCase& wall : model.description.water.walls)
+    for (std::size_t k = 0; k + 1 < wall.line.size(); ++k) walls.pieces.push_back({wall.line[k], wall.line[k + 1]});
+  if (walls.pieces.empty()) return SectionDrawing(model, state, overlay).draw();
+  SectionOverlay with_walls = overlay;
+  with_walls.curves.push_back(std::move(walls));
+  return SectionDrawing(model, state, with_walls).draw();
 }
 
 }  // namespace terp

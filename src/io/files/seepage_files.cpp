@@ -123,7 +123,6 @@ void SeepageFiles::write_picture(
     overlay.curves.push_back({lines_of_equal(mesh_, section_, water, stream_function(mesh_, water, band), step),
         "#1f3fa8", fmt::format("flow line, {:.2g} m2/day between two", step * day)});
   }
-  if (!section_.walls.empty()) overlay.curves.push_back({section_.walls, "#111827", "wall"});
   write(file_name("seepage", name, "svg"), draw_section(simulation.model, simulation.state, overlay));
 }
 
