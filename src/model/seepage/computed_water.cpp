@@ -122,7 +122,6 @@ SeepageSection seepage_section(const Case& whole, const SharedMesh& mesh)
   model.description = case_of_stage(whole, 0);
   std::vector<Problem> problems;
   SeepageSection section;
-  section.walled = with_walls(mesh, whole.water.walls);
   for (const WallCase& wall : whole.water.walls)
     for (std::size_t k = 0; k + 1 < wall.line.size(); ++k) section.walls.push_back({wall.line[k], wall.line[k + 1]});
   const std::vector<BodyOutline> outlines = outlines_of(model);
@@ -152,6 +151,7 @@ SeepageSection seepage_section(const Case& whole, const SharedMesh& mesh)
         "material.permeability", false, {"water.model"}});
   if (!problems.empty()) throw InputError(std::move(problems));
   for (const BodyOutline& outline : section.outlines) section.sides.push_back(outline_sides(*mesh, outline));
+  section.walled = with_walls(mesh, whole.water.walls, [&](Vec<2> x) { return section.soil_at(x).has_value(); });
   section.edges = surface_of(*mesh, section.outlines);
   section.left = std::numeric_limits<Real>::infinity(), section.right = no_level;
   for (const SoilEdge& edge : section.edges)

@@ -16,7 +16,7 @@ namespace {
 constexpr Real beta = 10.0;           // of Nitsche's penalty
 constexpr std::size_t remembers = 6;  // steps of Anderson's mixing
 constexpr Real mixing = 0.5;
-constexpr Real least_flow = 1e-9;         // of k times the height: below it nothing flows
+constexpr Real least_flow = 1e-7;         // of k times the height: below it nothing flows
 constexpr int changes_allowed = 12;       // of a place of a seepage face before it stays as it is
 constexpr int permeability_settles = 10;  // iterations after which that of the surface only falls
 constexpr Real balance_bound = 5e-4, misfit_bound = 1e-3;

@@ -59,7 +59,8 @@ std::vector<UpliftPlace> uplift_over_land(
   const bool river_left = !situation.seepage.river || situation.seepage.river->side == SectionSide::left;
   auto crest = static_cast<Index>(std::ranges::max_element(ground) - ground.begin());
   if (situation.seepage.river) {  // beyond its reach, whatever stands on the land
-    const auto& river = FreeWaterLevels(section, situation.seepage).stretches()[0];
+    const FreeWaterLevels levels(section, situation.seepage);
+    const auto& river = levels.stretches()[0];
     const Real end = (river_left ? river.to : river.from) - columns.left;
     crest = static_cast<Index>(std::clamp(std::floor(end / columns.width), 0.0, columns.n - 1.0));
   }

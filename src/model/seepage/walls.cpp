@@ -62,8 +62,24 @@ void add_sides(const Mesh<2>& mesh, Vec<2> a, Vec<2> b, const std::string& path,
   if (covered.empty()) refuse_place(mesh, path, a);
 }
 
-/// The cells about a node in groups that hang together by sides without a wall; by place in mesh.cells_of_node.
-std::vector<int> groups_about(const Mesh<2>& mesh, Index node, const Sides& walls)
+bool holds_soil(const Mesh<2>& mesh, Index cell, const std::function<bool(Vec<2>)>& has_soil)
+{
+  constexpr int n = 8;
+  const auto corners = mesh.corners(cell);
+  for (int i = 0; i < n * n; ++i) {
+    const auto N = Quad4::shape_functions(std::array{-1.0 + 2.0 * (i % n + 0.5) / n, -1.0 + 2.0 * (i / n + 0.5) / n});
+    Vec<2> x{0.0, 0.0};
+    for (int c = 0; c < Quad4::n_corners; ++c)
+      for (int d = 0; d < 2; ++d) x[d] += N[c] * corners[c][d];
+    if (has_soil(x)) return true;
+  }
+  return false;
+}
+
+/// The cells about a node in groups that hang together by sides without a wall, and by soil; by place in
+/// mesh.cells_of_node. Cells without soil belong to the first group.
+std::vector<int> groups_about(
+    const Mesh<2>& mesh, Index node, const Sides& walls, const std::function<bool(Vec<2>)>& has_soil)
 {
   const std::span cells(mesh.cells_of_node.begin() + mesh.first_cell_of_node[node],
       mesh.cells_of_node.begin() + mesh.first_cell_of_node[node + 1]);
@@ -73,7 +89,9 @@ std::vector<int> groups_about(const Mesh<2>& mesh, Index node, const Sides& wall
              !walls.contains(side_between(node, other));
     });
   };
-  std::vector<int> group(cells.size(), -1);
+  std::vector<int> group(cells.size(), 0);
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    if (holds_soil(mesh, cells[k].cell, has_soil)) group[k] = -1;
   int n = 0;
   for (std::size_t first = 0; first < cells.size(); ++first) {
     if (group[first] >= 0) continue;
@@ -108,7 +126,8 @@ std::vector<Real> WalledMesh::joined(std::span<const Real> values) const
   return sum;
 }
 
-WalledMesh with_walls(const SharedMesh& mesh, std::span<const WallCase> walls)
+WalledMesh with_walls(
+    const SharedMesh& mesh, std::span<const WallCase> walls, const std::function<bool(Vec<2>)>& has_soil)
 {
   WalledMesh walled{.mesh = mesh, .twins = {}};
   if (walls.empty()) return walled;
@@ -120,7 +139,7 @@ WalledMesh with_walls(const SharedMesh& mesh, std::span<const WallCase> walls)
   for (const auto& side : sides) nodes.insert(side.begin(), side.end());
   auto split = std::make_shared<Mesh<2>>(*mesh);
   for (const Index node : nodes) {
-    const std::vector<int> group = groups_about(*mesh, node, sides);
+    const std::vector<int> group = groups_about(*mesh, node, sides, has_soil);
     const Index first = mesh->first_cell_of_node[node];
     const int n_groups = 1 + std::ranges::max(group);
     for (int g = 1; g < n_groups; ++g) {

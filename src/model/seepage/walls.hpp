@@ -5,6 +5,7 @@
 #include "model/water/water_case.hpp"
 #include "mpm/mesh/mesh.hpp"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,9 @@ struct WalledMesh {
   std::vector<Real> joined(std::span<const Real> values) const;
 };
 
-/// Throws InputError where a wall does not run along sides of cells.
-WalledMesh with_walls(const SharedMesh& mesh, std::span<const WallCase> walls);
+/// has_soil: of a place; cells without soil do not join the sides of a wall that ends at the ground. Throws InputError
+/// where a wall does not run along sides of cells.
+WalledMesh with_walls(
+    const SharedMesh& mesh, std::span<const WallCase> walls, const std::function<bool(Vec<2>)>& has_soil);
 
 }  // namespace terp

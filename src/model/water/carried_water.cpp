@@ -156,15 +156,15 @@ struct Stretch {
 
 /// Where the river at an end of the section stops: at the highest ground that is left, as water that flows over is not
 /// simulated. Not where the whole section is drawn below water. from: a stretch that is drawn below water.
-Stretch reach_of_river(Stretch from, const Elevations& ground)
+Stretch reach_of_river(Stretch from, const Elevations& ground, const Elevations& walls)
 {
   const auto n = static_cast<Index>(ground.size());
   const bool left = from.first == 0, right = from.last == n - 1;
   if (left == right) return {0, n - 1};  // a pond, or all
-  const auto highest = [&](Index first, Index last) {
-    return static_cast<Index>(std::max_element(ground.begin() + first, ground.begin() + last + 1) - ground.begin());
-  };
-  return left ? Stretch{0, highest(0, n - 1)} : Stretch{highest(0, n - 1), n - 1};
+  const auto highest = static_cast<Index>(std::ranges::max_element(ground) - ground.begin());
+  const auto wall = static_cast<Index>(std::ranges::max_element(walls) - walls.begin());
+  const bool at_wall = walls[wall] > ground[highest];
+  return left ? Stretch{0, at_wall ? wall : highest} : Stretch{at_wall ? wall + 1 : highest, n - 1};
 }
 
 /// What the columns have, at the nodes: from the middles of the two columns that hold soil, or water, on both sides.
@@ -283,7 +283,8 @@ CarriedWater see(const Model& model, const StepState& state, const WaterState& w
     level[k] = std::lerp(drawn.levels[way.from][k], drawn.levels[way.to][k], way.share);
   Elevations ground = ground_now;
   for (std::size_t k = 0; k < n; ++k) ground[k] += soil.gained(static_cast<Index>(k)) / drawn.columns.width;
-  const Elevations free = free_water(level, drawn.ground, ground);
+  const Elevations free =
+      free_water(level, drawn.ground, ground, walls_between(drawn.columns, model.description.water.walls));
   for (std::size_t k = 0; k < n; ++k)
     table[k] = std::max(free[k], ground[k] > nowhere ? soil.table(static_cast<Index>(k), ground[k]) : nowhere);
   CarriedWater carried = at_nodes(*model.mesh, drawn.columns, soil, share, table, ground);
@@ -319,8 +320,8 @@ CarriedWater see(const Model& model, const StepState& state, const WaterState& w
 
 }  // namespace
 
-std::vector<Real> free_water(
-    const std::vector<Real>& level, const std::vector<Real>& drawn_ground, const std::vector<Real>& ground)
+std::vector<Real> free_water(const std::vector<Real>& level, const std::vector<Real>& drawn_ground,
+    const std::vector<Real>& ground, const std::vector<Real>& walls)
 {
   const auto n = static_cast<Index>(level.size());
   Elevations free(level.size(), nowhere);
@@ -330,19 +331,32 @@ std::vector<Real> free_water(
     Index b = a;
     Real lowest = level[a];
     for (; b + 1 < n && is_drawn(b + 1); ++b) lowest = std::min(lowest, level[b + 1]);
-    const Stretch reach = reach_of_river({a, b}, ground);
+    const Stretch reach = reach_of_river({a, b}, ground, walls);
     const auto enter = [&](Index k, Real at) {
       if (k < reach.first || k > reach.last || !(ground[k] < at)) return false;
       free[k] = std::max(free[k], at);
       return true;
     };
     for (Index k = a; k <= b; ++k) enter(k, level[k]);
-    for (Index k = b + 1; k < n && enter(k, lowest);) ++k;
-    for (Index k = a; k-- > 0 && enter(k, lowest);) {
+    for (Index k = b + 1; k < n && walls[k - 1] < lowest && enter(k, lowest);) ++k;
+    for (Index k = a; k-- > 0 && walls[k] < lowest && enter(k, lowest);) {
     }
     a = b;
   }
   return free;
+}
+
+std::vector<Real> walls_between(const Columns& columns, std::span<const WallCase> walls)
+{
+  std::vector<Real> tops(static_cast<std::size_t>(columns.n), nowhere);
+  for (const WallCase& wall : walls)
+    for (std::size_t k = 0; k + 1 < wall.line.size(); ++k) {
+      const Vec<2>&a = wall.line[k], &b = wall.line[k + 1];
+      const auto column = [&](Real x) { return about(columns, x).first; };
+      for (Index c = column(std::min(a[0], b[0])); c <= column(std::max(a[0], b[0])); ++c)
+        tops[static_cast<std::size_t>(c)] = std::max({tops[static_cast<std::size_t>(c)], a[1], b[1]});
+    }
+  return tops;
 }
 
 void look_at_soil(const Model& model, StepState& state)

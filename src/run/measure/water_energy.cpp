@@ -16,6 +16,7 @@
 namespace terp {
 namespace {
 
+constexpr std::int64_t first_judged = 20;  // step from which on the work is more than a swing
 constexpr int per_cell = 4;  // columns of ground in the width of a cell: no narrower than points lie apart
 
 /// To which the mesh reaches down in the middle of each column, or at its end where that lies beyond it [m].
@@ -88,7 +89,7 @@ Look look_at_water(const Model& model, const State& state)
     level.push_back(std::lerp(drawn.levels[way.from][of], drawn.levels[way.to][of], way.share));
     drawn_ground.push_back(drawn.ground[of]);
   }
-  look.free = free_water(level, drawn_ground, look.ground);
+  look.free = free_water(level, drawn_ground, look.ground, walls_between(columns, model.description.water.walls));
   const PorePressure pore = water_at(model, state);
   look.pressure = pore.pressure;
   for (std::size_t i = 0; i < pore.suction.size(); ++i) look.pressure[i] -= pore.suction[i];
@@ -152,7 +153,7 @@ class WaterEnergy : public Follower {
         supply_ += given_by_free_water(c.model, before, last_);
         volume_ += energy_in_soil(c.model, c.state, before.pressure) - in_soil;
       }
-      most_ = std::max(most_, c.state.work.outer[outer_water] - supply_ - volume_);
+      if (c.state.step >= first_judged) most_ = std::max(most_, c.state.work.outer[outer_water] - supply_ - volume_);
     }
     values[0] = supply_, values[1] = volume_;
   }

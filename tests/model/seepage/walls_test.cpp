@@ -59,9 +59,20 @@ TEST(Walls, HaveTheMeanHeadOfBothSidesAtTheirNodesInASituation)
   EXPECT_LT(situation.formula({81.0, 17.5}, 0.0), 23.0);
 }
 
+TEST(Walls, ThatEndAtTheGroundDoNotLeakThroughTheEmptyCellsAboveIt)
+{
+  Case c = sheet_pile(10.0, 1.25);
+  const SeepageSection high = seepage_section(c, mesh_of(c));
+  c.water.walls[0].line[0][1] = 20.0;
+  const SeepageSection low = seepage_section(c, mesh_of(c));
+  EXPECT_DOUBLE_EQ(water_of(c, low).flow.outflow[2], water_of(c, high).flow.outflow[2]);
+}
+
 TEST(Walls, ThatCloseALayerLetNothingThrough)
 {
-  const Case c = sheet_pile(20.0, 1.25);
+  Case c = sheet_pile(20.0, 1.25);
+  c.materials[0].permeability = {1e-4, 1e-4};
+  c.water.walls[0].line[0][1] = 31.0;
   const SeepageSection section = seepage_section(c, mesh_of(c));
   const ComputedWater water = water_of(c, section);
   EXPECT_NEAR(water.flow.outflow[1], 0.0, 1e-14);
