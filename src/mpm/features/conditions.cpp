@@ -48,6 +48,8 @@ bool is_smooth(const NodeSide& side) { return side.action.along == Along::free; 
 /// Acts across itself whatever the node does, and leaves it to others along itself.
 bool stops(const NodeSide& side) { return side.action.across == Across::prescribed && !is_fixed(side); }
 
+bool opens(const NodeSide& side) { return side.action.across == Across::opens; }
+
 /// Velocity across a side that it prescribes [m/s].
 Real prescribed_across(const NodeSide& side) { return is_smooth(side) ? dot(side.velocity, side.normal) : 0.0; }
 
@@ -64,7 +66,7 @@ void order_and_join(NodeCondition& c)
 {
   if (c.n == 2 && !is_contact(c.sides[0]) && is_contact(c.sides[1])) std::swap(c.sides[0], c.sides[1]);
   const bool across = c.n == 2 && std::abs(dot(c.sides[0].normal, c.sides[1].normal)) < straight;
-  c.corner = across && !is_fixed(c.sides[0]) && !is_fixed(c.sides[1]);
+  c.corner = across && std::ranges::all_of(c.sides, [](const NodeSide& side) { return stops(side) || opens(side); });
   if (c.n == 2 && !across && is_contact(c.sides[0]) &&
       is_contact(c.sides[1])) {  // parts of a base with different conditions share the push
     const Real length = c.sides[0].half_length + c.sides[1].half_length;
@@ -90,7 +92,8 @@ Acting acting_on(const NodeCondition& c, Vec<2> w, Acting must, std::array<Real,
 {
   std::array<Real, 2> push{};
   for (int k = 0; k < c.n; ++k) push[k] = dot(w, c.sides[k].normal) - prescribed[k];
-  if (!c.corner) return {c.n > 0 && (must[0] || !(push[0] < 0.0)), c.n > 1 && (must[1] || !(push[1] < 0.0))};
+  const auto acts = [&](int k) { return must[k] || (opens(c.sides[k]) && !(push[k] < 0.0)); };
+  if (!c.corner) return {c.n > 0 && acts(0), c.n > 1 && acts(1)};
   const Real cosine = dot(c.sides[0].normal, c.sides[1].normal);
   const Acting beside_other = {
       must[0] || push[0] - cosine * push[1] > 0.0, must[1] || push[1] - cosine * push[0] > 0.0};
@@ -131,7 +134,7 @@ Real unused_strength(const NodeCondition& c, Acting acts, Vec<2> reaction, Real 
   for (int k = 0; k < c.n; ++k) {
     const NodeSide& side = c.sides[k];
     const Real push = -dot(reaction, side.normal);
-    if (!acts[k] || !is_contact(side) || (side.action.across == Across::opens && !(push > 0.0))) continue;
+    if (!acts[k] || !is_contact(side) || (opens(side) && !(push > 0.0))) continue;
     strength += side.action.strength(side, push) / at_strength;
     along = std::hypot(reaction[0] + push * side.normal[0], reaction[1] + push * side.normal[1]);
   }
@@ -148,7 +151,7 @@ void stop_across(const NodeSide& side, Vec<2>& v)
 bool acted(const NodeCondition& c, int k, Vec<2> v_1, Vec<2> reaction)
 {
   if (stops(c.sides[k])) return true;
-  if (!(dot(reaction, c.sides[k].normal) < 0.0)) return false;
+  if (!opens(c.sides[k]) || !(dot(reaction, c.sides[k].normal) < 0.0)) return false;
   return !c.corner || std::abs(dot(v_1, c.sides[k].normal)) < std::abs(dot(v_1, c.sides[1 - k].normal));
 }
 

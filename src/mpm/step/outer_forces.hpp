@@ -1,7 +1,6 @@
 // Forces beside gravity and Eq. (4) that enter at the corners of cells: loads, water, the slope of the pressure within
-// the cells (mpm/features/pressure_balance.hpp). Each kind has a work of its own in
-// the ledger. A new kind is a word here, what fills its corners in each step (features), and its work in `balance`
-// (ledger.cpp).
+// the cells (mpm/features/pressure_balance.hpp). Each kind has a work of its own in the ledger. A new kind is a word
+// here, what fills its corners in each step (features), and its work in `balance` (ledger.cpp).
 #pragma once
 
 #include "mpm/kernels/cell_sums.hpp"
@@ -11,7 +10,8 @@
 
 namespace terp {
 
-enum OuterKind { outer_load, outer_water, outer_balance, n_outer_kinds };
+/// Those of the world around the soil, then those of the method.
+enum OuterKind { outer_load, outer_water, n_kinds_around, outer_balance = n_kinds_around, n_outer_kinds };
 
 /// Of one kind, in one step.
 struct OuterForces {

@@ -35,11 +35,17 @@ struct WorkTotals {
     return sum;
   }
   /// What the soil was given by what is not part of the method, as far as that can be known without it.
-  Real outside() const { return gravity + boundary + clamps + outer[outer_load] + outer[outer_water]; }
+  Real outside() const
+  {
+    Real sum = gravity + boundary + clamps;
+    for (int kind = 0; kind < n_kinds_around; ++kind) sum += outer[kind];
+    return sum;
+  }
   Real size_of_outside() const
   {
-    return std::abs(gravity) + std::abs(boundary) + std::abs(clamps) + std::abs(outer[outer_load]) +
-           std::abs(outer[outer_water]);
+    Real sum = std::abs(gravity) + std::abs(boundary) + std::abs(clamps);
+    for (int kind = 0; kind < n_kinds_around; ++kind) sum += std::abs(outer[kind]);
+    return sum;
   }
   /// What the points and the slip of soils took more than the nodes gave.
   Real transfer() const { return taken + internal + slip; }

@@ -41,4 +41,13 @@ TEST(Explain, HasAMeaningForEveryKeyAndSection)
   for (const SectionInfo& section : all_sections()) EXPECT_GT(section.meaning.size(), 10u) << section.path;
 }
 
+TEST(Explain, KnowsTheSectionOfEveryKey)
+{
+  for (const KeyInfo& key : all_keys()) {
+    const std::string section = key.path.substr(0, key.path.rfind('.'));
+    if (section == key.path || section == "boundary.SIDE") continue;
+    EXPECT_NE(find_section(section), nullptr) << key.path;
+  }
+}
+
 }  // namespace explain_test
