@@ -253,7 +253,7 @@ Summary summarise(const Model& model, const State& state)
   s.strength_water = strength_water_of(model.description);
   s.v_999 = state.largest_v_999;
   for (const ActiveFollower& active : state.followers) active.follower->summarise(model, state, s);
-  s.findings = find_doubts(model, s);
+  s.findings = findings_against(model, s);
   return s;
 }
 

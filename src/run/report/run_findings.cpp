@@ -39,10 +39,8 @@ constexpr SentenceForm small_margin{
     "beslissen."};
 constexpr SentenceForm energy{"Nothing explains {:.2g} % of the energy that came from outside.",
     "Niets verklaart {:.2g} % van de energie die van buiten kwam."};
-constexpr SentenceForm water{
-    "The water did work of {:.2g} % of the energy from outside that no water gives: it stays where soil has gone.",
-    "Het water leverde arbeid van {:.2g} % van de energie van buiten die geen water geeft: het blijft waar grond is "
-    "weggegaan."};
+constexpr SentenceForm water{"The water did work of {:.2g} % of the energy from outside that no water gives.",
+    "Het water leverde arbeid van {:.2g} % van de energie van buiten die geen water geeft."};
 constexpr SentenceForm damping{
     "Local damping took {:.2g} times the energy that its factor promises: noise brakes the soil.",
     "De lokale demping nam {:.2g} keer de energie die haar factor belooft: ruis remt de grond."};
@@ -73,7 +71,7 @@ struct Asked {
   }
 };
 
-using Doubts = std::vector<Sentence>;
+using Sentences = std::vector<Sentence>;
 
 Sentence why_not_at_rest(const TimeCase& time, Real fastest)
 {
@@ -87,48 +85,48 @@ Sentence why_not_at_rest(const TimeCase& time, Real fastest)
 }
 
 /// Stages, or the run, that were to end at rest and did not; a verdict on soil that still moves.
-Doubts rest_doubts(const Asked& asked)
+Sentences of_rest(const Asked& asked)
 {
   const Summary& s = asked.summary;
-  Doubts doubts;
+  Sentences found;
   for (const StageSummary& stage : s.stages) {
     const StageRecord& r = stage.record;
     if (!r.at_rest && std::isfinite(r.fastest))
-      doubts.push_back(
+      found.push_back(
           filled<said::no_rest>(stage.name.empty() ? filled<said::the_run>() : filled<said::the_stage>(stage.name),
               r.end - r.start, r.end, why_not_at_rest(asked.model.description.time, r.fastest)));
   }
   const bool ends_at_rest = !s.stages.empty() && std::isfinite(s.stages.back().record.fastest);
   const auto& flood = s.flood;
-  if (!flood || !flood->still_moves || flood->first_time_below) return doubts;
+  if (!flood || !flood->still_moves || flood->first_time_below) return found;
   const bool at_end = flood->moves_at_end();
   if (!at_end || !ends_at_rest)
-    doubts.push_back(
+    found.push_back(
         filled<said::moves>(at_end ? filled<said::at_the_end>() : filled<said::at_end_of_stage>(flood->stage_moving),
             flood->fastest_soil, flood->fastest_node.value_or(FloodSummary::none), flood->fastest_x, flood->fastest_y,
             at_end ? filled<said::this_run>() : filled<said::that_stage>()));
-  return doubts;
+  return found;
 }
 
-Doubts side_doubts(const Asked& asked)
+Sentences of_sides(const Asked& asked)
 {
-  Doubts doubts;
+  Sentences found;
   for (const ReachedSide& reached : asked.summary.reached_sides)
-    doubts.push_back(reached.rose ? filled<said::side_rose>(reached.side, reached.time)
-                                  : filled<said::side>(reached.side, reached.time));
-  return doubts;
+    found.push_back(reached.rose ? filled<said::side_rose>(reached.side, reached.time)
+                                 : filled<said::side>(reached.side, reached.time));
+  return found;
 }
 
-Doubts if_so(bool holds, const Sentence& sentence) { return holds ? Doubts{sentence} : Doubts(); }
+Sentences if_so(bool holds, const Sentence& sentence) { return holds ? Sentences{sentence} : Sentences(); }
 
 struct Kind {
   const char *id, *see;
-  Doubts (*find)(const Asked&);
+  Sentences (*find)(const Asked&);
 };
 
 /// A new one is an entry here.
 constexpr Kind kinds[] = {
-    {"rest", "docs/stages.md#at-rest", rest_doubts},
+    {"rest", "docs/stages.md#at-rest", of_rest},
     {"near", "docs/flood.md#the-verdict",
         [](const Asked& a) {
           return if_so(a.summary.flood && a.summary.flood->verdict == FloodVerdict::near, filled<said::near_level>());
@@ -166,7 +164,7 @@ constexpr Kind kinds[] = {
           const Real lowest = a.number("lowest_library_strength");
           return if_so(lowest < 0.0, filled<said::strength>(lowest));
         }},
-    {"side", "docs/troubleshooting.md#soil-reaches-the-side-of-the-mesh", side_doubts},
+    {"side", "docs/troubleshooting.md#soil-reaches-the-side-of-the-mesh", of_sides},
     {"clamped", "docs/troubleshooting.md#clamped-points",
         [](const Asked& a) {
           return if_so(a.summary.clamped_points > 0, filled<said::clamped>(a.summary.clamped_points));
@@ -177,7 +175,7 @@ constexpr Kind kinds[] = {
 
 }  // namespace
 
-std::vector<RunFinding> find_doubts(const Model& model, const Summary& summary)
+std::vector<RunFinding> findings_against(const Model& model, const Summary& summary)
 {
   std::vector<RunFinding> findings;
   for (const Kind& kind : kinds)

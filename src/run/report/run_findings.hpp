@@ -24,6 +24,6 @@ struct RunFinding {
 };
 
 /// What may change the verdict on a flood comes first. Of a summary that is whole but for its findings.
-std::vector<RunFinding> find_doubts(const Model& model, const Summary& summary);
+std::vector<RunFinding> findings_against(const Model& model, const Summary& summary);
 
 }  // namespace terp

@@ -7,7 +7,7 @@ namespace run_findings_test {
 std::vector<RunFinding> findings_of(const Summary& summary)
 {
   const Simulation s(column("mpm_gp"));
-  return find_doubts(s.model, summary);
+  return findings_against(s.model, summary);
 }
 
 TEST(RunFindings, ASpeedAndItsLimitAreNeverPrintedAlike)
