@@ -135,6 +135,7 @@ void follow_hours(
     const std::string hours = fmt::format("{:g}", time / hour);
     files.add_flows(hours, conditions, water);
     files.add_table(hours, water);
+    if (!command.along.empty()) files.add_along(hours, water, command.along, file.values.water.unit_weight);
     Real in = 0.0, out = 0.0;
     for (const Real q : water.flow.outflow) (q < 0.0 ? in : out) += std::abs(q);
     if (!command.run.quiet)

@@ -169,7 +169,7 @@ bool check_side(const Entry& entry, const std::string& path, const SideHead& sid
 /// Two places or more.
 Member line_member(std::vector<Vec<2>>& line)
 {
-  return {"line", "places [[x, y], ...] in m, at least two",
+  return {"line", "places [[x, y], ...] in m, at least two, each apart from the one before",
       [&line](const Node& node) {
         if (node.kind != NodeKind::list || node.items.size() < 2) return false;
         line.clear();

@@ -68,6 +68,7 @@ void SeepageFiles::add_uplift(const std::string& situation, const std::vector<Up
 void SeepageFiles::add_along(
     const std::string& situation, const ComputedWater& water, const std::vector<double>& line, Real unit_weight)
 {
+  const std::size_t before = along_.text.size();
   for (int k = 0; k <= parts_of_line; ++k) {
     const Real share = static_cast<Real>(k) / parts_of_line;
     const Vec<2> x{std::lerp(line[0], line[2], share), std::lerp(line[1], line[3], share)};
@@ -75,6 +76,11 @@ void SeepageFiles::add_along(
       along_.text += fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g}\n", csv_cell(situation), x[0], x[1], *head,
           unit_weight * std::max(*head - x[1], 0.0));
   }
+  if (along_.text.size() == before)
+    throw InputError(Problem{"water", "the line of --along meets no soil",
+        fmt::format("Got ({:g}, {:g}) to ({:g}, {:g}) m; the soil reaches from x = {:.4g} to {:.4g} m.", line[0],
+            line[1], line[2], line[3], section_.left, section_.right),
+        ""});
 }
 
 void SeepageFiles::add_table(const std::string& hours, const ComputedWater& water)

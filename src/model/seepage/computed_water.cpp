@@ -6,6 +6,7 @@
 
 #include "math/errors.hpp"
 #include "math/interpolate.hpp"
+#include "math/plane.hpp"
 #include "model/bodies/setup_points.hpp"
 #include "model/ground/ground_section.hpp"
 #include "model/parts/stage_case.hpp"
@@ -20,7 +21,8 @@ namespace {
 constexpr Real no_level = -std::numeric_limits<Real>::infinity();
 constexpr Real below_ground = 1e-3;  // of a cell: a table at bare ground stands this much lower, or it were free water
 
-/// Which edges the river wets: open ones that hang together with its end of the soil by places below its level.
+/// Which edges the river wets: open ones that hang together with its end of the soil by places below its level, as far
+/// as no wall stands there above its level.
 std::vector<char> edges_in_river(const SeepageSection& section, const RiverCase& river)
 {
   const std::vector<SoilEdge>& edges = section.edges;
@@ -31,6 +33,11 @@ std::vector<char> edges_in_river(const SeepageSection& section, const RiverCase&
       if (edge.is_open && x[1] < river.level) end = from_left ? std::min(end, x[0]) : std::max(end, x[0]);
   const Real near = 1e-2 * section.cell;  // as a gap that is none
   const auto is_below = [&](Vec<2> x) { return x[1] < river.level; };
+  const auto is_walled = [&](Vec<2> x) {
+    return std::ranges::any_of(section.walls, [&](const Side& wall) {
+      return std::max(wall.a[1], wall.b[1]) >= river.level && distance_to_line(wall.a, wall.b, x) < near;
+    });
+  };
   std::vector<char> wet(edges.size(), 0);
   std::vector<std::size_t> next;
   const auto enter = [&](std::size_t e) {
@@ -45,7 +52,7 @@ std::vector<char> edges_in_river(const SeepageSection& section, const RiverCase&
     for (std::size_t e = 0; e < edges.size(); ++e)
       for (const Vec<2>& x : {from.a, from.b})
         for (const Vec<2>& y : {edges[e].a, edges[e].b})
-          if (is_below(x) && std::hypot(x[0] - y[0], x[1] - y[1]) < near) enter(e);
+          if (is_below(x) && distance(x, y) < near && !is_walled(x)) enter(e);
   }
   return wet;
 }
@@ -152,7 +159,7 @@ SeepageSection seepage_section(const Case& whole, const SharedMesh& mesh)
   if (!problems.empty()) throw InputError(std::move(problems));
   for (const BodyOutline& outline : section.outlines) section.sides.push_back(outline_sides(*mesh, outline));
   section.walled = with_walls(mesh, whole.water.walls, [&](Vec<2> x) { return section.soil_at(x).has_value(); });
-  section.edges = surface_of(*mesh, section.outlines);
+  section.edges = surface_of(*mesh, section.outlines, section.walls);
   section.left = std::numeric_limits<Real>::infinity(), section.right = no_level;
   for (const SoilEdge& edge : section.edges)
     for (const Vec<2>& x : {edge.a, edge.b})

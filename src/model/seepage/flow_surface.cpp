@@ -90,17 +90,19 @@ SoilEdge part_of(const SoilEdge& edge, Real s, Real t)
   return {between(edge.a, edge.b, s), between(edge.a, edge.b, t), edge.normal, edge.kind, edge.is_open};
 }
 
-std::vector<SoilEdge> surface_of(const Mesh<2>& mesh, std::span<const BodyOutline> bodies)
+std::vector<SoilEdge> surface_of(const Mesh<2>& mesh, std::span<const BodyOutline> bodies, std::span<const Side> walls)
 {
   const SoilOutlines soil(mesh, bodies);
   const std::vector<Side> of_mesh = sides_of_mesh(mesh);
   const Real tolerance = touches * mesh.smallest_altitude, step = beside * mesh.smallest_altitude;
+  std::vector<Side> parting = soil.all();
+  parting.insert(parting.end(), walls.begin(), walls.end());
   std::vector<SoilEdge> edges;
   std::set<std::array<long long, 2>> known;  // by their middles
   const auto enter = [&](const Side& side, bool is_of_mesh) {
     const Real whole = distance(side.a, side.b);
     if (whole < tolerance) return;
-    const std::vector<Real> shares = meetings(side.a, side.b, soil.all(), step);
+    const std::vector<Real> shares = meetings(side.a, side.b, parting, step);
     for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
       if ((shares[k + 1] - shares[k]) * whole < step) continue;
       const Vec<2> a = between(side.a, side.b, shares[k]), b = between(side.a, side.b, shares[k + 1]),

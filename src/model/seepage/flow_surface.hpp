@@ -22,8 +22,9 @@ struct SoilEdge {
 };
 
 /// The surface of all outlines together, within the mesh. Left and right: at the ends of the soil; base: below it is
-/// nothing, and soil above; ground: all else.
-std::vector<SoilEdge> surface_of(const Mesh<2>& mesh, std::span<const BodyOutline> bodies);
+/// nothing, and soil above; ground: all else. No piece goes across a wall.
+std::vector<SoilEdge> surface_of(
+    const Mesh<2>& mesh, std::span<const BodyOutline> bodies, std::span<const Side> walls = {});
 
 /// The piece of an edge from the share s to the share t of its way.
 SoilEdge part_of(const SoilEdge& edge, Real s, Real t);

@@ -40,8 +40,9 @@ std::optional<Real> share_of_way(Vec<2> a, Vec<2> b, Vec<2> x, Real tolerance)
       "water.walls", false, {"mesh"}});
 }
 
-/// Adds the sides of cells from a to b.
-void add_sides(const Mesh<2>& mesh, Vec<2> a, Vec<2> b, const std::string& path, Sides& sides)
+/// Adds the sides of cells from a to b. Where there is no soil, the line may leave them.
+void add_sides(const Mesh<2>& mesh, Vec<2> a, Vec<2> b, const std::string& path,
+    const std::function<bool(Vec<2>)>& has_soil, Sides& sides)
 {
   const Real tolerance = near * mesh.smallest_altitude;
   std::vector<std::array<Real, 2>> covered;
@@ -57,7 +58,7 @@ void add_sides(const Mesh<2>& mesh, Vec<2> a, Vec<2> b, const std::string& path,
     const Real t = (k + 0.5) / looks_at;
     const Vec<2> x = between(a, b, t);
     const auto holds = [t](const std::array<Real, 2>& part) { return part[0] <= t && t <= part[1]; };
-    if (std::ranges::none_of(covered, holds) && locate(mesh, x).inside) refuse_place(mesh, path, x);
+    if (std::ranges::none_of(covered, holds) && locate(mesh, x).inside && has_soil(x)) refuse_place(mesh, path, x);
   }
   if (covered.empty()) refuse_place(mesh, path, a);
 }
@@ -134,7 +135,7 @@ WalledMesh with_walls(
   Sides sides;
   for (std::size_t w = 0; w < walls.size(); ++w)
     for (std::size_t k = 0; k + 1 < walls[w].line.size(); ++k)
-      add_sides(*mesh, walls[w].line[k], walls[w].line[k + 1], fmt::format("water.walls[{}]", w), sides);
+      add_sides(*mesh, walls[w].line[k], walls[w].line[k + 1], fmt::format("water.walls[{}]", w), has_soil, sides);
   std::set<Index> nodes;
   for (const auto& side : sides) nodes.insert(side.begin(), side.end());
   auto split = std::make_shared<Mesh<2>>(*mesh);

@@ -167,6 +167,25 @@ void find_thin_layers(const Model& model, const SeepageSection& section, std::ve
   }
 }
 
+/// Walls at which no node has two heads: the water passes them as if they were not there.
+void find_idle_walls(const Case& whole, const SeepageSection& section, std::vector<Problem>& warnings)
+{
+  const auto lies_on = [&](Index node, const WallCase& wall) {
+    const Vec<2> x = section.walled.mesh->nodes[static_cast<std::size_t>(node)];
+    for (std::size_t k = 0; k + 1 < wall.line.size(); ++k)
+      if (distance_to_line(wall.line[k], wall.line[k + 1], x) < 1e-3 * section.cell) return true;
+    return false;
+  };
+  for (std::size_t w = 0; w < whole.water.walls.size(); ++w) {
+    const WallCase& wall = whole.water.walls[w];
+    if (std::ranges::any_of(section.walled.twins, [&](Index node) { return lies_on(node, wall); })) continue;
+    warnings.push_back({fmt::format("water.walls[{}]", w), "the wall holds back no water",
+        "Water passes its ends, and no node of the mesh lies between them with soil on both sides. Let the wall pass "
+        "two cells or\nmore in the soil.",
+        "water.walls", false, {"mesh"}});
+  }
+}
+
 void find_slow_drained_soil(const Case& whole, std::vector<Problem>& warnings)
 {
   for (const MaterialCase& material : whole.materials) {
@@ -193,6 +212,7 @@ void find_odd_seepage(const Model& model, std::vector<Problem>& warnings)
     find_odd_levels(section, situation_of(whole.water, k), k, warnings);
   find_open_aquifers(model, section, warnings);
   find_thin_layers(model, section, warnings);
+  find_idle_walls(whole, section, warnings);
   find_slow_drained_soil(whole, warnings);
 }
 

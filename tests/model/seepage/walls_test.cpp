@@ -68,6 +68,27 @@ TEST(Walls, ThatEndAtTheGroundDoNotLeakThroughTheEmptyCellsAboveIt)
   EXPECT_DOUBLE_EQ(water_of(c, low).flow.outflow[2], water_of(c, high).flow.outflow[2]);
 }
 
+TEST(Walls, MayEndAnywhereAboveTheGround)
+{
+  Case c = sheet_pile(10.0, 1.25);
+  const SeepageSection high = seepage_section(c, mesh_of(c));
+  c.water.walls[0].line[0][1] = 21.0;
+  const SeepageSection low = seepage_section(c, mesh_of(c));
+  EXPECT_DOUBLE_EQ(water_of(c, low).flow.outflow[2], water_of(c, high).flow.outflow[2]);
+}
+
+TEST(Walls, EndARiver)
+{
+  Case c = sheet_pile(10.0, 1.25);
+  c.water.walls[0].line[0][1] = 31.0;
+  const Real by_ponds = water_of(c, seepage_section(c, mesh_of(c))).flow.outflow[2];
+  c.water.start.seepage.river = RiverCase{SectionSide::left, 31.0};
+  c.water.start.seepage.ponds.erase(c.water.start.seepage.ponds.begin());
+  EXPECT_DOUBLE_EQ(water_of(c, seepage_section(c, mesh_of(c))).flow.outflow[2], by_ponds);
+  c.water.walls[0].line[0][1] = 30.9;  // the river flows over it, into the pit
+  EXPECT_THROW(water_of(c, seepage_section(c, mesh_of(c))), InputError);
+}
+
 TEST(Walls, ThatCloseALayerLetNothingThrough)
 {
   Case c = sheet_pile(20.0, 1.25);
@@ -104,7 +125,7 @@ TEST(Walls, MustRunAlongSidesOfCells)
     return std::string();
   };
   EXPECT_THAT(problem_of({{80.0, 22.5}, {80.0, 9.5}}), HasSubstr("water.walls[0]: It leaves them at (80, 9."));
-  EXPECT_THAT(problem_of({{80.3, 22.5}, {80.3, 10.0}}), HasSubstr("the nearest node lies at (80, 22.5) m"));
+  EXPECT_THAT(problem_of({{80.3, 22.5}, {80.3, 10.0}}), HasSubstr("the nearest node lies at (80, 20) m"));
   EXPECT_THAT(problem_of({{80.0, 22.5}, {81.25, 10.0}}), HasSubstr("It leaves them"));
   EXPECT_THAT(problem_of({{180.0, 22.5}, {180.0, 10.0}}), HasSubstr("It leaves them"));
   EXPECT_EQ(problem_of({{80.0, 30.0}, {80.0, 10.0}}), "");  // beyond the mesh there is no soil
