@@ -142,7 +142,7 @@ void print_loads(const Model& model, const State& state)
       ++n, low = std::min(low, y), high = std::max(high, y);
     });
     say("  load {:<10}{} on x = {:g} to {:g} m, {:.4g} kN per m{}\n", printable(load.name),
-        printable(describe_pressures(model.whole ? *model.whole : model.description, k)), load.from, load.to,
+        printable(describe_pressures(model.whole(), k)), load.from, load.to,
         load.pressure * (load.to - load.from) / 1e3,
         n > 0 ? fmt::format(", on {} points at y = {:.4g} to {:.4g} m", n, low, high)
               : fmt::format(", from t = {:g} s on", load.start));
@@ -211,7 +211,7 @@ void print_profile(const Model& model, const State& state, Real x)
 void print_profiles(const RunOptions& options, const Model& model, const State& state)
 {
   for (const Real x : !options.profiles.empty() ? options.profiles
-                      : model.ground            ? usual_profiles(model, state)
+                      : model.ground()          ? usual_profiles(model, state)
                                                 : std::vector<Real>{})
     print_profile(model, state, x);
 }

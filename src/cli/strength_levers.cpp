@@ -14,7 +14,7 @@
 namespace terp {
 namespace {
 
-using Parts = std::vector<std::string>;
+using PathParts = std::vector<std::string>;
 
 /// Of one lever and factor.
 class Scaling {
@@ -25,7 +25,7 @@ class Scaling {
   }
 
   /// parts: of the key so far. True: something in the node was scaled.
-  bool visit(Node& node, const Parts& parts)
+  bool visit(Node& node, const PathParts& parts)
   {
     if (const auto behind = place_behind_parameter(parts)) return scale_parameter(node, parts, *behind);
     bool any = false;
@@ -35,11 +35,11 @@ class Scaling {
   }
 
   /// Changes of a table of soils or sides, one for each value.
-  void change_values(const Node& node, const Parts& parts, const std::string& path)
+  void change_values(const Node& node, const PathParts& parts, const std::string& path)
   {
     if (node.kind != NodeKind::table) return;
     for (const Node& item : node.items) {
-      const Parts key = joined(parts, item.name);
+      const PathParts key = joined(parts, item.name);
       const std::string at = join_path(path, item.name);
       if (!place_behind_parameter(key)) {
         change_values(item, key, at);
@@ -55,14 +55,14 @@ class Scaling {
   const Real factor_;
   ScaledStrength& found_;
 
-  static Parts joined(Parts parts, const std::string& name)
+  static PathParts joined(PathParts parts, const std::string& name)
   {
     for (std::string& part : split_path(name)) parts.push_back(std::move(part));
     return parts;
   }
 
   /// Number of the part behind the parameter, material.NAME[.below].KEY, or behind the key of a side.
-  static std::optional<std::size_t> place_behind_parameter(const Parts& parts)
+  static std::optional<std::size_t> place_behind_parameter(const PathParts& parts)
   {
     std::size_t key = 2;
     if (parts.size() > 2 && parts[0] == "material" && (parts[2] == "below" || parts[2] == "above")) key = 3;
@@ -70,11 +70,11 @@ class Scaling {
     return is_one ? std::optional(key + 1) : std::nullopt;
   }
 
-  bool scale_parameter(Node& node, const Parts& parts, std::size_t behind)
+  bool scale_parameter(Node& node, const PathParts& parts, std::size_t behind)
   {
     const std::string& key = parts[behind - 1];
     if (std::ranges::find(lever_.keys, key) == lever_.keys.end()) return false;
-    const Parts tail(parts.begin() + static_cast<std::ptrdiff_t>(behind), parts.end());
+    const PathParts tail(parts.begin() + static_cast<std::ptrdiff_t>(behind), parts.end());
     if (!lever_.within.empty()) return scale_within(node, tail, fmt::format("{}", fmt::join(parts, ".")));
     if (tail.empty()) return scale_value(node, fmt::format("{}", fmt::join(parts, ".")));
     Node table;  // of which the key names one item: su_peak.depth
@@ -86,7 +86,7 @@ class Scaling {
   }
 
   /// The item `within` of SHANSEP, or of a yield stress.
-  bool scale_within(Node& node, const Parts& tail, const std::string& path)
+  bool scale_within(Node& node, const PathParts& tail, const std::string& path)
   {
     if (!tail.empty() && tail.back() == lever_.within) return scale_value(node, path);
     if (node.kind != NodeKind::table) return false;

@@ -89,7 +89,7 @@ std::string describe_holder(const Node& holder, const std::string& path, const s
   return fmt::format("`{0}` is a single value and holds no keys. Set it as a whole: --set {0}=...", path);
 }
 
-using Parts = std::vector<std::string>;
+using PathParts = std::vector<std::string>;
 
 /// `*` stands for any letters, also none. Goes back to the last star only, so that many stars cost no time.
 bool fits(std::string_view pattern, std::string_view name)
@@ -135,7 +135,7 @@ bool takes_key(const Node& material, const std::string& key)
 }
 
 /// The keys that a key with patterns stands for, from part `first` on; none where nothing fits.
-void expand(const Node* node, const Parts& parts, std::size_t first, Parts& path, std::vector<Parts>& found)
+void expand(const Node* node, const PathParts& parts, std::size_t first, PathParts& path, std::vector<PathParts>& found)
 {
   if (first == parts.size()) return found.push_back(path);
   const std::string& part = parts[first];
@@ -162,7 +162,7 @@ void expand(const Node* node, const Parts& parts, std::size_t first, Parts& path
 }
 
 /// Where a pattern fits materials, but none has the key: the nearest key that one has.
-std::string hint_at_parameter(const Node& root, const Parts& parts)
+std::string hint_at_parameter(const Node& root, const PathParts& parts)
 {
   const Node* materials = find_item(root, "material");
   if (parts.size() != 3 || parts[0] != "material" || materials == nullptr) return "";
@@ -181,7 +181,7 @@ std::string hint_at_parameter(const Node& root, const Parts& parts)
   return nearest.empty() ? "" : fmt::format("Did you mean `material.{}.{}`?\n", parts[1], nearest);
 }
 
-std::optional<Problem> refuse_pattern(const Node& root, const Parts& parts, const std::string& where)
+std::optional<Problem> refuse_pattern(const Node& root, const PathParts& parts, const std::string& where)
 {
   const Node* holder = &root;
   for (const std::string& part : parts) {
@@ -198,7 +198,7 @@ std::optional<Problem> refuse_pattern(const Node& root, const Parts& parts, cons
 }
 
 /// A parameter of a material that the case does not have: to make a new one by a parameter is hardly meant.
-std::optional<Problem> refuse_new_material(const Node& root, const Parts& parts, const std::string& where)
+std::optional<Problem> refuse_new_material(const Node& root, const PathParts& parts, const std::string& where)
 {
   const Node* materials = find_item(root, "material");
   if (parts.size() < 3 || parts[0] != "material" || materials == nullptr || materials->items.empty() ||
@@ -213,7 +213,7 @@ std::optional<Problem> refuse_new_material(const Node& root, const Parts& parts,
 }
 
 /// Makes a value, or a field of another kind, a table for the kind of field that the keys go on with: su_peak.csv.
-void change_kind_of_field(Node* value, const Parts& parts, std::size_t first)
+void change_kind_of_field(Node* value, const PathParts& parts, std::size_t first)
 {
   const auto is_kind = [](const std::string& name) {
     return std::ranges::find(field_kinds(), name, &FieldKind::name) != field_kinds().end();
@@ -230,7 +230,7 @@ void change_kind_of_field(Node* value, const Parts& parts, std::size_t first)
 
 /// What is set takes the place of what says the same in another way: another kind of field; a ratio (sensitivity) or
 /// the parameter that follows from it (su_residual).
-void drop_alternatives(Node& root, const Parts& parts)
+void drop_alternatives(Node& root, const PathParts& parts)
 {
   Node* materials = find_item(root, "material");
   Node* material =
@@ -253,7 +253,7 @@ void drop_alternatives(Node& root, const Parts& parts)
 
 /// override_text: what the nodes on the way carry that are made.
 std::optional<Problem> set_one(
-    Node& root, const Parts& parts, const Node& value, const std::string& where, const std::string& override_text)
+    Node& root, const PathParts& parts, const Node& value, const std::string& where, const std::string& override_text)
 {
   if (auto problem = refuse_new_material(root, parts, where)) return problem;
   drop_alternatives(root, parts);
@@ -281,7 +281,7 @@ std::optional<Problem> apply_override(Node& root, const std::string& change)
 {
   const std::string where = "--set " + change;
   const std::size_t equals = change.find('=');
-  const Parts parts = split_path(trimmed(std::string_view(change).substr(0, equals)));
+  const PathParts parts = split_path(trimmed(std::string_view(change).substr(0, equals)));
   if (equals == std::string::npos || parts.empty())
     return Problem{
         where, "a change has the form KEY=VALUE", "For example --set scheme=mpm_mixed or --set mesh.cell=0.2", ""};
@@ -292,13 +292,13 @@ std::optional<Problem> apply_override(Node& root, const std::string& change)
     return Problem{where, "a change has a value after the equals sign",
         "An empty text is written with quotes: --set 'title=\"\"'", ""};
 
-  Parts path;
-  std::vector<Parts> keys;
+  PathParts path;
+  std::vector<PathParts> keys;
   expand(&root, parts, 0, path, keys);
   if (keys.empty()) return refuse_pattern(root, parts, where);
   Node node = parse_value(value);
   mark(node, where);
-  for (const Parts& key : keys)
+  for (const PathParts& key : keys)
     if (auto problem = set_one(root, key, node, where, where)) return problem;
   return std::nullopt;
 }
@@ -318,14 +318,14 @@ void doubt_replaced(const Node& root, const std::vector<std::string>& changes, s
 std::optional<Problem> set_in_tree(Node& root, const std::string& key, const Node& value, const std::string& where,
     const std::function<std::optional<Problem>(const std::vector<std::string>&)>& refuse)
 {
-  const Parts parts = split_path(key);
+  const PathParts parts = split_path(key);
   if (parts.empty() || parts.size() > most_key_parts)
     return Problem{where, fmt::format("`{}` is no key", key.substr(0, 40)), "", "stage.set"};
-  Parts path;
-  std::vector<Parts> keys;
+  PathParts path;
+  std::vector<PathParts> keys;
   expand(&root, parts, 0, path, keys);
   if (keys.empty()) return refuse_pattern(root, parts, where);
-  for (const Parts& each : keys) {
+  for (const PathParts& each : keys) {
     if (auto problem = refuse(each)) return problem;
     if (auto problem = set_one(root, each, value, where, "")) return problem;
   }

@@ -271,8 +271,8 @@ class SectionDrawing : SectionWater {
       put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"/>", path, load_colour);
       const bool has_room = foot - height > py(high_[1]) + 12.0;  // below the name of the upper side; else beside it
       text(has_room ? 0.5 * (a + b) : a - 8.0, has_room ? foot - height - 6.0 : foot - 4.0,
-          load.name + ", " + describe_pressures(model_.whole ? *model_.whole : model_.description, l),
-          has_room ? "middle" : "end", fmt::format("font-size=\"12\" fill=\"{}\" {}", load_colour, white_edge));
+          load.name + ", " + describe_pressures(model_.whole(), l), has_room ? "middle" : "end",
+          fmt::format("font-size=\"12\" fill=\"{}\" {}", load_colour, white_edge));
     }
   }
 

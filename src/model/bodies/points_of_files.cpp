@@ -37,22 +37,22 @@ struct PointOfFile {
 };
 
 template <class F>
-void for_each_point_of_files(const Model& model, F&& f)
+void for_each_point_of_files(const StageSoil& soil, F&& f)
 {
-  for (std::size_t b = 0; b < model.description.bodies.size(); ++b) {
-    const std::string& name = model.description.bodies[b].points_file;
+  for (std::size_t b = 0; b < soil.description.bodies.size(); ++b) {
+    const std::string& name = soil.description.bodies[b].points_file;
     if (name.empty()) continue;
-    const std::string path = path_of(model.description.folder, name);
+    const std::string path = path_of(soil.description.folder, name);
     for (const CsvPoint& p : read_points_csv(path)) f(PointOfFile{b, path, p});
   }
 }
 
 /// The largest in some cells, ascending.
-std::optional<PointOfFile> largest_of_files(const Model& model, const std::vector<Index>& cells)
+std::optional<PointOfFile> largest_of_files(const StageSoil& soil, const std::vector<Index>& cells)
 {
   std::optional<PointOfFile> found;
-  for_each_point_of_files(model, [&](const PointOfFile& p) {
-    if (std::ranges::binary_search(cells, locate(*model.mesh, p.point.x, 0).cell) &&
+  for_each_point_of_files(soil, [&](const PointOfFile& p) {
+    if (std::ranges::binary_search(cells, locate(*soil.mesh, p.point.x, 0).cell) &&
         (!found || p.point.volume > found->point.volume))
       found = p;
   });
@@ -72,11 +72,11 @@ CellContents contents_of_cells(const Mesh<2>& mesh, const PointBatches& points)
 
 /// Bodies that are drawn share their cells; points of files lie where they lie, over each other and over drawn bodies
 /// too.
-void check_room_for_points(const Model& model, const PointBatches& points)
+void check_room_for_points(const StageSoil& soil, const PointBatches& points)
 {
-  const auto overfull = find_overfull(*model.mesh, contents_of_cells(*model.mesh, points));
+  const auto overfull = find_overfull(*soil.mesh, contents_of_cells(*soil.mesh, points));
   if (!overfull) return;
-  const auto at = largest_of_files(model, overfull->around);
+  const auto at = largest_of_files(soil, overfull->around);
   if (!at) return;  // no cell of theirs
   const std::string where = fmt::format("{}: the point of {:.4g} m^2 at {} m lies in cell {}", at->line(),
       at->point.volume, place_text(at->point.x), overfull->cell);
@@ -121,12 +121,12 @@ SamePlace find_same_place(const PointBatches& points)
   return found;
 }
 
-void check_places(const Model& model, const PointBatches& points)
+void check_places(const StageSoil& soil, const PointBatches& points)
 {
   const SamePlace found = find_same_place(points);
   if (found.point == nullptr) return;
   std::vector<PointOfFile> at;
-  for_each_point_of_files(model, [&](const PointOfFile& p) {
+  for_each_point_of_files(soil, [&](const PointOfFile& p) {
     if (std::hypot(p.point.x[0] - found.point->x[0], p.point.x[1] - found.point->x[1]) <=
         one_place * size_of(found.point->volume))
       at.push_back(p);
@@ -150,17 +150,17 @@ bool lies_wholly_in(const BodyOutline& body, std::span<const Side> sides, const 
 }
 
 /// A point that reaches over the side of a body may be a coarse neighbour; one within it is soil that is there twice.
-void check_drawn_bodies(const Model& model, const std::vector<BodyOutline>& outlines, const PointBatches& points)
+void check_drawn_bodies(const StageSoil& soil, const std::vector<BodyOutline>& outlines, const PointBatches& points)
 {
   std::vector<std::vector<Side>> sides;
-  for (const BodyOutline& outline : outlines) sides.push_back(outline_sides(*model.mesh, outline));
+  for (const BodyOutline& outline : outlines) sides.push_back(outline_sides(*soil.mesh, outline));
   for (const auto& batch : points)
     for (const NewPoint& p : batch) {
-      if (model.description.bodies[p.body].points_file.empty()) continue;
+      if (soil.description.bodies[p.body].points_file.empty()) continue;
       for (std::size_t k = 0; k < outlines.size(); ++k) {
         if (!lies_wholly_in(outlines[k], sides[k], p)) continue;
         std::string line;
-        for_each_point_of_files(model, [&](const PointOfFile& other) {
+        for_each_point_of_files(soil, [&](const PointOfFile& other) {
           if (line.empty() && static_cast<Index>(other.body) == p.body && other.point.x == p.x) line = other.line();
         });
         throw InputError(Problem{points_key(p.body), "a point lies in a body that is drawn",
@@ -180,12 +180,12 @@ bool has_file_of_points(const Case& c)
 
 }  // namespace
 
-void check_points_of_files(const Model& model, const std::vector<BodyOutline>& outlines, const PointBatches& points)
+void check_points_of_files(const StageSoil& soil, const std::vector<BodyOutline>& outlines, const PointBatches& points)
 {
-  if (!has_file_of_points(model.description)) return;
-  check_drawn_bodies(model, outlines, points);
-  check_places(model, points);
-  check_room_for_points(model, points);
+  if (!has_file_of_points(soil.description)) return;
+  check_drawn_bodies(soil, outlines, points);
+  check_places(soil, points);
+  check_room_for_points(soil, points);
 }
 
 }  // namespace terp

@@ -30,13 +30,13 @@ const char* const grid_cuts_corners =
     "comes to lie at the corner, or draw the body along the grid.";
 
 /// Number of the material of a soil at a place at t = 0.
-Index material_at(const Model& model, const std::string& name, Vec<2> x)
+Index material_at(const StageSoil& soil, const std::string& name, Vec<2> x)
 {
-  const auto& phreatic_line = model.description.water.start.phreatic_line;
+  const auto& phreatic_line = soil.description.water.start.phreatic_line;
   const Zone zone = phreatic_line.empty()                      ? Zone::all
                     : x[1] < elevation_at(phreatic_line, x[0]) ? Zone::below
                                                                : Zone::above;
-  return material_number(model, name, zone);
+  return material_number(soil, name, zone);
 }
 
 constexpr std::size_t batch_size = 1 << 17;  // points of 10 MB
@@ -64,31 +64,31 @@ const std::vector<Index>& cells_of_region(const Mesh<2>& mesh, const std::string
       "body", false, {"mesh.file"}});
 }
 
-BodyOutline outline_of(const Model& model, std::size_t b)
+BodyOutline outline_of(const Case& c, const Mesh<2>& mesh, std::size_t b)
 {
-  const BodyCase& body = model.description.bodies[b];
+  const BodyCase& body = c.bodies[b];
   BodyOutline outline{
       .polygon = body.polygon, .points_per_cell = body.points_per_cell, .holes = body.holes, .cells = {}};
-  if (!body.region.empty()) outline.cells = cells_of_region(*model.mesh, body.region, b);
+  if (!body.region.empty()) outline.cells = cells_of_region(mesh, body.region, b);
   return outline;
 }
 
-void check_outlines(const Model& model, const std::vector<BodyOutline>& outlines)
+void check_outlines(const StageSoil& soil, const std::vector<BodyOutline>& outlines)
 {
   for (std::size_t b = 0; b < outlines.size(); ++b) {
     const BodyOutline& outline = outlines[b];
-    if (!model.description.bodies[b].points_file.empty() || !outline.cells.empty()) continue;
+    if (!soil.description.bodies[b].points_file.empty() || !outline.cells.empty()) continue;
     for (const std::string& text : check_outline(outline))
       throw InputError(Problem{
           body_key(b, "polygon"), "the outline of the body is not usable", text, "body", false, keys_of_outline(b)});
     for (const Vec<2>& x : outline.polygon) {
-      if (locate(*model.mesh, x, 0).inside) continue;
-      const auto [low, high] = box_around(model.mesh->nodes);
+      if (locate(*soil.mesh, x, 0).inside) continue;
+      const auto [low, high] = box_around(soil.mesh->nodes);
       throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",
           fmt::format("corner {} m lies in no cell; the mesh spans x = {} to {} m, y = {} to {} m.\nEnlarge the mesh "
                       "or move the body.{}",
               place_text(x), coordinate_text(low[0]), coordinate_text(high[0]), coordinate_text(low[1]),
-              coordinate_text(high[1]), model.description.mesh.kind == MeshKind::mapped ? grid_cuts_corners : ""),
+              coordinate_text(high[1]), soil.description.mesh.kind == MeshKind::mapped ? grid_cuts_corners : ""),
           "mesh", false, keys_of_outline(b)});
     }
   }
@@ -104,38 +104,38 @@ Vec<2> finite_velocity(const BodyCase& body, std::size_t b, Vec<2> x)
   return v;
 }
 
-Index material_of_point(const Model& model, const std::string& path, const CsvPoint& p)
+Index material_of_point(const StageSoil& soil, const std::string& path, const CsvPoint& p)
 {
   std::string known;
-  for (const MaterialCase& material : model.description.materials) {
-    if (material.called() == p.material) return material_at(model, p.material, p.x);
+  for (const MaterialCase& material : soil.description.materials) {
+    if (material.called() == p.material) return material_at(soil, p.material, p.x);
     if (material.zone != Zone::above) known += (known.empty() ? "" : ", ") + material.called();
   }
   throw CsvError(fmt::format("{}:{}: no material `{}`. Materials of this case: {}", path, p.line, p.material, known));
 }
 
 /// Points of one file, each found in the mesh. Throws CsvError.
-void add_points_of_file(const Model& model, std::size_t b, PointBatches& points)
+void add_points_of_file(const StageSoil& soil, std::size_t b, PointBatches& points)
 {
-  const BodyCase& body = model.description.bodies[b];
+  const BodyCase& body = soil.description.bodies[b];
   Index guess = 0;
-  const std::string path = path_of(model.description.folder, body.points_file);
+  const std::string path = path_of(soil.description.folder, body.points_file);
   for (const CsvPoint& p : read_points_csv(path)) {
-    const Location at = locate(*model.mesh, p.x, guess);
+    const Location at = locate(*soil.mesh, p.x, guess);
     if (!at.inside)
       throw InputError(Problem{body_key(b, "points"), "a point lies outside the mesh",
           fmt::format("{}:{}: {} m lies in no cell.", path, p.line, place_text(p.x)), "body", false, mesh_extent});
-    add_point({p.x, at.local, finite_velocity(body, b, p.x), p.volume, {at.cell, material_of_point(model, path, p)},
+    add_point({p.x, at.local, finite_velocity(body, b, p.x), p.volume, {at.cell, material_of_point(soil, path, p)},
                   static_cast<Index>(b)},
         points);
     guess = at.cell;
   }
 }
 
-void try_points_of_file(const Model& model, std::size_t b, PointBatches& points)
+void try_points_of_file(const StageSoil& soil, std::size_t b, PointBatches& points)
 {
   try {
-    add_points_of_file(model, b, points);
+    add_points_of_file(soil, b, points);
   } catch (const FileError& error) {
     throw InputError(Problem{body_key(b, "points"), "the file of points cannot be used", error.what(), "body"});
   }
@@ -189,10 +189,10 @@ std::vector<std::string> keys_of_outline(std::size_t body)
   return keys;
 }
 
-Index material_number(const Model& model, const std::string& name, Zone zone)
+Index material_number(const StageSoil& soil, const std::string& name, Zone zone)
 {
-  for (std::size_t k = 0; k < model.materials.size(); ++k) {
-    const MaterialCase& m = model.description.materials[k];
+  for (std::size_t k = 0; k < soil.materials.size(); ++k) {
+    const MaterialCase& m = soil.description.materials[k];
     if (m.called() == name && (m.zone == zone || m.zone == Zone::all || zone == Zone::all))
       return static_cast<Index>(k);
   }
@@ -231,18 +231,18 @@ std::vector<BodyShare> shares_of_bodies(const Model& model, const PointBatches& 
   return shares;
 }
 
-std::vector<BodyOutline> outlines_of(const Model& model)
+std::vector<BodyOutline> outlines_of(const Case& c, const Mesh<2>& mesh)
 {
   std::vector<BodyOutline> outlines;
-  for (std::size_t b = 0; b < model.description.bodies.size(); ++b) outlines.push_back(outline_of(model, b));
+  for (std::size_t b = 0; b < c.bodies.size(); ++b) outlines.push_back(outline_of(c, mesh, b));
   return outlines;
 }
 
-PointBatches make_points(const Model& model)
+PointBatches make_points(const StageSoil& soil)
 {
-  const std::vector<BodyCase>& bodies = model.description.bodies;
-  const auto outlines = outlines_of(model);
-  check_outlines(model, outlines);
+  const std::vector<BodyCase>& bodies = soil.description.bodies;
+  const auto outlines = outlines_of(soil);
+  check_outlines(soil, outlines);
   std::set<StageNumber> stages;
   for (const BodyCase& body : bodies) stages.insert(body.placed);
 
@@ -251,20 +251,20 @@ PointBatches make_points(const Model& model)
     std::vector<BodyOutline> together(bodies.size());
     for (std::size_t b = 0; b < bodies.size(); ++b)
       if (bodies[b].placed == stage) together[b] = outlines[b];
-    for (const Seed& seed : seed_points(*model.mesh, together)) {
+    for (const Seed& seed : seed_points(*soil.mesh, together)) {
       const auto b = static_cast<std::size_t>(seed.body);
       add_point({seed.x, seed.local, finite_velocity(bodies[b], b, seed.x), seed.volume,
-                    {seed.cell, material_at(model, bodies[b].material, seed.x)}, seed.body},
+                    {seed.cell, material_at(soil, bodies[b].material, seed.x)}, seed.body},
           points);
     }
     for (std::size_t b = 0; b < bodies.size(); ++b)
-      if (!bodies[b].points_file.empty() && bodies[b].placed == stage) try_points_of_file(model, b, points);
+      if (!bodies[b].points_file.empty() && bodies[b].placed == stage) try_points_of_file(soil, b, points);
   }
   if (points.empty())
     throw InputError(Problem{"body[0]", "no material points",
         "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.",
         "body", false, {"body", "mesh"}});
-  check_points_of_files(model, outlines, points);
+  check_points_of_files(soil, outlines, points);
   return points;
 }
 

@@ -1,7 +1,5 @@
-// The order in build() counts. The ground comes before settle_laws, as fields take the stress of the soil above from
-// it. The time step needs the stiffness of all laws, and set_stage needs the time step. Rows, time step and ground are
-// those of all stages: what decides them asks every stage (in_any_stage), not this one. seed_soil makes all points,
-// also those of bodies that come later, so that a point has one number in all stages.
+// The order in model_of counts: rows of the points in their order, and `set_stage` needs the time step. seed_soil makes
+// all points, also those of bodies that come later, so that a point has one number in all stages.
 
 #include "model/parts/setup.hpp"
 #include "mpm/features/bodies.hpp"
@@ -15,21 +13,17 @@
 #include "mpm/features/softening.hpp"
 
 #include "math/errors.hpp"
-#include "mpm/kernels/time_step.hpp"
 #include "model/meshes/mesh_error.hpp"
 #include "mpm/features/patch_rows.hpp"
 #include "model/ground/flood_level.hpp"
 #include "model/parts/initial.hpp"
+#include "model/parts/parts.hpp"
 #include "mpm/step/kernels.hpp"
 #include "model/loads/loads.hpp"
-#include "model/seepage/computed_water.hpp"
 #include "model/water/nodal_water.hpp"
-#include "model/soils/overburden.hpp"
 #include "model/loads/check_placed_bodies.hpp"
 #include "model/soils/point_parameters.hpp"
-#include "model/parts/reduce.hpp"
 #include "model/soils/reference_width.hpp"
-#include "model/soils/settle_fields.hpp"
 #include "model/parts/setup_history.hpp"
 #include "model/meshes/setup_mesh.hpp"
 #include "model/bodies/setup_points.hpp"
@@ -42,50 +36,6 @@
 
 namespace terp {
 namespace {
-
-/// Steps to the end; the tolerance is round-off of an end that is a whole number of steps.
-Real steps_to(Real end, Real step) { return std::ceil(end / step * (1.0 - 1e-12)); }
-
-/// The strength of the law does, or that of its parameters: all of its angles are zero at all points.
-bool ignores_pressure(const MaterialCase& m, const MaterialType& type)
-{
-  if (type.ignores_pressure) return true;
-  const std::vector<int> varying = varying_parameters(m, type);
-  bool has_angle = false, has_friction = false;
-  for (int k = 0; k < static_cast<int>(type.parameters.size()); ++k) {
-    if (type.parameters[k].reduction != Reduction::divide_tangent) continue;
-    has_angle = true;
-    has_friction |= m.parameters[k] != 0.0 || std::ranges::find(varying, k) != varying.end();
-  }
-  return has_angle && !has_friction;
-}
-
-/// Whether of(its case) holds in any stage.
-template <class Of>
-bool in_any_stage(const Case& whole, Of&& of)
-{
-  bool any = of(case_of_stage(whole, 0));
-  for (std::size_t k = 1; k < whole.stages.size(); ++k) any = any || of(case_of_stage(whole, k));
-  return any;
-}
-
-/// whole: a law that tears in any stage has its opening in all of them, as the rows are those of the whole run.
-std::vector<SoilMaterial> make_materials(const Case& c, const Case& whole)
-{
-  std::vector<SoilMaterial> materials;
-  for (const MaterialCase& m : c.materials) {
-    const bool tears = in_any_stage(whole, [k = materials.size()](const Case& s) { return s.materials[k].tears(); });
-    const MaterialType* type = m.type(tears);
-    if (type == nullptr)
-      throw InputError(Problem{"material." + m.name + ".model", "no such material model", "", "material"});
-    materials.push_back({m.name, type, type->make_varying(m.parameters, varying_parameters(m, *type)), m.density, {},
-        m.softening, m.stores_effective()});
-    SoilMaterial& material = materials.back();
-    material.ignores_pressure = ignores_pressure(m, *type);
-    material.is_ground = m.ground && !m.is_fluid();
-  }
-  return materials;
-}
 
 /// What cells take from their neighbours has room for so many numbers of a law.
 void check_room_for_state(const Model& model, const std::vector<Index>& used)
@@ -199,158 +149,57 @@ OpenSides make_open_sides(const Case& c, const Mesh<2>& mesh)
   return open;
 }
 
-/// Numbers of the materials that points may have, in any stage: those of the bodies, or all of them if a file of points
-/// names its own.
-std::vector<Index> used_materials(const Case& whole)
+void set_damping(const ForcesCase& forces, Model& model)
 {
-  std::vector<Index> used;
-  for (Index m = 0; m < static_cast<Index>(whole.materials.size()); ++m) {
-    bool is_used = false;
-    for (std::size_t k = 0; k < std::max<std::size_t>(1, whole.stages.size()); ++k)
-      for (const BodyCase& body : case_of_stage(whole, k).bodies)
-        is_used = is_used || !body.points_file.empty() || body.material == whole.materials[m].called();
-    if (is_used) used.push_back(m);
-  }
-  return used;
-}
-
-/// The rows are those of the whole run, whatever soil is in the stage: the state goes through all of them.
-void add_rows_of_materials(const Case& whole, const std::vector<Index>& used, Model& model)
-{
-  const bool any_excess = in_any_stage(
-      whole, [](const Case& c) { return std::ranges::any_of(c.materials, &MaterialCase::has_excess_pressure); });
-  for (const Index m : used) {
-    add_rows(m, model.materials[m], model.rows);
-    if (any_excess && in_any_stage(whole, [m](const Case& c) { return c.materials[m].stores_effective(); }))
-      add_excess_row(m, model.materials[m], model.rows);
-  }
-}
-
-/// The case with its strengths divided by the factor that it asks for.
-Case as_solved(const Case& c) { return c.at_strength == 1.0 ? c : reduce_strength(c, c.at_strength); }
-
-/// What limits the time step in any stage.
-struct StepLimit {
-  Real stable = std::numeric_limits<Real>::infinity(), fastest = 0.0, largest_density = 0.0;
-
-  void enter(const Model& model, const std::vector<Index>& used, const FieldsOfPoints& fields)
-  {
-    for (const Stiffness& s : list_stiffness(model, used, fields)) {
-      const Real density = model.materials[s.material].density;
-      fastest = std::max(fastest, wave_speed(s.moduli.p_wave(), density));
-      stable = std::min(stable, stable_step(model, s));
-      largest_density = std::max(largest_density, density);
-    }
-  }
-};
-
-FieldsOfPoints settle_laws(const Case& whole, const std::vector<Index>& used, Model& model)
-{
-  FieldsOfPoints fields = settle_fields(model);
-  add_rows_of_materials(whole, used, model);
-  set_water_stiffness(model, used, fields);
-  return fields;
-}
-
-StepLimit find_step_limit(
-    const Case& whole, const Model& model, const std::vector<Index>& used, const FieldsOfPoints& fields)
-{
-  StepLimit limit;
-  limit.enter(model, used, fields);
-  for (std::size_t k = 0; k < whole.stages.size(); ++k) {
-    if (k == model.stage.number) continue;
-    Model other;
-    other.mesh = model.mesh;
-    other.method = model.method;
-    other.description = as_solved(case_of_stage(whole, k));
-    other.materials = make_materials(other.description, whole);
-    other.ground = model.ground;
-    other.later_ground = model.later_ground;
-    limit.enter(other, used, settle_laws(whole, used, other));
-  }
-  return limit;
-}
-
-/// dt is the stable step, shortened so that the end is a whole number of steps (decision 0024).
-void set_time_step(const Case& whole, const std::vector<Index>& used, const FieldsOfPoints& fields, Model& model)
-{
-  const TimeCase& time = whole.time;
-  const StepLimit limit = find_step_limit(whole, model, used, fields);
-  model.largest_density = limit.largest_density;
-  const Real stable = limit.stable, n = steps_to(time.end, stable);
-  if (!(n < most_steps))
-    throw InputError(Problem{"time.end", "the time step has collapsed",
-        fmt::format("{:.3g} s need {:.3g} steps of {:.3g} s (smallest cell altitude {:.3g} m, wave speed {:.4g} m/s).",
-            time.end, n, stable, model.mesh->smallest_altitude, limit.fastest),
-        "time", false, {"mesh", "material", "time"}});
-  model.n_steps = static_cast<std::int64_t>(n);
-  model.dt = time.end / n;
-}
-
-/// What lies above places in a stage: its soil with its gravity in full. Loads do not count: whether undrained soil has
-/// settled under one, as under a road, or not, as under traffic, the case does not say, and strength that it may not
-/// have is not on the safe side.
-std::shared_ptr<const Overburden> ground_in(const Case& whole, std::size_t number, const SharedMesh& mesh)
-{
-  Model model;
-  model.mesh = mesh;
-  model.description = case_of_stage(whole, number);
-  model.materials = make_materials(model.description, whole);
-  set_ramp(whole, number, model);
-  model.with.loads = nullptr;
-  return std::make_shared<const Overburden>(model);
-}
-
-/// The ground at t = 0, and in each stage that places bodies. Where no parameter varies, none is needed.
-void set_ground(const Case& whole, Model& model)
-{
-  const auto has_field = [](const MaterialCase& m) { return !m.fields.empty(); };
-  if (!in_any_stage(whole, [&](const Case& c) { return std::ranges::any_of(c.materials, has_field); })) return;
-  const Case& of = whole.ground_of ? *whole.ground_of : whole;
-  model.ground = ground_in(of, 0, model.mesh);
-  for (const BodyCase& body : of.bodies)
-    if (body.placed > 0 && !model.later_ground.contains(body.placed))
-      model.later_ground.emplace(body.placed, ground_in(of, body.placed - 1, model.mesh));
-}
-
-/// of_run: another stage of the same run; nullptr: this is the first model of it.
-Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number, const Model* of_run)
-{
-  if (threads < 1)
-    throw InputError(Problem{"threads", "a run needs at least one thread", fmt::format("Got {}.", threads), ""});
-  Model model;
-  const Case description = as_solved(case_of_stage(whole, number));
-  model.stage.number = number;
-  model.description = description;
-  if (!whole.stages.empty()) {
-    model.whole = std::make_shared<const Case>(whole);
-    model.description.stages = whole.stages;
-    model.description.ground_of = whole.ground_of ? whole.ground_of : model.whole;
-  }
-  model.mesh = std::move(mesh);
-  model.materials = make_materials(description, whole);
-  model.method = description.method;
-  check_velocities(description, *model.mesh);
-  if (description.flood.asks()) check_least_depth(description.flood, *model.mesh);
-  model.with.sides = std::make_shared<const SidesModel>(
-      SidesModel{Boundary(*model.mesh, description.sides), make_open_sides(description, *model.mesh)});
-  model.with.footings = make_footings(description);
-  set_ramp(whole, number, model);
-  model.damping = {.local = description.forces.local_damping,
-      .averaging_time = description.forces.averaging_time,
-      .viscous = description.forces.viscous_damping};
+  model.damping = {
+      .local = forces.local_damping, .averaging_time = forces.averaging_time, .viscous = forces.viscous_damping};
   if (const Real g = std::hypot(model.gravity[0], model.gravity[1]); g > 0.0)
     model.damping.down = {model.gravity[0] / g, model.gravity[1] / g};
-  model.scheme = find_scheme(description.scheme);
+}
+
+void set_softening(const std::vector<Index>& used, Model& model)
+{
+  Real length = 0.0;  // the largest of those in use
+  for (const Index m : used)
+    if (model.materials[m].increment_row >= 0) length = std::max(length, model.materials[m].softening.length);
+  for (const Index m : used) model.materials[m].softening_scale = scale_by_cell(*model.mesh, model.materials[m]);
+  check_cells_in_length(model, used);
+  if (length > 0.0)
+    model.with.softening =
+        std::make_shared<const SofteningModel>(SofteningModel{make_node_diffusion(*model.mesh, length)});
+}
+
+/// n_steps: to the end of the run.
+Model model_of(std::shared_ptr<const Parts> parts, std::size_t number, std::int64_t n_steps, int threads)
+{
+  const Case& whole = *parts->whole;
+  const Soils& soils = parts->soils[number];
+  const std::vector<Index>& used = parts->used;
+  Model model;
+  model.stage.number = number;
+  model.description = soils.description;
+  if (!whole.stages.empty()) {
+    model.description.stages = whole.stages;
+    model.description.ground_of = whole.ground_of ? whole.ground_of : parts->whole;
+  }
+  const Case& c = model.description;
+  model.mesh = parts->mesh;
+  model.materials = soils.materials;
+  model.rows = soils.rows;
+  model.largest_density = parts->largest_density, model.n_steps = n_steps, model.dt = parts->dt;
+  model.threads = threads;
+  model.method = c.method;
+  model.parts = std::move(parts);
+  check_velocities(c, *model.mesh);
+  if (c.flood.asks()) check_least_depth(c.flood, *model.mesh);
+  model.with.sides =
+      std::make_shared<const SidesModel>(SidesModel{Boundary(*model.mesh, c.sides), make_open_sides(c, *model.mesh)});
+  model.with.footings = make_footings(c);
+  set_ramp(whole, number, model);
+  set_damping(c.forces, model);
+  model.scheme = find_scheme(c.scheme);
   model.step = kernels().step, model.find_forces = kernels().find_forces, model.strain = kernels().strain;
   if (model.scheme == nullptr) throw InputError(Problem{"scheme", "no such scheme", "", "scheme"});
-  model.threads = threads;
-  if (of_run != nullptr)
-    model.ground = of_run->ground, model.later_ground = of_run->later_ground;
-  else
-    set_ground(whole, model);
-  const std::vector<Index> used = used_materials(whole);
-  const FieldsOfPoints fields = settle_laws(whole, used, model);
   set_method_by_law(used, model);
   if (slips_in_cut_cells(model, used))
     model.with.slip = std::make_shared<const SlipModel>(SlipModel{add_slip_row(model.rows)});
@@ -362,20 +211,9 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
     add_rows_of_loads(loads.all, model.rows);
     model.with.loads = std::make_shared<const LoadsModel>(std::move(loads));
   }
-  model.with.bodies = make_bodies(description, number, model.rows);
-  Real length = 0.0;  // the largest of those in use
-  for (const Index m : used)
-    if (model.materials[m].increment_row >= 0) length = std::max(length, model.materials[m].softening.length);
-  for (const Index m : used) model.materials[m].softening_scale = scale_by_cell(*model.mesh, model.materials[m]);
-  check_cells_in_length(model, used);
-  if (length > 0.0)
-    model.with.softening =
-        std::make_shared<const SofteningModel>(SofteningModel{make_node_diffusion(*model.mesh, length)});
-  if (of_run != nullptr)
-    model.largest_density = of_run->largest_density, model.n_steps = of_run->n_steps, model.dt = of_run->dt;
-  else
-    set_time_step(whole, used, fields, model);
-  if (description.water.is_given()) model.with.water = model.nodal_water = std::make_shared<const NodalWater>(model);
+  model.with.bodies = make_bodies(c, number, model.rows);
+  set_softening(used, model);
+  if (c.water.is_given()) model.with.water = model.nodal_water = std::make_shared<const NodalWater>(model);
   model.flood_level = find_flood_level(whole, model);
   set_stage(whole, number, model);
   return model;
@@ -390,12 +228,15 @@ Model build_model(const Case& description, int threads)
 
 Model build_model(const Case& description, SharedMesh mesh, int threads)
 {
-  return build(with_computed_water(description, mesh), mesh, threads, 0, nullptr);
+  if (threads < 1)
+    throw InputError(Problem{"threads", "a run needs at least one thread", fmt::format("Got {}.", threads), ""});
+  const std::shared_ptr<const Parts> parts = parts_of(description, mesh);
+  return model_of(parts, 0, parts->n_steps, threads);
 }
 
 Model build_stage(const Model& of_run, std::size_t number)
 {
-  Model model = build(*of_run.whole, of_run.mesh, of_run.threads, number, &of_run);
+  Model model = model_of(of_run.parts, number, of_run.n_steps, of_run.threads);
   TERP_ASSERT(model.rows == of_run.rows);
   return model;
 }

@@ -6,16 +6,13 @@
 
 namespace terp {
 
-inline constexpr std::int64_t most_steps = 1'000'000'000;  ///< beyond: a time step that has collapsed, not a case
-
 /// Throws InputError with the key of the case that is at fault.
 Model build_model(const Case& description, int threads);
 
 /// The same on a mesh that is already there and may be shared; what the case says of the mesh is not used.
 Model build_model(const Case& description, SharedMesh mesh, int threads);
 
-/// Another stage of the run of a model. Rows of the points, time step, and the ground that strengths follow from are
-/// those of the whole run. build_model builds the first stage.
+/// Another stage of the run of a model, from the same parts. build_model builds the first stage.
 Model build_stage(const Model& of_run, std::size_t number);
 
 /// Another end with the time step that the model has: the first step at or after it [s]. For a run that goes on.

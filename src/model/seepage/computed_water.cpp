@@ -124,18 +124,16 @@ std::optional<std::size_t> SeepageSection::soil_at(Vec<2> x) const
 
 SeepageSection seepage_section(const Case& whole, const SharedMesh& mesh)
 {
-  Model model;
-  model.mesh = mesh;
-  model.description = case_of_stage(whole, 0);
+  const Case& start = case_of_stage(whole, 0);
   std::vector<Problem> problems;
   SeepageSection section;
   for (const WallCase& wall : whole.water.walls)
     for (std::size_t k = 0; k + 1 < wall.line.size(); ++k) section.walls.push_back({wall.line[k], wall.line[k + 1]});
-  const std::vector<BodyOutline> outlines = outlines_of(model);
-  const std::vector<MaterialCase>& materials = model.description.materials;
+  const std::vector<BodyOutline> outlines = outlines_of(start, *mesh);
+  const std::vector<MaterialCase>& materials = start.materials;
   std::vector<std::string> missing;
   for (std::size_t b = 0; b < outlines.size(); ++b) {
-    const BodyCase& body = model.description.bodies[b];
+    const BodyCase& body = start.bodies[b];
     if (!body.is_there) continue;
     if (!body.points_file.empty()) {
       problems.push_back({fmt::format("body[{}].points", b), "computed water needs the outline of every body",

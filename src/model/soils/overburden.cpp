@@ -10,36 +10,48 @@
 
 namespace terp {
 
-Overburden::Overburden(const Model& model, Real gravity)
-    : Overburden(model, gravity, [](const BodyCase& body) { return body.is_there; })
+namespace {
+
+bool is_there(const BodyCase& body) { return body.is_there; }
+
+}  // namespace
+
+Overburden::Overburden(const Model& model, Real gravity) : Overburden(model, gravity, is_there) { add_loads(model); }
+
+Overburden Overburden::without_loads(const StageSoil& soil)
 {
+  return Overburden(soil, -soil.description.forces.gravity[1], is_there);
 }
 
 Overburden Overburden::before_stage(const Model& model)
 {
   const StageNumber now = model.stage.number + 1;
-  return Overburden(model, -model.gravity[1],
+  Overburden before(model, -model.gravity[1],
       [now](const BodyCase& body) { return body.removed == now || (body.is_there && body.placed != now); });
+  before.add_loads(model);
+  return before;
 }
 
-Overburden::Overburden(const Model& model, Real gravity, const IsThere& is_there)
-    : water_(model.description.water), gravity_(gravity)
+void Overburden::add_loads(const Model& model)
 {
   for (const Load& load : loads_of(model))
     if (load.is_permanent()) loads_.push_back({load.from, load.to, pressure_of(model, load, 0.0)});
-  const std::vector<BodyOutline> outlines = outlines_of(model);
+}
+
+Overburden::Overburden(const StageSoil& soil, Real gravity, const IsThere& is_there)
+    : water_(soil.description.water), gravity_(gravity)
+{
+  const std::vector<BodyOutline> outlines = outlines_of(soil);
   std::vector<std::vector<Side>> sides;
   for (std::size_t b = 0; b < outlines.size(); ++b) {
-    const BodyCase& body = model.description.bodies[b];
+    const BodyCase& body = soil.description.bodies[b];
     if (!is_there(body)) continue;
     if (!body.points_file.empty()) {
       is_known_ = false;
       continue;
     }
-    const auto density = [&](Zone zone) {
-      return model.materials[material_number(model, body.material, zone)].density;
-    };
-    sides.push_back(outline_sides(*model.mesh, outlines[b]));
+    const auto density = [&](Zone zone) { return soil.materials[material_number(soil, body.material, zone)].density; };
+    sides.push_back(outline_sides(*soil.mesh, outlines[b]));
     drawn_.push_back({density(Zone::below), density(Zone::above)});
   }
   columns_ = DrawnColumns(sides);

@@ -14,11 +14,13 @@ namespace terp {
 
 class Overburden {
  public:
-  /// Of the bodies that are there in a model whose mesh, materials, gravity, loads and ramp are set, with its gravity
-  /// in full.
+  /// Of the bodies that are there, with the gravity and the loads of a model.
   explicit Overburden(const Model& model) : Overburden(model, -model.gravity[1]) {}
   /// The same with another gravity, downwards [m/s^2].
   Overburden(const Model& model, Real gravity);
+  /// Of a stage without its loads: whether undrained soil has settled under one, as under a road, or not, as under
+  /// traffic, the case does not say, and strength that it may not have is not on the safe side.
+  static Overburden without_loads(const StageSoil& soil);
   /// Of the bodies that were there before the stage of the model placed some or dug some away.
   static Overburden before_stage(const Model& model);
 
@@ -44,7 +46,8 @@ class Overburden {
 
  private:
   using IsThere = std::function<bool(const BodyCase&)>;
-  Overburden(const Model& model, Real gravity, const IsThere& is_there);
+  Overburden(const StageSoil& soil, Real gravity, const IsThere& is_there);
+  void add_loads(const Model& model);
 
   /// Density of a body below and above the phreatic line of the start [kg/m^3].
   struct DrawnBody {

@@ -104,11 +104,11 @@ std::vector<Real> parameters_at(const MaterialCase& material, const MaterialType
   return values;
 }
 
-Real stable_step(const Model& model, const Stiffness& s)
+Real stable_step(const StageSoil& soil, const Stiffness& s)
 {
-  const Real altitude = model.mesh->smallest_altitude, density = model.materials[s.material].density;
+  const Real altitude = soil.mesh->smallest_altitude, density = soil.materials[s.material].density;
   const Real wave = wave_speed(s.moduli.p_wave(), density);
-  return stable_time_step(model.description.time.courant, altitude, wave) *
+  return stable_time_step(soil.description.time.courant, altitude, wave) *
          viscous_reduction(s.viscosity / density, altitude, wave);
 }
 
@@ -145,7 +145,7 @@ void set_point_parameter(const Model& model, const PointBlock<2>& block, Index l
 
 void set_point_parameters(const Model& model, const Seeds& seeds, StepState& state, const std::vector<bool>& of_bodies)
 {
-  if (!model.ground) return;
+  if (!model.ground()) return;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const SoilMaterial& material = model.materials[block.material];
     if (!material.varies()) return;
@@ -153,24 +153,25 @@ void set_point_parameters(const Model& model, const Seeds& seeds, StepState& sta
     const Index body = seeds.bodies[id];
     if (!of_bodies.empty() && !of_bodies[static_cast<std::size_t>(body)]) return;
     const std::vector<Real> values = parameters_at(model.description.materials[block.material], *material.type,
-        {{seeds.places[2 * id], seeds.places[2 * id + 1]}, model.ground_with(body)});
+        {{seeds.places[2 * id], seeds.places[2 * id + 1]},
+            model.parts->grounds.of(model.description.bodies[static_cast<std::size_t>(body)])});
     const LawRows rows = material.view(block, lane);
     std::size_t k = 0;
     for (const Real value : varying_values(material, values)) *rows.parameters(k++) = value;
   });
 }
 
-std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index> used, const FieldsOfPoints& fields)
+std::vector<Stiffness> list_stiffness(const StageSoil& soil, std::span<const Index> used, const FieldsOfPoints& fields)
 {
   std::vector<Stiffness> list;
   for (const Index number : used)
-    if (const SoilMaterial& material = model.materials[number]; !material.varies())
+    if (const SoilMaterial& material = soil.materials[number]; !material.varies())
       list.push_back({number, undrained(material, material.law->moduli()), material.law->viscosity()});
   std::vector<Real> all, own;
   for (const FieldsOfPoints::Point& point : fields.points) {
     if (std::ranges::find(used, point.material) == used.end()) continue;
-    const SoilMaterial& material = model.materials[point.material];
-    const MaterialCase& description = model.description.materials[point.material];
+    const SoilMaterial& material = soil.materials[point.material];
+    const MaterialCase& description = soil.description.materials[point.material];
     all = description.parameters;
     const auto first = fields.values.begin() + static_cast<std::ptrdiff_t>(point.first);
     own.assign(first, first + static_cast<std::ptrdiff_t>(description.fields.size()));
@@ -182,18 +183,18 @@ std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index>
   return list;
 }
 
-void set_water_stiffness(Model& model, std::span<const Index> used, const FieldsOfPoints& fields)
+void set_water_stiffness(const Parts& parts, const FieldsOfPoints& fields, Soils& soils)
 {
-  for (const Index number : used) {
-    const MaterialCase& c = model.description.materials[number];
+  for (const Index number : parts.used) {
+    const MaterialCase& c = soils.description.materials[number];
     if (!c.has_excess_pressure()) continue;
-    Real& stiffness = model.materials[number].water_stiffness;
+    Real& stiffness = soils.materials[number].water_stiffness;
     if (!std::isnan(c.water_stiffness)) {
       stiffness = c.water_stiffness;
       continue;
     }
     Moduli stiffest{0.0, 0.0};
-    for (const Stiffness& s : list_stiffness(model, std::array{number}, fields)) {
+    for (const Stiffness& s : list_stiffness({parts, soils}, std::array{number}, fields)) {
       const Real nu = poisson_ratio_of(s.moduli);
       if (!(c.undrained_poisson_ratio > nu))
         throw InputError(Problem{parameter_key(c, "undrained_poisson_ratio"), less_compressible_than_soil,

@@ -43,10 +43,10 @@ inline constexpr const char* less_compressible_than_soil = "undrained soil must 
 /// K_w/n of the materials in use that are undrained and store effective stress: given, or from nu_u where the soil is
 /// stiffest, so that the time step is that of nu_u and softer soil is nearer to incompressible. Throws InputError where
 /// nu_u is not above the Poisson's ratio of the soil.
-void set_water_stiffness(Model& model, std::span<const Index> used, const FieldsOfPoints& fields);
+void set_water_stiffness(const Parts& parts, const FieldsOfPoints& fields, Soils& soils);
 
 /// The longest time step that is stable with it [s].
-Real stable_step(const Model& model, const Stiffness& stiffness);
+Real stable_step(const StageSoil& soil, const Stiffness& stiffness);
 
 /// Throws InputError if a point cannot take a value in the row of a parameter of its law: outside its range, refused by
 /// the law, or too stiff for the time step of the run.
@@ -57,6 +57,6 @@ void check_point_parameter(
 void set_point_parameter(const Model& model, const PointBlock<2>& block, Index lane, int row, Real value);
 
 /// Of each material in use; of each point of those whose parameters vary. Throws as parameters_at.
-std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index> used, const FieldsOfPoints& fields);
+std::vector<Stiffness> list_stiffness(const StageSoil& soil, std::span<const Index> used, const FieldsOfPoints& fields);
 
 }  // namespace terp

@@ -95,37 +95,37 @@ void check_covers(const MaterialCase& material, const ParameterField& field, con
 
 }  // namespace
 
-FieldsOfPoints fields_of_points(const Model& model)
+FieldsOfPoints fields_of_points(const StageSoil& soil)
 {
-  const std::vector<MaterialCase>& materials = model.description.materials;
+  const std::vector<MaterialCase>& materials = soil.description.materials;
   FieldsOfPoints fields;
   if (std::ranges::all_of(materials, [](const MaterialCase& m) { return m.fields.empty(); })) return fields;
-  TERP_ASSERT(model.ground != nullptr);
-  for (const auto& batch : make_points(model))
+  TERP_ASSERT(soil.grounds.first != nullptr);
+  for (const auto& batch : make_points(soil))
     for (const NewPoint& point : batch) {
       const Index m = point.key.material;
-      if (materials[m].fields.empty() || !model.description.bodies[static_cast<std::size_t>(point.body)].is_there)
-        continue;
+      const BodyCase& body = soil.description.bodies[static_cast<std::size_t>(point.body)];
+      if (materials[m].fields.empty() || !body.is_there) continue;
       fields.points.push_back({m, point.x, fields.values.size()});
-      const PlaceInSoil place{point.x, model.ground_with(point.body)};
+      const PlaceInSoil place{point.x, soil.grounds.of(body)};
       for (const ParameterField& field : materials[m].fields) fields.values.push_back(field.value_at(place));
     }
   return fields;
 }
 
-FieldsOfPoints settle_fields(Model& model)
+FieldsOfPoints settle_fields(const Parts& parts, Soils& soils)
 {
-  std::vector<MaterialCase>& materials = model.description.materials;
-  FieldsOfPoints fields = fields_of_points(model);
+  std::vector<MaterialCase>& materials = soils.description.materials;
+  FieldsOfPoints fields = fields_of_points({parts, soils});
   std::vector<std::vector<FieldRange>> found(materials.size());
-  std::vector<BoundingBox> soils(materials.size(), {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}});
+  std::vector<BoundingBox> boxes(materials.size(), {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}});
   for (std::size_t m = 0; m < materials.size(); ++m) found[m].resize(materials[m].fields.size());
   for (const auto& [m, x, first] : fields.points) {
     for (int d = 0; d < 2; ++d)
-      soils[m].low[d] = std::min(soils[m].low[d], x[d]), soils[m].high[d] = std::max(soils[m].high[d], x[d]);
+      boxes[m].low[d] = std::min(boxes[m].low[d], x[d]), boxes[m].high[d] = std::max(boxes[m].high[d], x[d]);
     for (std::size_t f = 0; f < materials[m].fields.size(); ++f) {
       const ParameterField& field = materials[m].fields[f];
-      found[m][f].add(fields.values[first + f], model.materials[m].type->parameters[field.parameter].range, x);
+      found[m][f].add(fields.values[first + f], soils.materials[m].type->parameters[field.parameter].range, x);
     }
   }
   std::vector<Problem> problems;
@@ -134,8 +134,8 @@ FieldsOfPoints settle_fields(Model& model)
       const ParameterField& field = materials[m].fields[f];
       const FieldRange& values = found[m][f];
       if (values.n == 0) continue;
-      check_covers(materials[m], field, soils[m]);
-      const ParameterInfo& info = model.materials[m].type->parameters[field.parameter];
+      check_covers(materials[m], field, boxes[m]);
+      const ParameterInfo& info = soils.materials[m].type->parameters[field.parameter];
       if (values.n_outside > 0 && !follows_a_wrong_one(materials[m], field, found[m]))
         problems.push_back(outside_its_range(materials[m], info, values));
       materials[m].parameters[field.parameter] = values.sum / static_cast<Real>(values.n);
@@ -144,8 +144,8 @@ FieldsOfPoints settle_fields(Model& model)
   if (!problems.empty()) throw InputError(std::move(problems));
   for (std::size_t m = 0; m < materials.size(); ++m)
     if (!materials[m].fields.empty()) {
-      const MaterialType& type = *model.materials[m].type;
-      model.materials[m].law = type.make_varying(materials[m].parameters, varying_parameters(materials[m], type));
+      const MaterialType& type = *soils.materials[m].type;
+      soils.materials[m].law = type.make_varying(materials[m].parameters, varying_parameters(materials[m], type));
     }
   return fields;
 }

@@ -13,11 +13,11 @@ namespace terp {
 
 /// Where parameters vary: gives the laws, and the description, the mean over the points as the value of each. Throws
 /// InputError where a field leaves its range, with the place where it is worst, and where the file of a field covers
-/// none of its soil. Of a model whose mesh, materials and ground are set. Gives the values of all points to be.
-FieldsOfPoints settle_fields(Model& model);
+/// none of its soil. parts: with mesh and grounds. Gives the values of all points to be.
+FieldsOfPoints settle_fields(const Parts& parts, Soils& soils);
 
-/// The same values of a model whose laws have been made.
-FieldsOfPoints fields_of_points(const Model& model);
+/// The same values of laws that have been made.
+FieldsOfPoints fields_of_points(const StageSoil& soil);
 
 /// Fields from files that do not cover all of their soil.
 void find_uncovered_soil(const Model& model, const StepState& state, std::vector<Problem>& warnings);

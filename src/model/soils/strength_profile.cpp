@@ -56,11 +56,11 @@ ProfileRow row_of(const Model& model, const Overburden& above, const PointBlock<
       .shear = material.law->moduli(material.view(block, lane)).shear,
       .material = material.name,
       .strengths = {}};
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   if (const std::size_t last = water_of_stage(whole, whole.stages.size()).to; last > 0 && above.is_known())
     row.last_stress = above.effective(x, situation_of(whole.water, last));
   for (const ParameterField& field : model.description.materials[block.material].fields)
-    if (field.needs.yield_stress) row.yield_stress = field.needs.yield_stress({x, model.ground.get()});
+    if (field.needs.yield_stress) row.yield_stress = field.needs.yield_stress({x, model.ground()});
   const std::vector<Real> values = parameters_of(model, block, lane);
   for (std::size_t k = 0; k < values.size(); ++k) {
     const ParameterInfo& info = material.type->parameters[k];
@@ -75,7 +75,7 @@ ProfileRow row_of(const Model& model, const Overburden& above, const PointBlock<
 std::vector<ProfileRow> strength_profile(const Model& model, const StepState& state, Real x)
 {
   const Overburden own(model);
-  const Overburden& above = model.ground ? *model.ground : own;  // that strengths follow from
+  const Overburden& above = model.ground() ? *model.ground() : own;  // that strengths follow from
   std::vector<ProfileRow> rows;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     if (block.n == 0 || !is_crossed(*model.mesh, block.cell, x)) return;

@@ -59,7 +59,7 @@ std::array<FreeWater, 2> free_water_at_ends(const Case& whole, const Model& mode
 
 RiverBeforeTrigger river_before_trigger(const Model& model)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const auto raises = [](const StageCase& stage) { return stage.trigger && !stage.water.empty(); };
   const auto first = std::ranges::find_if(whole.stages, raises);
   if (first == whole.stages.end()) return {};

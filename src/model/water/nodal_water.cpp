@@ -34,8 +34,7 @@ NodalWater::NodalWater(const Model& model)
     sections_[1] = section_of(Overburden::before_stage(model), has_weight);
   if (overburden.is_known()) drawn_ = draw_water(overburden);
   if (follows_soil() && water_.kind == WaterKind::seepage)
-    section_ = std::make_shared<const SeepageSection>(
-        seepage_section(model.whole ? *model.whole : model.description, model.mesh));
+    section_ = std::make_shared<const SeepageSection>(seepage_section(model.whole(), model.mesh));
   for (std::size_t k = 0; k <= water_.situations.size(); ++k) fields_.push_back(field_of(situation_of(water_, k), 0.0));
   for (const Load& load : loads_of(model)) {
     stretches_.push_back({load.from, load.to});

@@ -26,7 +26,7 @@ Met meet_soil(const Model& model, const State& state, Index material, const Fiel
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     if (block.material != material) return;
     const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
-    const Real value = reach.argument({x, model.ground.get()});
+    const Real value = reach.argument({x, model.ground()});
     if (std::isnan(value)) return;
     ++met.n, met.n_inside += value >= reach.low && value <= reach.high;
     met.low = std::min(met.low, value), met.high = std::max(met.high, value);
@@ -61,7 +61,7 @@ std::optional<Problem> find_ruling_minimum(
   std::vector<Real> values;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     if (block.material != material) return;
-    values.push_back(field.value_at({{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]}, model.ground.get()}));
+    values.push_back(field.value_at({{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]}, model.ground()}));
   });
   std::erase_if(values, [](Real value) { return std::isnan(value); });
   if (values.empty()) return std::nullopt;

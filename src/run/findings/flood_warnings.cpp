@@ -25,7 +25,7 @@ Problem no_level(const Model& model)
 {
   const Case& c = model.description;
   const auto& bodies = c.bodies;
-  const bool formula = c.water.is_given() && changes_with_time(model.whole ? *model.whole : c);
+  const bool formula = c.water.is_given() && changes_with_time(model.whole());
   const bool points = std::ranges::any_of(bodies, [](const BodyCase& body) { return !body.points_file.empty(); });
   const char* why = !c.water.is_given() ? "The case has no [water], whose free water would be the level."
                     : formula ? "The pressure of the water is a formula of the time, from which no level follows."
@@ -40,7 +40,7 @@ Problem no_level(const Model& model)
 /// The level of a situation at the river; beyond its ends a line keeps its level [m].
 Real level_at_river(const Model& model, std::size_t number)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const auto& line = situation_of(whole.water, number).phreatic_line;
   if (line.empty()) return FreeWater::none;
   return model.flood_level.river == Facing::right ? line.back()[1] : line.front()[1];
@@ -49,7 +49,7 @@ Real level_at_river(const Model& model, std::size_t number)
 /// Stages have other water than the start, and in none the river stands higher.
 std::optional<Problem> find_low_flood(const Model& model)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const bool of_case = whole.flood.water_level == model.flood_level.value;
   if (of_case || model.flood_level.at_both_ends || changes_with_time(whole)) return std::nullopt;
   const auto asked_for = situations_asked_for(whole, whole.stages.size());
@@ -73,7 +73,7 @@ std::optional<Problem> find_low_flood(const Model& model)
 std::optional<Problem> find_idle_head(const Model& model)
 {
   constexpr Real little = 0.1;  // [m]
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   if (!model.flood_level.river || changes_with_time(whole)) return std::nullopt;
   const bool on_right = model.flood_level.river == Facing::right;
   const WaterSituation& start = whole.water.start;
@@ -115,7 +115,7 @@ std::optional<Problem> find_idle_head(const Model& model)
 /// At the end strengths are divided by less than 1.
 std::optional<Problem> find_raised_strength(const Model& model)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const bool staged = !whole.stages.empty() && whole.stages.back().changed;
   const Real factor = staged ? whole.stages.back().changed->at_strength : whole.at_strength;
   if (!(factor < 1.0)) return std::nullopt;
@@ -130,7 +130,7 @@ std::optional<Problem> find_raised_strength(const Model& model)
 std::optional<Problem> find_damped_end(const Model& model)
 {
   constexpr Real much = 0.5;
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   if (whole.stages.empty() || !whole.stages.back().changed) return std::nullopt;
   const Real alpha = whole.stages.back().changed->forces.local_damping;
   if (!(alpha > much) || whole.forces.local_damping > much) return std::nullopt;  // that is told of the case
@@ -173,7 +173,7 @@ std::optional<Problem> find_narrow_crest(const Model& model, const Columns& colu
 std::optional<Problem> find_other_water(const Model& model)
 {
   constexpr Real least = 0.01;  // [m]
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const FloodLevel& level = model.flood_level;
   if (whole.flood.water_level != level.value || !level.river || changes_with_time(whole)) return std::nullopt;
   const FreeWater water = free_water_at_ends(whole, model, whole.stages.size())[level.river == Facing::right ? 1 : 0];

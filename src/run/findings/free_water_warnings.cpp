@@ -44,7 +44,7 @@ std::string phreatic_key(std::size_t number) { return fmt::format("water.situati
 /// and the other end rises above it. A river that falls below the polder, or rises from below it, does neither.
 void find_swapped_river(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const Overburden overburden(model);
   const auto& first = whole.water.start.phreatic_line;
   if (first.empty() || !overburden.is_known()) return;
@@ -80,7 +80,7 @@ constexpr Real few_columns = 10.0, little_fall = 0.05;
 /// level.
 void find_sloping_free_water(const Model& model, std::vector<Problem>& warnings)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const Overburden overburden(model);
   if (!overburden.is_known()) return;
   const Columns columns = columns_of_section(*model.mesh);
@@ -126,7 +126,7 @@ void find_sloping_free_water(const Model& model, std::vector<Problem>& warnings)
 void find_drowned_loads(const Model& model, std::vector<Problem>& warnings)
 {
   constexpr Real little = 0.1;  // [m]
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const Overburden overburden(model);
   if (!overburden.is_known()) return;
   for (std::size_t k = 0; k < whole.loads.size(); ++k) {
@@ -155,7 +155,7 @@ void find_drowned_loads(const Model& model, std::vector<Problem>& warnings)
 /// sign, if that level lies in the soil.
 void find_flooded_land(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const Overburden overburden(model);
   if (!overburden.is_known()) return;
   const auto ends = ends_of_soil(state);

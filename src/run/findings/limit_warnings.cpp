@@ -117,7 +117,7 @@ void find_idle_cutoffs(const Model& model, const State& state, Problems& found)
 /// Where slip along the top of an aquifer takes more than the soil carries, in the water that makes it worst.
 void find_weak_tops(const Model& model, const State&, Problems& found)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const Real row = typical_cell_size(*model.mesh);
   const auto most = [row](const std::vector<WeakBorder>& borders) {
     Real largest = 0.0;

@@ -412,7 +412,7 @@ void find_submerged_weights(const Model& model, const State& state, Problems& wa
 /// polder, which bears next to nothing.
 void find_large_yield_stress(const Model& model, const State& state, Problems& warnings)
 {
-  if (!model.ground || !model.ground->is_known()) return;
+  if (!model.ground() || !model.ground()->is_known()) return;
   std::vector<PastLoad> soils(model.materials.size());
   Real largest = 0.0;  // sigma'_v,daily [Pa]
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
@@ -420,13 +420,13 @@ void find_large_yield_stress(const Model& model, const State& state, Problems& w
     const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
     for (const ParameterField& field : model.description.materials[m].fields) {
       if (!field.needs.yield_stress) continue;
-      const WaterCase& water = model.ground->water();
+      const WaterCase& water = model.ground()->water();
       const WaterSituation& of = situation_of(water, situation_number(water, field.needs.daily_water));
-      const Real daily = model.ground->effective(x, of, std::isnan(of.time) ? 0.0 : of.time);
+      const Real daily = model.ground()->effective(x, of, std::isnan(of.time) ? 0.0 : of.time);
       largest = std::max(largest, daily);
       PastLoad& soil = soils[m];
       soil.n += 1, soil.daily += daily;
-      soil.beyond += field.needs.yield_stress({x, model.ground.get()}) - daily;
+      soil.beyond += field.needs.yield_stress({x, model.ground()}) - daily;
       break;
     }
   });

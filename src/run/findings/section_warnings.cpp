@@ -354,7 +354,7 @@ class SectionCheck {
 /// A stage digs away what other bodies stand on.
 void find_undermined_soil(const Model& model, Problems& warnings)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   if (model.gravity == Vec<2>{} || whole.sides.empty()) return;
   std::string ignored;
   std::optional<std::set<std::size_t>> before;

@@ -205,7 +205,7 @@ void find_slow_drained_soil(const Case& whole, std::vector<Problem>& warnings)
 
 void find_odd_seepage(const Model& model, std::vector<Problem>& warnings)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   if (whole.water.kind != WaterKind::seepage) return;
   const SeepageSection section = seepage_section(whole, model.mesh);
   for (std::size_t k = 0; k <= whole.water.situations.size(); ++k)

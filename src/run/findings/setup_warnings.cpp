@@ -65,7 +65,7 @@ void find_low_excavations(const Model& model, std::vector<Problem>& warnings)
   constexpr Real least = 5.0;  // cells over the height, as of a slope (docs/stability.md)
   const Real cell = typical_cell_size(*model.mesh);
   const Overburden overburden(model);
-  const auto& bodies = (model.whole ? *model.whole : model.description).bodies;
+  const auto& bodies = (model.whole()).bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].removed == never || bodies[b].polygon.empty()) continue;
     const auto [low, high] = std::ranges::minmax(bodies[b].polygon, {}, [](const Vec<2>& x) { return x[1]; });
@@ -98,7 +98,7 @@ void find_short_averaging(const Model& model, std::vector<Problem>& warnings)
 /// Frames that do not say which points are soil, of a run in which soil comes or goes.
 void find_frames_without_soil(const Model& model, std::vector<Problem>& warnings)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const auto& names = whole.output.field_names;
   const auto tells = [](const std::string& name) { return name == "material" || name == "cell" || name == "volume"; };
   if (names.empty() || std::ranges::any_of(names, tells)) return;

@@ -142,7 +142,7 @@ void find_long_averaging(
 void find_odd_intervals(const Model& model, std::vector<Problem>& warnings)
 {
   constexpr Real far_below = 0.1, far_beyond = 10.0;  // of the time step, of the end
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const OutputCase &output = whole.output, defaults;
   const auto check = [&](const char* key, const char* what, Real every, Real by_default, bool is_needed) {
     if (!(every > 0.0) || every == by_default) return;
@@ -168,7 +168,7 @@ void find_odd_intervals(const Model& model, std::vector<Problem>& warnings)
 
 void find_odd_times(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const SoilSize soil = measure_soil(model, state);
   const WaveSpeeds speeds = wave_speeds(model);
   find_short_rest(whole, soil, speeds, warnings);

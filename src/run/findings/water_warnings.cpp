@@ -288,7 +288,7 @@ bool is_asked_for(const Case& whole, const std::string& name)
 /// Situations that never come: nothing asks for them, or the run ends before their time.
 void find_idle_water(const Model& model, std::vector<Problem>& warnings)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const WaterCase& water = whole.water;
   const auto changes_water = [](const StageCase& stage) {
     return !stage.water.empty() && stage.water != name_of_start;
@@ -319,7 +319,7 @@ void find_idle_water(const Model& model, std::vector<Problem>& warnings)
 /// A stage brings other water, and an S_u that follows from sigma'_v keeps that of another situation.
 void find_strengths_of_other_water(const Model& model, std::vector<Problem>& warnings)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   std::vector<std::string> told;
   for (const StageCase& stage : whole.stages) {
     if (stage.water.empty() || stage.water == name_of_start || stage.trigger || !stage.changed) continue;

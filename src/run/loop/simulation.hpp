@@ -3,6 +3,7 @@
 #pragma once
 
 #include "run/loop/run.hpp"
+#include "model/parts/parts.hpp"
 #include "model/parts/setup.hpp"
 
 #include <limits>

@@ -21,7 +21,7 @@ TEST(SettleFields, GiveTheLawTheMeanOverThePoints)
 {
   const Model model = build_model(with_field({su_peak, [](Vec<2> x) { return 8e3 + 1e3 * x[1]; }}), 1);
   EXPECT_NEAR(model.description.materials[0].parameters[su_peak], 9e3, 1e-9) << "a box from y = 0 to 2 m";
-  EXPECT_EQ(build_model(column("mpm_gp"), 1).ground, nullptr) << "nothing varies";
+  EXPECT_EQ(build_model(column("mpm_gp"), 1).ground(), nullptr) << "nothing varies";
 }
 
 TEST(SettleFields, NameThePlaceWhereAValueIsWorst)

@@ -9,7 +9,7 @@ namespace other_run_test {
 /// A run of the case that begins with the present state of another one, after its stage.
 Simulation continued(const Simulation& other, const std::string& stage, const Case& c)
 {
-  Model before = build_model(other.model.whole ? *other.model.whole : other.model.description, 1);
+  Model before = build_model(other.model.whole(), 1);
   State state = restore(before, other.save());
   before = model_for(std::move(before), state);
   Model model = build_model(c, 1);
