@@ -92,10 +92,12 @@ CellMatrix stiffness_of_cell(const Model& model, const PointBlocks<2>& points, I
   return k;
 }
 
-/// Directions in which a side holds a node, times themselves.
+/// Directions in which a side holds a node, times themselves. A contact that resists along itself holds there: soil
+/// slips where forces beyond its strength are left.
 std::array<std::array<Real, 2>, 2> held_by(const NodeSide& side)
 {
-  if (side.action.along == Along::prescribed) return {{{1.0, 0.0}, {0.0, 1.0}}};
+  const bool resists = side.action.along == Along::resisted && (side.adhesion_force > 0.0 || side.friction > 0.0);
+  if (side.action.along == Along::prescribed || resists) return {{{1.0, 0.0}, {0.0, 1.0}}};
   if (side.action.across == Across::free) return {};
   const Vec<2>& n = side.normal;
   return {{{n[0] * n[0], n[0] * n[1]}, {n[1] * n[0], n[1] * n[1]}}};

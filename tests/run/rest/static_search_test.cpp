@@ -75,6 +75,32 @@ TEST(StaticSearch, FindsTheStressOfElasticSoilThatMotionFinds)
   }
 }
 
+/// A layer on an incline, of which the base carries so many times what rest needs.
+Case layer_on_an_incline(SideKind contact, Real strength)
+{
+  Case c = confined_box(InitialStress::equilibrium);
+  const Real along = 3.0, needed = 2000.0 * along * 1.5;
+  c.forces.gravity[0] = along;
+  c.sides[2].kind = contact;
+  c.sides[2].adhesion = strength * needed;
+  return c;
+}
+
+TEST(StaticSearch, ABaseThatAdheresCarriesTheSoilAlongItself)
+{
+  for (const SideKind contact : {SideKind::contact_bilateral, SideKind::contact_separating}) {
+    Simulation fixed(layer_on_an_incline(SideKind::fixed, 0.0)), s(layer_on_an_incline(contact, 10.0));
+    ASSERT_EQ(search(fixed).end, StaticEnd::rests);
+    ASSERT_EQ(search(s).end, StaticEnd::rests);
+    EXPECT_LT(difference_in_shear(fixed.state, s.state), 1e-3);
+  }
+  Simulation fixed(layer_on_an_incline(SideKind::fixed, 0.0)),
+      weak(layer_on_an_incline(SideKind::contact_bilateral, 0.1));
+  ASSERT_EQ(search(fixed).end, StaticEnd::rests);
+  ASSERT_EQ(search(weak).end, StaticEnd::rests) << "the wall takes what the base does not carry";
+  EXPECT_GT(difference_in_shear(fixed.state, weak.state), 0.1);
+}
+
 TEST(StaticSearch, GivesUpWhereTheSoilFailsAndLeavesItAsItWas)
 {
   Simulation drawn(standing_column("mpm_gp", 0.7)), s(standing_column("mpm_gp", 0.7));
