@@ -13,7 +13,7 @@
 
 namespace terp {
 
-struct KeptSoil::Parts {
+struct KeptSoil::Kept {
   std::vector<Real> points, pressure, excess;
   std::vector<BlockSlip> slips;
   std::vector<PerGauss<Quad4>> ratios;
@@ -31,12 +31,12 @@ std::ptrdiff_t n_values(const PointBlocks<2>& points, const PointBlock<2>& block
 
 }  // namespace
 
-KeptSoil::KeptSoil() : parts_(std::make_unique<Parts>()) {}
+KeptSoil::KeptSoil() : kept_(std::make_unique<Kept>()) {}
 KeptSoil::~KeptSoil() = default;
 
 void KeptSoil::keep(const StepModel& model, const StepState& state, const Workspace& work)
 {
-  Parts& kept = *parts_;
+  Kept& kept = *kept_;
   kept.points.clear();
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     kept.points.insert(kept.points.end(), block.data, block.data + n_values(state.points, block));
@@ -54,7 +54,7 @@ void KeptSoil::keep(const StepModel& model, const StepState& state, const Worksp
 
 void KeptSoil::put_back(StepState& state, Workspace& work) const
 {
-  const Parts& kept = *parts_;
+  const Kept& kept = *kept_;
   const Real* from = kept.points.data();
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     const std::ptrdiff_t n = n_values(state.points, block);

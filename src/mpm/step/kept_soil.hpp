@@ -21,8 +21,8 @@ class KeptSoil {
   void put_back(StepState& state, Workspace& work) const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Kept;
+  std::unique_ptr<Kept> kept_;
 };
 
 }  // namespace terp

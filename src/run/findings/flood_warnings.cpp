@@ -1,6 +1,6 @@
 // The ground that holds the water is found at t = 0 by the functions that give the verdict in the run. Without a level
 // there is one warning, and nothing else is checked. A narrow crest is measured on the drawn outlines, as columns of
-// one cell cannot show it. What concerns the whole run asks model.whole, the case without the changes of its stages.
+// one cell cannot show it. What concerns the whole run asks model.whole(), the case without the changes of its stages.
 
 #include "run/findings/flood_warnings.hpp"
 

@@ -65,7 +65,7 @@ void find_low_excavations(const Model& model, std::vector<Problem>& warnings)
   constexpr Real least = 5.0;  // cells over the height, as of a slope (docs/stability.md)
   const Real cell = typical_cell_size(*model.mesh);
   const Overburden overburden(model);
-  const auto& bodies = (model.whole()).bodies;
+  const auto& bodies = model.whole().bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].removed == never || bodies[b].polygon.empty()) continue;
     const auto [low, high] = std::ranges::minmax(bodies[b].polygon, {}, [](const Vec<2>& x) { return x[1]; });
