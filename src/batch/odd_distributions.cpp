@@ -1,5 +1,7 @@
 #include "batch/odd_distributions.hpp"
 
+#include "io/case/units.hpp"
+
 #include <cmath>
 #include <fmt/format.h>
 
@@ -21,6 +23,30 @@ void doubt_numbers(const Study& study, std::vector<Problem>& doubts)
                       "of variation is `cov`.",
               d.sd, d.mean),
           ""});
+    if (d.kind == DistributionKind::lognormal && d.sd > d.mean)
+      doubts.push_back({key, fmt::format("the standard deviation of `{}` is more than its mean", number.key),
+          fmt::format(
+              "Its standard deviation is {:.4g}, its mean {:.4g}. `cov` is a share: 35 % is 0.35.", d.sd, d.mean),
+          ""});
+    constexpr Real hardly = 1e-4;
+    const Node* own = number.is_name || !has_spread ? nullptr : find_node(study.base.source.root, number.key);
+    const auto quantity = own != nullptr && own->kind == NodeKind::text ? parse_quantity(own->text) : std::nullopt;
+    const Real of_case = own == nullptr                                                    ? NAN
+                         : own->kind == NodeKind::number || own->kind == NodeKind::integer ? own->number
+                         : quantity && quantity->unit                                      ? quantity->value()
+                                                                                           : NAN;
+    const bool varies = d.kind != DistributionKind::truncated_normal && d.sd >= little * std::abs(d.mean);
+    if (const Real p = std::isnan(of_case) || !varies ? 0.5 : d.probability(of_case); std::min(p, 1.0 - p) < hardly)
+      doubts.push_back({key, fmt::format("`{}` is hardly drawn where the case has it", number.key),
+          fmt::format(
+              "The case gives {:.4g}, the median of what is drawn is {:.4g}. Have both the same meaning and unit?",
+              of_case, d.quantile(0.5)),
+          ""});
+    constexpr Real decades = 100.0;
+    if (d.kind == DistributionKind::uniform && d.lowest > 0.0 && d.highest > decades * d.lowest)
+      doubts.push_back(
+          {key, fmt::format("the bounds of `{}` differ by a factor of {:.2g}", number.key, d.highest / d.lowest),
+              fmt::format("Got {:.4g} and {:.4g}. Have both the same unit?", d.lowest, d.highest), ""});
     if (d.kind != DistributionKind::truncated_normal || !(d.sd > 0.0)) continue;
     const Real kept = normal_probability((d.highest - d.mean) / d.sd) - normal_probability((d.lowest - d.mean) / d.sd);
     if (kept < 0.5)

@@ -25,6 +25,17 @@ TEST(OddDistributions, AStandardDeviationInTheUnitOfACoefficientOfVariation)
   EXPECT_THAT(doubts_of("distribution = \"lognormal\"\nmean = \"8 kPa\"\nsd = \"1 kPa\"\n"), IsEmpty());
 }
 
+TEST(OddDistributions, NumbersBesideEachOtherAndBesideTheCase)
+{
+  EXPECT_THAT(doubts_of("distribution = \"lognormal\"\nmean = \"8 kPa\"\ncov = 1.2\n"),
+      ElementsAre("random[0].key: the standard deviation of `material.clay.su_peak` is more than its mean"));
+  EXPECT_THAT(doubts_of("distribution = \"uniform\"\nlowest = 5\nhighest = \"9 kPa\"\n"),
+      ElementsAre("random[0].key: the bounds of `material.clay.su_peak` differ by a factor of 1.8e+03"));
+  EXPECT_THAT(doubts_of("distribution = \"lognormal\"\nmean = \"20 kPa\"\ncov = 0.15\n"),
+      ElementsAre("random[0].key: `material.clay.su_peak` is hardly drawn where the case has it"));
+  EXPECT_THAT(doubts_of("distribution = \"lognormal\"\nmean = \"9 kPa\"\ncov = 0.2\n"), IsEmpty());
+}
+
 TEST(OddDistributions, BoundsBesideTheMean)
 {
   const std::string cut = "distribution = \"truncated_normal\"\nmean = \"8 kPa\"\ncov = 0.2\nlowest = ";

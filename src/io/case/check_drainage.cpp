@@ -118,6 +118,13 @@ void check_water_stiffness(
                     "is most\noften given dilatancy_angle = 0.",
             psi),
         "material.drainage", false, {path}});
+  else if (psi < 0.0 && parameter_of(material, law, "dilatancy_angle_residual") == psi)
+    findings.warnings.push_back({join_path(path, "dilatancy_angle"),
+        fmt::format("`{}` is undrained and contracts for ever: it loses all of its friction", material.name),
+        fmt::format("Got {:g} deg, and no `dilatancy_angle_residual`: shearing gives pressure to the pore water for as "
+                    "long as it lasts.\nGive dilatancy_angle_residual = 0, the critical state, and eta.",
+            psi),
+        "material.drainage", false, {path}});
   const bool known =
       material.fields.empty() && material.complete_type() != nullptr && law.check(material.parameters).empty();
   if (!known || !std::isnan(material.water_stiffness)) return;

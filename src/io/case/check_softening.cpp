@@ -49,6 +49,24 @@ void check_lone_parameters(const MaterialCase& material, const MaterialType& law
   }
 }
 
+/// The second fall of strength before the first.
+void check_remoulding(const MaterialCase& material, const MaterialType& law, Problems& warnings)
+{
+  const auto value_of = [&](std::string_view name) {
+    const auto at = std::ranges::find(law.parameters, name, &ParameterInfo::name) - law.parameters.begin();
+    return at == std::ssize(law.parameters) ? 0.0 : material.parameters[static_cast<std::size_t>(at)];
+  };
+  const Real first = value_of("eta"), second = value_of("eta_remoulding");
+  if (!(first > 0.0 && second > first)) return;
+  warnings.push_back({join_path(material_path(material), "eta_remoulding"),
+      fmt::format("`{}` is remoulded before it has softened", material.name),
+      fmt::format(
+          "eta_remoulding = {:g} is more than eta = {:g}: the second fall takes less strain than the first. Usual: "
+          "a tenth of eta or less.",
+          second, first),
+      std::string(law.name), false, {join_path(material_path(material), "eta")}});
+}
+
 std::string laws_that_soften()
 {
   std::vector<std::string> names;
@@ -101,6 +119,7 @@ void check_softening(const Node& root, const Case& values, Findings& findings)
     const MaterialType* law = find_material(material.model);
     if (law == nullptr) continue;
     check_lone_parameters(material, *law, findings.warnings);
+    check_remoulding(material, *law, findings.warnings);
     const Node* table = find_node(root, join_path(material_path(material), "softening"));
     if (table != nullptr && table->kind == NodeKind::table) check_length(*table, material, *law, findings);
   }

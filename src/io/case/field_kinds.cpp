@@ -28,6 +28,8 @@ bool read_number(
   return store_value({node, path, key}, &value, context.findings);
 }
 
+constexpr const char* far_off = "one value is eight times those beside it, or an eighth";
+
 /// [[argument, value], ...]; the arguments ascend, or descend if `either`.
 std::optional<std::vector<Vec<2>>> read_line(
     const Node& list, const FieldContext& context, const KeyInfo& argument, bool either = false)
@@ -50,6 +52,12 @@ std::optional<std::vector<Vec<2>>> read_line(
         !read_number(context, pair.items[1], at + "[1]", number, place[1]))
       return std::nullopt;
   }
+  for (std::size_t k = 1; k + 1 < line.size(); ++k)
+    if (lies_far_off(line[k][1], {line[k - 1][1], line[k + 1][1]}))
+      context.findings.warnings.push_back({fmt::format("{}[{}][1]", path, k), far_off,
+          fmt::format("Got {:g} between {:g} and {:g}. Did a decimal point slip, or is it in another unit?", line[k][1],
+              line[k - 1][1], line[k + 1][1]),
+          "field"});
   if (either && line.front()[0] > line.back()[0]) std::ranges::reverse(line);
   for (std::size_t k = 1; k < line.size(); ++k)
     if (line[k][0] < line[k - 1][0])
@@ -100,6 +108,13 @@ std::optional<FieldValue> read_csv(const Node& value, const FieldContext& contex
                       "their last digits.",
               value.text, map.n_places(), std::lround(static_cast<Real>(map.n_places()) / map.share_of_grid())),
           "field"});
+    if (const auto odd = map.find_far_off())
+      context.findings.warnings.push_back({path, far_off,
+          fmt::format(
+              "`{}` has {:g} at x = {:g}, y = {:g}, far from all places beside it. Did a decimal point slip, or "
+              "is it in another unit?",
+              value.text, odd->value, odd->x[0], odd->x[1]),
+          "field"});
     return by_map(std::move(map));
   } catch (const FileError& error) {
     return refuse_field(context, path, "the table cannot be used", error.what());
@@ -137,6 +152,13 @@ std::optional<FieldValue> read_table(const Node& value, const FieldContext& cont
 {
   context.needs.stress = true;
   auto line = read_line(value, context, key_like(context.entry.key, "Pa", not_negative));
+  if (line && context.entry.path.find(".su_") != std::string::npos && line->back()[1] > line->back()[0])
+    context.findings.warnings.push_back({join_path(context.entry.path, value.name),
+        "the strength is more than sigma'_v",
+        fmt::format("At the last pair sigma'_v is {:g} Pa and the strength {:g} Pa. Are the columns swapped? A pair is "
+                    "[sigma'_v, strength]; clay that never\nbore more has 0.2 to 0.35 times sigma'_v.",
+            line->back()[0], line->back()[1]),
+        "field"});
   const auto water = read_water(context.entry.node, "water", context);
   if (water) {
     context.needs.stress_water = name_of_water(*water);

@@ -66,6 +66,28 @@ ValueMap::ValueMap(std::vector<PlacedValue> values) : values_(std::move(values))
   for (const PlacedValue& v : values_) at_grid_[number_in(y_, v.x[1]) * x_.size() + number_in(x_, v.x[0])] = v.value;
 }
 
+bool lies_far_off(Real value, std::initializer_list<Real> others)
+{
+  constexpr Real far = 8.0;
+  const auto [low, high] = std::ranges::minmax(others);
+  return low > 0.0 && value > 0.0 && (value >= far * high || far * value <= low);
+}
+
+std::optional<PlacedValue> ValueMap::find_far_off() const
+{
+  const std::size_t n = x_.size();
+  const auto is_odd = [&](std::size_t k, std::size_t stride) {
+    return lies_far_off(at_grid_[k], {at_grid_[k - stride], at_grid_[k + stride]});
+  };
+  for (std::size_t k = 0; k < at_grid_.size(); ++k) {
+    const std::size_t i = k % n, j = k / n;
+    const bool in_row = i > 0 && i + 1 < n, in_column = j > 0 && j + 1 < y_.size();
+    if ((!in_row && !in_column) || (in_row && !is_odd(k, 1)) || (in_column && !is_odd(k, n))) continue;
+    return PlacedValue{{x_[i], y_[j]}, at_grid_[k]};
+  }
+  return std::nullopt;
+}
+
 Real ValueMap::at(Vec<2> x) const { return is_grid() ? on_grid(x) : by_distance(x); }
 
 Real ValueMap::on_grid(Vec<2> x) const

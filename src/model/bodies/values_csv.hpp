@@ -6,6 +6,8 @@
 
 #include "model/bodies/csv_rows.hpp"
 
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,9 @@ struct PlacedValue {
   Vec<2> x;  ///< [m]
   Real value;
 };
+
+/// Whether a positive value is eight times as large as each of some others, or an eighth.
+bool lies_far_off(Real value, std::initializer_list<Real> others);
 
 class ValueMap {
  public:
@@ -27,6 +32,8 @@ class ValueMap {
   bool is_grid() const { return !at_grid_.empty(); }
   std::size_t n_places() const { return values_.size(); }
   Real share_of_grid() const { return share_of_grid_; }  ///< of all places with an x and a y that occur
+  /// A place of a grid whose value lies far off those of all places beside it.
+  std::optional<PlacedValue> find_far_off() const;
   Vec<2> low() const { return low_; }    ///< of the box about the places, -inf where they hold for all [m]
   Vec<2> high() const { return high_; }  ///< [m]
 

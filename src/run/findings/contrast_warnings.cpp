@@ -12,6 +12,7 @@
 #include <cctype>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <string_view>
 
 namespace terp {
@@ -19,6 +20,8 @@ namespace {
 
 constexpr Real light = 1.2;      // density over that of water: peat
 constexpr Real falls_to = 0.7;   // of the strength at the top of a layer
+constexpr Real coarser = 10.0;   // times the permeability of another soil
+constexpr Real far_more = 8.0;   // of a number of one soil beside those of all others: a point that slipped
 constexpr Real not_even = 0.15;  // S_u over sigma'_v; clay that never bore more has 0.2 to 0.35
 
 struct SoilWord {
@@ -83,6 +86,143 @@ void find_swapped_soils(const Model& model, std::vector<Problem>& warnings)
                 contrast.unit, high, contrast.unit),
             "material", false, {parameter_key(cases[b], contrast.key)}});
       }
+}
+
+/// A parameter of a law by its name; NaN: the law has none, or it varies.
+Real parameter_of(const SoilMaterial& soil, const MaterialCase& values, std::string_view name)
+{
+  const auto& parameters = soil.type->parameters;
+  const auto at = std::ranges::find(parameters, name, &ParameterInfo::name) - parameters.begin();
+  return at == std::ssize(parameters) ? NAN : values.parameters[static_cast<std::size_t>(at)];
+}
+
+struct Coarser {
+  std::string_view key, what, unit, units;
+  Real (*value)(const SoilMaterial&, const MaterialCase&);
+};
+constexpr Coarser coarser_soil[] = {
+    {"permeability", "leads water better than", "m/s", "Permeabilities are in m/s; those in m/d are written \"1 m/d\".",
+        permeability},
+    {"shear_modulus", "is far stiffer than", "Pa", "Stiffness is in Pa: 2 MPa is 2.0e6.", stiffness},
+};
+
+/// Fine soil has less friction, more cohesion, a lower permeability and less stiffness than coarse soil: soil with the
+/// first two and far more of one of the others has that of another, or in another unit.
+void find_odd_fine_soil(const Coarser& quantity, const Model& model, std::vector<Problem>& warnings)
+{
+  const auto& cases = model.description.materials;
+  for (std::size_t a = 0; a < cases.size(); ++a)
+    for (std::size_t b = 0; b < cases.size(); ++b) {
+      const SoilMaterial &fine = model.materials[a], &coarse = model.materials[b];
+      const auto more = [&](std::string_view name, std::size_t m, std::size_t than) {
+        return parameter_of(model.materials[m], cases[m], name) >
+               parameter_of(model.materials[than], cases[than], name);
+      };
+      const Real of_fine = quantity.value(fine, cases[a]), of_coarse = quantity.value(coarse, cases[b]);
+      const std::string key = parameter_key(cases[a], quantity.key);
+      if (!is_used(model, fine.name) || !is_used(model, coarse.name) || !(of_fine > coarser * of_coarse)) continue;
+      if (!more("cohesion", a, b) || !more("friction_angle", b, a) || !(of_coarse > 0.0)) continue;
+      if (std::ranges::find(warnings, key, &Problem::key) != warnings.end()) continue;  // by its name
+      warnings.push_back({key, fmt::format("`{}` {} `{}`, which is coarser", fine.name, quantity.what, coarse.name),
+          fmt::format("Got {:.3g} {} beside {:.3g} {}, though it has less friction and more cohesion. {}", of_fine,
+              quantity.unit, of_coarse, quantity.unit, quantity.units),
+          "material", false, {parameter_key(cases[b], quantity.key)}});
+      return;
+    }
+}
+
+/// Peak over residual undrained strength, where both are numbers; NaN: unknown.
+Real loss_of(const SoilMaterial& soil, const MaterialCase& values)
+{
+  const auto& parameters = soil.type->parameters;
+  for (std::size_t k = 0; k < values.ratios.size(); ++k)
+    if (parameters[k].ratio.divides && values.ratios[k].is_given()) return values.ratios[k].value;
+  if (const Real share = parameter_of(soil, values, "residual_share"); share > 0.0) return 1.0 / share;
+  return parameter_of(soil, values, "su_peak") / parameter_of(soil, values, "su_residual");
+}
+
+/// Clay of one history has its least strength in extension, not in direct shear.
+void find_swapped_directions(const Model& model, std::vector<Problem>& warnings)
+{
+  const auto& cases = model.description.materials;
+  for (std::size_t m = 0; m < cases.size(); ++m) {
+    const auto of = [&](std::string_view name) { return parameter_of(model.materials[m], cases[m], name); };
+    const Real active = of("su_active"), direct = of("su_direct"), passive = of("su_passive");
+    if (!is_used(model, cases[m].name) || !(active > direct && passive > direct)) continue;
+    const std::string key = parameter_key(cases[m], "su_direct");
+    if (std::ranges::find(warnings, key, &Problem::key) != warnings.end()) continue;  // of another unit
+    warnings.push_back({parameter_key(cases[m], "su_passive"),
+        fmt::format("`{}` is stronger in extension than in direct shear", cases[m].name),
+        fmt::format(
+            "S_P / S_A = {:.3g}, S_D / S_A = {:.3g}. Are the two swapped? S_D of clay lies between S_A and S_P.",
+            passive / active, direct / active),
+        std::string(cases[m].model), false, {key}});
+  }
+}
+
+/// The void ratio and the density of soil whose pores are full of water give the density of its grains.
+void find_odd_grains(const Model& model, std::vector<Problem>& warnings)
+{
+  constexpr Real heaviest = 3.5, of_water = 1000.0;  // over water; quartz 2.65, [kg/m^3]
+  const auto& cases = model.description.materials;
+  for (std::size_t m = 0; m < cases.size(); ++m) {
+    const SoilMaterial& soil = model.materials[m];
+    const Real e = parameter_of(soil, cases[m], "void_ratio"), grains = soil.density / of_water * (1.0 + e) - e;
+    if (!is_used(model, soil.name) || !(e > 0.0) || !(grains > heaviest)) continue;
+    warnings.push_back({parameter_key(cases[m], "void_ratio"),
+        fmt::format("the void ratio and the density of `{}` do not fit together", soil.name),
+        fmt::format("With a void ratio of {:g} wet soil of {:.4g} kg/m^3 has grains of {:.3g} kg/m^3; quartz has 2650.",
+            e, soil.density, of_water * grains),
+        std::string(cases[m].model), false, {parameter_key(cases[m], "density")}});
+  }
+}
+
+/// A stage that changes a strength by a factor of ten, as a slipped decimal point does: a trigger says that it is
+/// meant.
+void find_lost_strength(const Model& model, std::vector<Problem>& warnings)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const std::vector<MaterialCase>* before = &whole.materials;
+  for (std::size_t k = 0; k < whole.stages.size(); ++k) {
+    const StageCase& stage = whole.stages[k];
+    if (!stage.changed) continue;
+    for (std::size_t m = 0; m < before->size() && !stage.trigger; ++m) {
+      const MaterialCase &old = (*before)[m], &now = stage.changed->materials[m];
+      const MaterialType* law = now.type();
+      for (std::size_t p = 0; law != nullptr && now.model == old.model && p < law->parameters.size(); ++p) {
+        const Real was = old.parameters[p], is = now.parameters[p];
+        if (!is_strength(law->parameters[p].reduction) || !law->parameters[p].fallback_of.empty()) continue;
+        if (!(is > 0.0) || !std::isfinite(was / is) || std::max(was / is, is / was) < far_more) continue;
+        warnings.push_back({fmt::format("stage[{}].set", k),
+            fmt::format(
+                "`{}` of `{}` becomes {:.3g} in the stage `{}`", law->parameters[p].name, now.name, is, stage.name),
+            fmt::format(
+                "Before it is {:.4g}, {:.3g} times as much. Did a decimal point slip? A stage that shall make the "
+                "section fail says so:\ntrigger = true.",
+                was, was / is),
+            "stage.set", false, {"stage"}});
+      }
+    }
+    before = &stage.changed->materials;
+  }
+}
+
+void find_odd_loss(const Model& model, std::vector<Problem>& warnings)
+{
+  const auto& cases = model.description.materials;
+  std::vector<std::pair<Real, std::size_t>> losses;
+  for (std::size_t m = 0; m < cases.size(); ++m)
+    if (const Real loss = loss_of(model.materials[m], cases[m]); loss > 1.0 && is_used(model, cases[m].name))
+      losses.emplace_back(loss, m);
+  std::ranges::sort(losses, std::greater{});
+  if (losses.size() < 2 || losses[0].first < far_more * losses[1].first) return;
+  const MaterialCase& odd = cases[losses[0].second];
+  warnings.push_back({fmt::format("material.\"{}\"", odd.name),
+      fmt::format("`{}` loses far more of its strength than all other soil", odd.name),
+      fmt::format("Its peak is {:.3g} times its residual strength, of other soil at most {:.3g} times (`{}`). Did a "
+                  "decimal point slip?\nIf it is quick clay, leave it.",
+          losses[0].first, losses[1].first, cases[losses[1].second].name),
+      std::string(odd.model)});
 }
 
 /// The strength of the highest and the lowest point of a material, and of that which has least of what it bears.
@@ -167,6 +307,11 @@ void find_odd_strengths(const Model& model, const State& state, std::vector<Prob
 void find_odd_contrasts(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
   find_swapped_soils(model, warnings);
+  for (const Coarser& quantity : coarser_soil) find_odd_fine_soil(quantity, model, warnings);
+  find_odd_loss(model, warnings);
+  find_swapped_directions(model, warnings);
+  find_odd_grains(model, warnings);
+  find_lost_strength(model, warnings);
   find_odd_strengths(model, state, warnings);
 }
 

@@ -7,6 +7,7 @@
 #include "model/soils/correlation_kind.hpp"
 #include "model/soils/overburden.hpp"
 #include "model/soils/point_parameters.hpp"
+#include "run/findings/soil_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,16 +36,18 @@ Met meet_soil(const Model& model, const State& state, Index material, const Fiel
 }
 
 /// The pairs hold for next to none of the soil, or the soil has next to nothing of what lies between them.
-std::optional<Problem> find_other_range(const std::string& key, const FieldReach& reach, const Met& soil)
+std::optional<Problem> find_other_range(const std::string& key, const FieldReach& reach, const Met& soil, Real height)
 {
   constexpr Real few = 0.02, narrow = 0.005;
   const bool outside = static_cast<Real>(soil.n_inside) < few * static_cast<Real>(soil.n);
-  const bool at_begin = soil.high - reach.low < narrow * (reach.high - reach.low);
+  const Real range = reach.high - reach.low;
+  const bool in_cm = reach.unit == "m" && range > 5.0 * height && soil.high - soil.low < few * range;
+  const bool at_begin = soil.high - reach.low < narrow * range || in_cm;
   if (soil.n == 0 || (!outside && !at_begin)) return std::nullopt;
   const std::string unit(reach.unit);
   return Problem{key,
       outside ? fmt::format("the pairs by {} cover none of the soil", reach.what)
-              : fmt::format("the soil has only the beginning of the pairs by {}", reach.what),
+              : fmt::format("the soil has only a small part of the pairs by {}", reach.what),
       fmt::format("They go from {:.4g} to {:.4g} {}, the soil has {:.4g} to {:.4g} {}: {}. {}", reach.low, reach.high,
           unit, soil.low, soil.high, unit, outside ? "all of it takes the value of an end" : "its value hardly changes",
           unit == "Pa"            ? "Stresses are in Pa: 50 kPa is 50e3."
@@ -53,11 +56,11 @@ std::optional<Problem> find_other_range(const std::string& key, const FieldReach
       "field", false, {"water"}};
 }
 
-/// SHANSEP whose `minimum` holds nearly everywhere: the least value is the one that points share.
+/// SHANSEP whose `minimum` holds in most of the soil: the least value is the one that points share.
 std::optional<Problem> find_ruling_minimum(
     const Model& model, const State& state, Index material, const ParameterField& field, const std::string& key)
 {
-  constexpr Real most = 0.9;  // of the points
+  constexpr Real most = 0.5;  // of the points
   std::vector<Real> values;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     if (block.material != material) return;
@@ -68,7 +71,7 @@ std::optional<Problem> find_ruling_minimum(
   const Real least = std::ranges::min(values);
   const auto n = std::ranges::count(values, least);
   if (static_cast<Real>(n) < most * static_cast<Real>(values.size())) return std::nullopt;
-  return Problem{key, "the minimum holds nearly everywhere, not SHANSEP",
+  return Problem{key, "the minimum holds in most of the soil, not SHANSEP",
       fmt::format(
           "{} of {} points have the least strength of {:.4g} kPa. `minimum` is for soil near the ground, usually 1 "
           "to 5 kPa:\ngive less, or a constant strength.",
@@ -92,15 +95,25 @@ std::optional<Problem> find_coarse_cells(const std::string& key, const FieldScal
 
 void find_odd_fields(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
-  const Real cell = typical_cell_size(*model.mesh);
+  constexpr Real far_more = 8.0;
+  const auto [g, height, cell] = measure_soil(model, state);
+  const auto [left, right] = ends_of_soil(state);
   for (std::size_t m = 0; m < model.materials.size(); ++m) {
     const MaterialCase& material = model.description.materials[m];
     for (const ParameterField& field : material.fields) {
       if (field.follows) continue;
       const std::string key = parameter_key(material, model.materials[m].type->parameters[field.parameter].name);
       for (const FieldReach& reach : field.needs.reaches)
-        if (auto odd = find_other_range(key, reach, meet_soil(model, state, static_cast<Index>(m), reach)))
+        if (auto odd = find_other_range(key, reach, meet_soil(model, state, static_cast<Index>(m), reach), height))
           warnings.push_back(std::move(*odd));
+      for (const FieldCover& cover : field.needs.covers) {
+        const Real wide = cover.high[0] - cover.low[0], high = cover.high[1] - cover.low[1];
+        if (!std::isfinite(wide) || wide < far_more * (right - left) || high < far_more * height) continue;
+        warnings.push_back({key, fmt::format("the table `{}` is far larger than the section", cover.file),
+            fmt::format("Its places go over {:.4g} by {:.4g} m, the soil over {:.4g} by {:.4g} m. x and y are in m.",
+                wide, high, right - left, height),
+            "field"});
+      }
       if (field.needs.yield_stress)
         if (auto ruled = find_ruling_minimum(model, state, static_cast<Index>(m), field, key))
           warnings.push_back(std::move(*ruled));

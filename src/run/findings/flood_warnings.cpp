@@ -69,7 +69,8 @@ std::optional<Problem> find_low_flood(const Model& model)
       "flood.water_level", true};
 }
 
-/// Heads of layers that stay or fall where the river rises: of lines at the river's end, of computed water at its side.
+/// Heads of layers that stay or fall where the river rises, or rise above it: of lines at the river's end, of computed
+/// water at its side.
 std::optional<Problem> find_idle_head(const Model& model)
 {
   constexpr Real little = 0.1;  // [m]
@@ -92,7 +93,18 @@ std::optional<Problem> find_idle_head(const Model& model)
           "water.situation", false, {"water"}};
     };
     const auto at_river = [&](const std::vector<Vec<2>>& line) { return on_right ? line.back()[1] : line.front()[1]; };
+    const Real level = level_at_river(model, number);
+    const auto doubt_above = [&](std::string key, const std::string& name, Real head) {
+      return Problem{std::move(key), fmt::format("the head `{}` stands above the river that feeds it", name),
+          fmt::format(
+              "At the river it is {:.4g} m in the water `{}`, and the river {:.4g} m. A head is an elevation in "
+              "the frame of the\nmesh, no height above the layer.",
+              head, of.name, level),
+          "water.situation", false, {"water"}};
+    };
     for (const HeadLine& line : of.head_lines) {
+      if (at_river(line.places) > level + little)
+        return doubt_above(fmt::format("{}.head_lines.\"{}\"", path, line.name), line.name, at_river(line.places));
       const auto before = std::ranges::find(start.head_lines, line.name, &HeadLine::name);
       if (before == start.head_lines.end() || before->places.empty() ||
           at_river(line.places) > at_river(before->places))
@@ -105,6 +117,7 @@ std::optional<Problem> find_idle_head(const Model& model)
     for (const SideHead& head : of.seepage.boundary) {
       const auto before = std::ranges::find_if(start.seepage.boundary,
           [&](const SideHead& other) { return other.side == side && other.from == head.from && other.to == head.to; });
+      if (head.side == side && head.head[0][1] > level + little) return doubt_above(path, head.name, head.head[0][1]);
       if (head.side != side || before == start.seepage.boundary.end() || head.head[0][1] > before->head[0][1]) continue;
       return doubt(path, head.name, before->head[0][1], head.head[0][1]);
     }

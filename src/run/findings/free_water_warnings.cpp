@@ -183,6 +183,31 @@ void find_flooded_land(const Model& model, const State& state, std::vector<Probl
   }
 }
 
+/// The table rises from the river to the land, and the head of a layer falls: the level of the river with a minus sign
+/// that it has not, if without it the table falls, too.
+void find_negative_river(const Model& model, const State& state, std::vector<Problem>& warnings)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const auto ends = ends_of_soil(state);
+  if (!model.flood_level.river) return;
+  const std::size_t river = model.flood_level.river == Facing::right ? 1 : 0;
+  for (const std::size_t number : situations_on_drawn_ground(whole)) {
+    const WaterSituation& of = situation_of(whole.water, number);
+    if (of.phreatic_line.empty() || (number > 0 && of.phreatic_line == whole.water.start.phreatic_line)) continue;
+    const auto at = [&](const std::vector<Vec<2>>& line, std::size_t end) { return elevation_at(line, ends[end]); };
+    const Real level = at(of.phreatic_line, river), land = at(of.phreatic_line, 1 - river);
+    const auto falls = [&](const HeadLine& line) {
+      return at(line.places, river) > std::max(at(line.places, 1 - river), level);
+    };
+    if (!(level < land && level < 0.0 && -level > land) || std::ranges::none_of(of.head_lines, falls)) continue;
+    warnings.push_back({number == 0 ? "water.phreatic_line" : phreatic_key(number),
+        "the phreatic line falls to the river, and a head falls from it",
+        fmt::format("The line has {:.4g} m at the river and {:.4g} m on land. Is the level of the river {:.4g} m?",
+            level, land, -level),
+        "water.phreatic_line", false, {"water"}});
+  }
+}
+
 }  // namespace
 
 void find_odd_free_water(const Model& model, const State& state, std::vector<Problem>& warnings)
@@ -190,6 +215,7 @@ void find_odd_free_water(const Model& model, const State& state, std::vector<Pro
   find_swapped_river(model, state, warnings);
   find_sloping_free_water(model, warnings);
   find_flooded_land(model, state, warnings);
+  find_negative_river(model, state, warnings);
   find_drowned_loads(model, warnings);
 }
 

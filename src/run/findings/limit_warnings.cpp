@@ -44,9 +44,14 @@ void find_few_points(const Model& model, const State&, Problems& found)
     const auto is_it = [&](const SoilMaterial& soil) {
       return soil.name == bodies[b].material && softens_or_flows(soil);
     };
-    if (std::ranges::none_of(model.materials, is_it)) continue;
+    const auto has_far_more = [n = nx * ny](const BodyCase& other) {
+      return other.points_file.empty() && other.points_per_cell[0] * other.points_per_cell[1] > 8 * n;
+    };
+    const bool flows = std::ranges::any_of(model.materials, is_it);
+    if (!flows && std::ranges::none_of(bodies, has_far_more)) continue;
     found.push_back({fmt::format("body[{}].points_per_cell", b),
-        fmt::format("{} has few points per cell for soil that flows", called(bodies[b], b)),
+        fmt::format("{} has few points per cell {}", called(bodies[b], b),
+            flows ? "for soil that flows" : "beside another body"),
         fmt::format("Got {} x {}. Where it flows far, points leave gaps in their cells, and it comes farther than with "
                     "more. Give 3 or 4.",
             nx, ny),

@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 #include <optional>
 #include <set>
+#include <tuple>
 
 namespace terp {
 namespace {
@@ -377,8 +378,9 @@ void find_undermined_soil(const Model& model, Problems& warnings)
   }
 }
 
-/// A load all of whose ground falls to one side: its x, or the ground, is of another frame.
-void find_loads_on_slopes(const Model& model, Problems& warnings)
+/// A load whose ground falls to one side, narrower than a cell, or drawn twice: its places, or the ground, are of
+/// another frame or unit.
+void find_odd_loads(const Model& model, Problems& warnings)
 {
   constexpr Real steep = 1.0 / 6.0;
   const Overburden overburden(model);
@@ -388,6 +390,20 @@ void find_loads_on_slopes(const Model& model, Problems& warnings)
     const auto left = overburden.ground(loads[k].from + 1e-3 * half), mid = overburden.ground(middle),
                right = overburden.ground(loads[k].to - 1e-3 * half);
     if (!left || !mid || !right || !(loads[k].pressure > 0.0)) continue;
+    const auto key = [](const LoadCase& load) { return std::tie(load.from, load.to, load.pressure, load.start); };
+    for (std::size_t other = 0; other < k; ++other)
+      if (key(loads[other]) == key(loads[k]))
+        warnings.push_back({fmt::format("load[{}]", k),
+            fmt::format("the loads `{}` and `{}` are the same", loads[other].name, loads[k].name),
+            "Loads on the same ground add: it bears twice the pressure. Leave one out, or give one load the sum.",
+            "load"});
+    if (const Real cell = typical_cell_size(*model.mesh); 2.0 * half < (1.0 - 1e-9) * cell)
+      warnings.push_back({fmt::format("load[{}].from", k),
+          fmt::format("the load `{}` is narrower than a cell", loads[k].name),
+          fmt::format("Its width is {:.3g} m, cells are {:.3g} m: together {:.3g} kN per m. `pressure` is per area, no "
+                      "force per m, and\n`from` and `to` are in m.",
+              2.0 * half, cell, 2e-3 * half * loads[k].pressure),
+          "load", false, {fmt::format("load[{}]", k), "mesh"}});
     const Real first = (*mid - *left) / half, second = (*right - *mid) / half;
     if (!(std::min(first, second) > steep) && !(std::max(first, second) < -steep)) continue;
     warnings.push_back({fmt::format("load[{}].from", k), fmt::format("the load `{}` stands on a slope", loads[k].name),
@@ -404,7 +420,7 @@ void find_odd_places(const Model& model, Problems& warnings)
 {
   SectionCheck(model).check(warnings);
   find_undermined_soil(model, warnings);
-  find_loads_on_slopes(model, warnings);
+  find_odd_loads(model, warnings);
 }
 
 }  // namespace terp

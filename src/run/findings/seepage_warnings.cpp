@@ -94,6 +94,12 @@ void find_odd_levels(
   for (std::size_t k = 0; k < of.seepage.boundary.size(); ++k) {
     const SideHead& head = of.seepage.boundary[k];
     const Real thickness = head.to - head.from;
+    if (head.side != SectionSide::bottom && std::isfinite(thickness) && head.head[0][1] < head.from)
+      warnings.push_back({fmt::format("{}.boundary[{}]", path, k), "the head lies below the layer in which it acts",
+          fmt::format("It is {:g} m, the layer lies from {:g} to {:g} m: it sucks water out of the soil there. A head "
+                      "is the elevation in m\nto which the water of the layer rises, in the frame of the mesh.",
+              head.head[0][1], head.from, head.to),
+          "water.boundary"});
     if (head.side == SectionSide::bottom || !(head.leakage_length > 0.0) || !std::isfinite(thickness)) continue;
     constexpr Real most = 1000.0;  // of the width of the section
     if (const Real width = section.right - section.left; head.leakage_length > most * width)
@@ -114,11 +120,12 @@ void find_odd_levels(
 }
 
 /// Layers that lead the water to a side of the section where no head is given.
-void find_open_aquifers(const Model& model, const SeepageSection& section, std::vector<Problem>& warnings)
+void find_open_aquifers(
+    const SeepageSection& section, const WaterSituation& situation, std::size_t number, std::vector<Problem>& warnings)
 {
   Real least = INFINITY;
   for (const FlowMaterial& material : section.materials) least = std::min(least, material.k.horizontal);
-  const SeepageCase& of = model.description.water.start.seepage;
+  const SeepageCase& of = situation.seepage;
   for (const EdgeKind kind : {EdgeKind::left, EdgeKind::right}) {
     const SectionSide side = kind == EdgeKind::left ? SectionSide::left : SectionSide::right;
     bool is_found = false;  // one of each side
@@ -133,12 +140,13 @@ void find_open_aquifers(const Model& model, const SeepageSection& section, std::
       const auto soil = section.soil_at(inside);
       if (!soil || section.materials[*soil].k.horizontal < aquifer_over_cover * least) continue;
       const char* name = kind == EdgeKind::left ? "left" : "right";
-      warnings.push_back({"water.boundary", fmt::format("an aquifer meets the {} side without a head", name),
-          fmt::format("At y = {:.4g} m the soil is {:.0f} times as permeable as its cover, and no water passes its "
-                      "side.\nGive {{ side = \"{}\", from = Y, to = Y, head = H, leakage_length = L }} "
-                      "(docs/seepage.md).",
-              y, section.materials[*soil].k.horizontal / least, name),
-          "water.boundary", true, {"water"}});
+      warnings.push_back(
+          {path_of_situation(number) + ".boundary", fmt::format("an aquifer meets the {} side without a head", name),
+              fmt::format("At y = {:.4g} m the soil is {:.0f} times as permeable as its cover, and no water passes its "
+                          "side.\nGive {{ side = \"{}\", from = Y, to = Y, head = H, leakage_length = L }} "
+                          "(docs/seepage.md).",
+                  y, section.materials[*soil].k.horizontal / least, name),
+              "water.boundary", true, {"water"}});
       is_found = true;
     }
   }
@@ -208,9 +216,12 @@ void find_odd_seepage(const Model& model, std::vector<Problem>& warnings)
   const Case& whole = model.whole();
   if (whole.water.kind != WaterKind::seepage) return;
   const SeepageSection section = seepage_section(whole, model.mesh);
-  for (std::size_t k = 0; k <= whole.water.situations.size(); ++k)
-    find_odd_levels(section, situation_of(whole.water, k), k, warnings);
-  find_open_aquifers(model, section, warnings);
+  for (std::size_t k = 0; k <= whole.water.situations.size(); ++k) {
+    const WaterSituation& of = situation_of(whole.water, k);
+    find_odd_levels(section, of, k, warnings);
+    if (k == 0 || of.seepage.boundary != whole.water.start.seepage.boundary)
+      find_open_aquifers(section, of, k, warnings);
+  }
   find_thin_layers(model, section, warnings);
   find_idle_walls(whole, section, warnings);
   find_slow_drained_soil(whole, warnings);

@@ -71,7 +71,8 @@ void find_sides_that_move_far(const Model& model, std::vector<Problem>& warnings
 
 /// Soil against an upright side that nothing holds, over more than a few cells: it leans on air. The sides of the mesh
 /// at its left and right ends count; a face in the section is the soil's own.
-void find_free_sides(const Model& model, const State& state, Problems& warnings)
+void find_free_sides(
+    const Model& model, const State& state, const Case& now, const std::string& stage, Problems& warnings)
 {
   constexpr Real upright = 0.9, fewest_cells = 2.0;
   const Mesh<2>& mesh = *model.mesh;
@@ -81,11 +82,11 @@ void find_free_sides(const Model& model, const State& state, Problems& warnings)
     const SideShape shape = shape_of_side(mesh, find_side(mesh, side.side));
     return info_of(side.kind).action.across != Across::free && std::abs(shape.normal[0]) > std::abs(shape.normal[1]);
   };
-  if (model.description.initial.stress == InitialStress::none && std::ranges::none_of(model.description.sides, holds))
+  if (now.initial.stress == InitialStress::none && std::ranges::none_of(now.sides, holds))
     return;  // it is meant to run out
   const std::vector<bool> soil = cells_of_soil(model, state);
   for (const NamedSide& side : mesh.sides) {
-    if (info_of(condition_of(model.description, side.name).kind).action != SideAction{}) continue;
+    if (info_of(condition_of(now, side.name).kind).action != SideAction{}) continue;
     Real height = 0.0, low = INFINITY, high = -INFINITY;
     for (const CellSide& at : side.edges) {
       const Side edge = edge_of(mesh, at);
@@ -96,7 +97,7 @@ void find_free_sides(const Model& model, const State& state, Problems& warnings)
       low = std::min({low, edge.a[1], edge.b[1]}), high = std::max({high, edge.a[1], edge.b[1]});
     }
     if (!(height > fewest_cells * typical_cell_size(mesh))) continue;
-    warnings.push_back({fmt::format("boundary.\"{}\"", side.name),
+    warnings.push_back({stage.empty() ? fmt::format("boundary.\"{}\"", side.name) : stage,
         fmt::format("soil leans on the side `{}`, which is free", side.name),
         fmt::format("It does so over {:.3g} m, from y = {:.4g} to {:.4g} m. A free side carries nothing: soil runs out "
                     "there. Give it\n\"roller\", or room beside the soil.",
@@ -111,7 +112,12 @@ void find_odd_sides(const Model& model, const State& state, Problems& warnings)
 {
   find_misplaced_sides(model, warnings);
   find_sides_that_move_far(model, warnings);
-  find_free_sides(model, state, warnings);
+  const std::size_t before = warnings.size();
+  find_free_sides(model, state, model.description, "", warnings);
+  const Case& whole = model.whole ? *model.whole : model.description;
+  for (std::size_t k = 0; k < whole.stages.size() && warnings.size() == before; ++k)
+    if (whole.stages[k].changed)
+      find_free_sides(model, state, *whole.stages[k].changed, fmt::format("stage[{}].set", k), warnings);
 }
 
 }  // namespace terp

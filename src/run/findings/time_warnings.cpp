@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace terp {
 namespace {
@@ -55,6 +56,57 @@ void find_long_relaxation(
                         4.0 * soil.height / speeds.slowest)
                   : fmt::format("the run takes {:.3g} s", longest)),
       "method.relaxation_time", false, {"method"}});
+}
+
+/// What brings the points to rest within a step, and hides a slide: relaxation, viscous damping beyond that which lets
+/// the softest soil creep back without a swing.
+void find_strong_damping(const Model& model, const Case& whole, const SoilSize& soil, const WaveSpeeds& speeds,
+    std::vector<Problem>& warnings)
+{
+  if (const Real time = model.method.relaxation_time; time > 0.0 && time <= model.dt)
+    warnings.push_back({"method.relaxation_time", "the relaxation time is not longer than a time step",
+        fmt::format("Got {:.3g} s; the step is {:.3g} s: points lose all that the mesh does not see in each step. "
+                    "Usual: 0.05 s for soil in metres.",
+            time, model.dt),
+        "method.relaxation_time", false, {"method"}});
+  const bool staged = !whole.stages.empty() && whole.stages.back().changed;
+  const Real viscous = (staged ? *whole.stages.back().changed : whole).forces.viscous_damping,
+             critical = std::numbers::pi * speeds.slowest / soil.height;
+  if (!whole.flood.asks() || !std::isfinite(critical) || soil.g == 0.0 || !(viscous > critical)) return;
+  warnings.push_back({"forces.damping.viscous", "viscous damping lets soil creep and not slide",
+      fmt::format(
+          "Got {:.3g} 1/s; from {:.3g} 1/s on the softest soil does not swing back, and soil that falls reaches "
+          "{:.2g} m/s at most.\nUsual: a tenth of it, or local damping.",
+          viscous, critical, soil.g / viscous),
+      "forces.damping.viscous", false, {"forces.damping"}});
+}
+
+/// Soil that counts as at rest with forces out of balance that move it on: docs/stages.md has the share of the weight.
+void find_loose_rest(const Case& whole, const SoilSize& soil, const WaveSpeeds& speeds, std::vector<Problem>& warnings)
+{
+  constexpr Real most = 5e-3;  // of the weight; 2e-4 with the defaults
+  const TimeCase& time = whole.time;
+  for (std::size_t k = 0; k < whole.stages.size() && soil.g > 0.0; ++k) {
+    const StageCase& stage = whole.stages[k];
+    const Real alpha = (stage.changed ? *stage.changed : whole).forces.local_damping;
+    const Real share = time.rest_speed / (soil.g * (1.0 - alpha) * time.rest_time);
+    if (stage.until != Until::at_rest || time.rest_by != RestBy::fastest || !(share > most)) continue;
+    warnings.push_back({fmt::format("stage[{}].set", k),
+        fmt::format("the stage `{}` counts soil as at rest that still falls", stage.name),
+        fmt::format("With local damping of {:g}, {:g} m/s in {:g} s is reached by forces of {:.2g} of the weight. Give "
+                    "less damping, or a lower\ntime.rest_speed.",
+            alpha, time.rest_speed, time.rest_time, share),
+        "time.rest_speed", false, {"time", "stage"}});
+  }
+  const Real swing = 4.0 * soil.height / speeds.slowest, limit = whole.initial.limit,
+             way = 0.5 * limit * soil.g * swing * swing;
+  if (whole.initial.stress != InitialStress::equilibrium || !std::isfinite(swing) || !(way > soil.cell)) return;
+  warnings.push_back({"initial.limit", "the search for equilibrium ends before it has found one",
+      fmt::format(
+          "Got {:g}: forces of {:g} of the weight are left, which move soil by {:.2g} m while it swings once; a "
+          "cell is {:.2g} m. Usual: 1e-4.",
+          limit, limit, way, soil.cell),
+      "initial.limit", false, {"initial"}});
 }
 
 /// A stage that brings other water or loads within less than half a period of the quickest vibration strikes the soil.
@@ -174,6 +226,8 @@ void find_odd_times(const Model& model, const State& state, std::vector<Problem>
   find_short_rest(whole, soil, speeds, warnings);
   find_long_relaxation(model, soil, speeds, whole.time.end, warnings);
   find_long_averaging(model, soil, speeds, whole.time.end, warnings);
+  find_strong_damping(model, whole, soil, speeds, warnings);
+  find_loose_rest(whole, soil, speeds, warnings);
   find_sudden_stages(whole, soil, speeds, warnings);
   find_short_end(whole, soil, speeds, warnings);
   find_other_time_scales(model, whole, soil, speeds, warnings);

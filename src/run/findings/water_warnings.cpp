@@ -218,6 +218,55 @@ void find_deep_lines(const Model& model, const State& state, std::vector<Problem
   }
 }
 
+/// Reference lines above the ground of most of the section: depths given as elevations.
+void find_high_lines(const Model& model, const State& state, std::vector<Problem>& warnings)
+{
+  const Overburden overburden(model);
+  if (!overburden.is_known()) return;
+  const auto [low, high] = ends_of_soil(state);
+  const WaterCase& water = model.description.water;
+  for (std::size_t k = 0; k <= water.situations.size(); ++k) {
+    const WaterSituation& of = situation_of(water, k);
+    for (std::size_t r = 0; r < of.reference_lines.size(); ++r) {
+      const auto& places = of.reference_lines[r].places;
+      const auto& first = water.start.reference_lines;  // a situation has those of the start
+      if (k > 0 && r < first.size() && first[r].places == places) continue;
+      constexpr int n = 40;
+      int n_over = 0;
+      for (int i = 0; i < n; ++i) {
+        const Real x = std::lerp(low, high, (i + 0.5) / n);
+        n_over += elevation_at(places, x) > overburden.ground(x).value_or(INFINITY) + typical_cell_size(*model.mesh);
+      }
+      if (2 * n_over <= n) continue;
+      warnings.push_back({fmt::format("{}.reference_lines[{}]", path_of(k), r),
+          fmt::format("the reference line {}{} lies above the ground", r, in_situation(of)),
+          "It does so over most of the section, so that its head acts in no soil there. A reference line is where in "
+          "the "
+          "soil a head\nacts; its elevations are in m, in the frame of the mesh, no depths.",
+          "water.reference_lines", false, {"water"}});
+    }
+  }
+}
+
+/// A yield stress that follows from the water of a flood: what the soil bore is what it bore in daily water.
+void find_yield_stress_of_flood(const Model& model, std::vector<Problem>& warnings)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  for (const MaterialCase& material : whole.materials)
+    for (const ParameterField& field : material.fields) {
+      const std::string& daily = field.needs.daily_water;
+      const auto comes = [&](const StageCase& stage) { return stage.water == daily; };
+      if (daily.empty() || daily == name_of_start || daily != field.needs.stress_water || whole.stages.empty() ||
+          comes(whole.stages.front()) || std::ranges::none_of(whole.stages, comes))
+        continue;
+      warnings.push_back({parameter_key(material, material.type()->parameters[field.parameter].name),
+          fmt::format("the yield stress follows from the water `{}`, which a stage brings", daily),
+          "daily_water is that in which the soil has lain for long, before the stages. Leave it out for that of the "
+          "start.",
+          "field", false, {"material"}});
+    }
+}
+
 /// A water table below all of the soil, above which the case draws heads of layers.
 void find_deep_table(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
@@ -348,12 +397,14 @@ void find_odd_water(const Model& model, const State& state, std::vector<Problem>
 {
   if (!model.with.water) return;
   find_strengths_of_other_water(model, warnings);
+  find_yield_stress_of_flood(model, warnings);
   find_idle_water(model, warnings);
   find_short_lines(model, state, warnings);
   find_drowned_soil(model, warnings);
   find_odd_free_water(model, state, warnings);
   find_low_heads(model, state, warnings);
   find_deep_lines(model, state, warnings);
+  find_high_lines(model, state, warnings);
   find_deep_table(model, state, warnings);
   find_swapped_heads(model, warnings);
   std::vector<Index> nodes;

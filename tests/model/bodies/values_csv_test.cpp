@@ -28,6 +28,18 @@ TEST(ValuesCsv, OfABoringHoldAlongX)
   EXPECT_EQ(map.high()[1], 4.0);
 }
 
+TEST(ValuesCsv, OfAGridTellWhichLiesFarOffAllBesideIt)
+{
+  const auto at = [](const std::string& middle) {
+    return read_values_csv_text("su.csv", "x,y,value\n5,0,8e3\n5,1," + middle + "\n5,2,9e3\n").find_far_off();
+  };
+  ASSERT_TRUE(at("9"));
+  EXPECT_EQ(at("9")->x[1], 1.0);
+  EXPECT_TRUE(at("72e3"));
+  EXPECT_FALSE(at("70e3"));
+  EXPECT_FALSE(at("-1"));
+}
+
 TEST(ValuesCsv, AlongALineHoldAtAllHeights)
 {
   const ValueMap map = read_values_csv_text("su.csv", "x,y,value\n0,-3,20\n4,-3,10\n");
