@@ -149,14 +149,15 @@ void find_swapped_directions(const Model& model, std::vector<Problem>& warnings)
     const auto of = [&](std::string_view name) { return parameter_of(model.materials[m], cases[m], name); };
     const Real active = of("su_active"), direct = of("su_direct"), passive = of("su_passive");
     if (!is_used(model, cases[m].name) || !(active > direct && passive > direct)) continue;
-    const std::string key = parameter_key(cases[m], "su_direct");
+    const auto key_of = [&](const char* name) { return fmt::format("material.\"{}\".{}", cases[m].name, name); };
+    const std::string key = key_of("su_direct");
     if (std::ranges::find(warnings, key, &Problem::key) != warnings.end()) continue;  // of another unit
-    warnings.push_back({parameter_key(cases[m], "su_passive"),
-        fmt::format("`{}` is stronger in extension than in direct shear", cases[m].name),
-        fmt::format(
-            "S_P / S_A = {:.3g}, S_D / S_A = {:.3g}. Are the two swapped? S_D of clay lies between S_A and S_P.",
-            passive / active, direct / active),
-        std::string(cases[m].model), false, {key}});
+    warnings.push_back(
+        {key_of("su_passive"), fmt::format("`{}` is stronger in extension than in direct shear", cases[m].name),
+            fmt::format(
+                "S_P / S_A = {:.3g}, S_D / S_A = {:.3g}. Are the two swapped? S_D of clay lies between S_A and S_P.",
+                passive / active, direct / active),
+            std::string(cases[m].model), false, {key}});
   }
 }
 
@@ -181,7 +182,7 @@ void find_odd_grains(const Model& model, std::vector<Problem>& warnings)
 /// meant.
 void find_lost_strength(const Model& model, std::vector<Problem>& warnings)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const std::vector<MaterialCase>* before = &whole.materials;
   for (std::size_t k = 0; k < whole.stages.size(); ++k) {
     const StageCase& stage = whole.stages[k];

@@ -187,7 +187,7 @@ void find_flooded_land(const Model& model, const State& state, std::vector<Probl
 /// that it has not, if without it the table falls, too.
 void find_negative_river(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   const auto ends = ends_of_soil(state);
   if (!model.flood_level.river) return;
   const std::size_t river = model.flood_level.river == Facing::right ? 1 : 0;

@@ -114,7 +114,7 @@ void find_odd_sides(const Model& model, const State& state, Problems& warnings)
   find_sides_that_move_far(model, warnings);
   const std::size_t before = warnings.size();
   find_free_sides(model, state, model.description, "", warnings);
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   for (std::size_t k = 0; k < whole.stages.size() && warnings.size() == before; ++k)
     if (whole.stages[k].changed)
       find_free_sides(model, state, *whole.stages[k].changed, fmt::format("stage[{}].set", k), warnings);

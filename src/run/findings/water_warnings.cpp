@@ -251,7 +251,7 @@ void find_high_lines(const Model& model, const State& state, std::vector<Problem
 /// A yield stress that follows from the water of a flood: what the soil bore is what it bore in daily water.
 void find_yield_stress_of_flood(const Model& model, std::vector<Problem>& warnings)
 {
-  const Case& whole = model.whole ? *model.whole : model.description;
+  const Case& whole = model.whole();
   for (const MaterialCase& material : whole.materials)
     for (const ParameterField& field : material.fields) {
       const std::string& daily = field.needs.daily_water;
