@@ -17,17 +17,6 @@
 namespace terp {
 namespace {
 
-/// Value of a parameter of a law at its peak; NaN: the law has none of the name, or it varies or is not given.
-Real parameter_of(const MaterialCase& material, const MaterialType& law, std::string_view name)
-{
-  const auto at = std::ranges::find(law.parameters, name, &ParameterInfo::name);
-  const auto k = static_cast<std::size_t>(at - law.parameters.begin());
-  const bool varies = std::ranges::find(material.fields, k, &ParameterField::parameter) != material.fields.end();
-  return k < law.parameters.size() && k < material.parameters.size() && !varies
-             ? material.parameters[k]
-             : std::numeric_limits<Real>::quiet_NaN();
-}
-
 bool gives(const Node& root, const MaterialCase& material, const char* key)
 {
   return find_node(root, join_path(material_path(material), key)) != nullptr ||

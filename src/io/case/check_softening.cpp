@@ -4,6 +4,7 @@
 
 #include "io/case/check_case.hpp"
 #include "io/case/key_text.hpp"
+#include "model/soils/point_parameters.hpp"
 
 #include <fmt/format.h>
 
@@ -52,11 +53,7 @@ void check_lone_parameters(const MaterialCase& material, const MaterialType& law
 /// The second fall of strength before the first.
 void check_remoulding(const MaterialCase& material, const MaterialType& law, Problems& warnings)
 {
-  const auto value_of = [&](std::string_view name) {
-    const auto at = std::ranges::find(law.parameters, name, &ParameterInfo::name) - law.parameters.begin();
-    return at == std::ssize(law.parameters) ? 0.0 : material.parameters[static_cast<std::size_t>(at)];
-  };
-  const Real first = value_of("eta"), second = value_of("eta_remoulding");
+  const Real first = parameter_of(material, law, "eta"), second = parameter_of(material, law, "eta_remoulding");
   if (!(first > 0.0 && second > first)) return;
   warnings.push_back({join_path(material_path(material), "eta_remoulding"),
       fmt::format("`{}` is remoulded before it has softened", material.name),

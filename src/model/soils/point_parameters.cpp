@@ -80,6 +80,16 @@ std::string parameter_key(const MaterialCase& material, std::string_view paramet
       fmt::runtime(is_plain ? "material.{}{}.{}" : "material.\"{}\"{}.{}"), material.called(), part, parameter);
 }
 
+Real parameter_of(const MaterialCase& material, const MaterialType& law, std::string_view name)
+{
+  const auto at = std::ranges::find(law.parameters, name, &ParameterInfo::name);
+  const auto k = static_cast<std::size_t>(at - law.parameters.begin());
+  const bool varies = std::ranges::find(material.fields, k, &ParameterField::parameter) != material.fields.end();
+  return k < law.parameters.size() && k < material.parameters.size() && !varies
+             ? material.parameters[k]
+             : std::numeric_limits<Real>::quiet_NaN();
+}
+
 std::vector<int> varying_parameters(const MaterialCase& material, const MaterialType& type)
 {
   std::vector<int> varying;

@@ -27,6 +27,9 @@ std::vector<Real> parameters_at(const MaterialCase& material, const MaterialType
 /// "material.\"peat\".below.su_peak"
 std::string parameter_key(const MaterialCase& material, std::string_view parameter);
 
+/// Value of a parameter of a law at its peak; NaN: the law has none of the name, or it varies or is not given.
+Real parameter_of(const MaterialCase& material, const MaterialType& law, std::string_view name);
+
 /// Sets the rows of the parameters that vary. of_bodies: whose points, by number of the body; empty: of all.
 void set_point_parameters(
     const Model& model, const Seeds& seeds, StepState& state, const std::vector<bool>& of_bodies = {});

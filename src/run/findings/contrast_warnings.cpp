@@ -88,14 +88,6 @@ void find_swapped_soils(const Model& model, std::vector<Problem>& warnings)
       }
 }
 
-/// A parameter of a law by its name; NaN: the law has none, or it varies.
-Real parameter_of(const SoilMaterial& soil, const MaterialCase& values, std::string_view name)
-{
-  const auto& parameters = soil.type->parameters;
-  const auto at = std::ranges::find(parameters, name, &ParameterInfo::name) - parameters.begin();
-  return at == std::ssize(parameters) ? NAN : values.parameters[static_cast<std::size_t>(at)];
-}
-
 struct Coarser {
   std::string_view key, what, unit, units;
   Real (*value)(const SoilMaterial&, const MaterialCase&);
@@ -115,8 +107,8 @@ void find_odd_fine_soil(const Coarser& quantity, const Model& model, std::vector
     for (std::size_t b = 0; b < cases.size(); ++b) {
       const SoilMaterial &fine = model.materials[a], &coarse = model.materials[b];
       const auto more = [&](std::string_view name, std::size_t m, std::size_t than) {
-        return parameter_of(model.materials[m], cases[m], name) >
-               parameter_of(model.materials[than], cases[than], name);
+        return parameter_of(cases[m], *model.materials[m].type, name) >
+               parameter_of(cases[than], *model.materials[than].type, name);
       };
       const Real of_fine = quantity.value(fine, cases[a]), of_coarse = quantity.value(coarse, cases[b]);
       const std::string key = parameter_key(cases[a], quantity.key);
@@ -137,8 +129,8 @@ Real loss_of(const SoilMaterial& soil, const MaterialCase& values)
   const auto& parameters = soil.type->parameters;
   for (std::size_t k = 0; k < values.ratios.size(); ++k)
     if (parameters[k].ratio.divides && values.ratios[k].is_given()) return values.ratios[k].value;
-  if (const Real share = parameter_of(soil, values, "residual_share"); share > 0.0) return 1.0 / share;
-  return parameter_of(soil, values, "su_peak") / parameter_of(soil, values, "su_residual");
+  if (const Real share = parameter_of(values, *soil.type, "residual_share"); share > 0.0) return 1.0 / share;
+  return parameter_of(values, *soil.type, "su_peak") / parameter_of(values, *soil.type, "su_residual");
 }
 
 /// Clay of one history has its least strength in extension, not in direct shear.
@@ -146,7 +138,7 @@ void find_swapped_directions(const Model& model, std::vector<Problem>& warnings)
 {
   const auto& cases = model.description.materials;
   for (std::size_t m = 0; m < cases.size(); ++m) {
-    const auto of = [&](std::string_view name) { return parameter_of(model.materials[m], cases[m], name); };
+    const auto of = [&](std::string_view name) { return parameter_of(cases[m], *model.materials[m].type, name); };
     const Real active = of("su_active"), direct = of("su_direct"), passive = of("su_passive");
     if (!is_used(model, cases[m].name) || !(active > direct && passive > direct)) continue;
     const auto key_of = [&](const char* name) { return fmt::format("material.\"{}\".{}", cases[m].name, name); };
@@ -168,7 +160,7 @@ void find_odd_grains(const Model& model, std::vector<Problem>& warnings)
   const auto& cases = model.description.materials;
   for (std::size_t m = 0; m < cases.size(); ++m) {
     const SoilMaterial& soil = model.materials[m];
-    const Real e = parameter_of(soil, cases[m], "void_ratio"), grains = soil.density / of_water * (1.0 + e) - e;
+    const Real e = parameter_of(cases[m], *soil.type, "void_ratio"), grains = soil.density / of_water * (1.0 + e) - e;
     if (!is_used(model, soil.name) || !(e > 0.0) || !(grains > heaviest)) continue;
     warnings.push_back({parameter_key(cases[m], "void_ratio"),
         fmt::format("the void ratio and the density of `{}` do not fit together", soil.name),

@@ -5,6 +5,7 @@
 #include "run/loop/simulation.hpp"
 
 #include "math/errors.hpp"
+#include "model/parts/parts.hpp"
 #include "mpm/features/water.hpp"
 #include "mpm/step/stored_energy.hpp"
 #include "mpm/step/workspace.hpp"

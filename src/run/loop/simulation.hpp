@@ -3,7 +3,6 @@
 #pragma once
 
 #include "run/loop/run.hpp"
-#include "model/parts/parts.hpp"
 #include "model/parts/setup.hpp"
 
 #include <limits>
